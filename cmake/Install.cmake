@@ -1,6 +1,7 @@
-# `cmake --install` gives the two programs (component programs) and the library (component development): find_package(texplorer) defines texplorer::core, and
-# `pkg-config texplorer` knows it too. Everything is found from where it lies, so that the prefix can be moved.
-# With --strip nothing of it has debugging information.
+# `cmake --install` gives the two programs (component programs) and the library (component development):
+# find_package(texplorer) defines texplorer::core, texplorer::texshot where it is installed, and
+# texplorer_add_screenshot_test; `pkg-config texplorer` knows the library too. Everything is found from where it
+# lies, so that the prefix can be moved. With --strip nothing of it has debugging information.
 include(CMakePackageConfigHelpers)
 
 # The headers. <texplorer/…> is made in the build folder, for those who add this folder to a project of theirs.
@@ -31,11 +32,12 @@ install(EXPORT texplorer-targets NAMESPACE texplorer:: DESTINATION ${CMAKE_INSTA
         COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/texplorer-config.cmake.in
     ${PROJECT_BINARY_DIR}/texplorer-config.cmake
-    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer)
+    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/texplorer-config-version.cmake
     COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/texplorer-config.cmake ${PROJECT_BINARY_DIR}/texplorer-config-version.cmake
-        ${PROJECT_SOURCE_DIR}/cmake/FindSquish.cmake
+        ${PROJECT_SOURCE_DIR}/cmake/FindSquish.cmake ${PROJECT_SOURCE_DIR}/cmake/TexplorerScreenshotTest.cmake
+        ${PROJECT_SOURCE_DIR}/cmake/TexplorerRunScreenshotTest.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer COMPONENT development)
 
 set(archives "")

@@ -72,6 +72,73 @@ if "$work/consumer/consumer" "$work/nowhere.dds" "$work/out.dds" "$work/out.png"
 fi
 grep -q "consumer: $work/nowhere.dds: " "$work/said" || complain "the error names no file: $(cat "$work/said")"
 
+# Its screenshot tests. One golden is right where the mask lets it count, another is of another time, and one isn't there.
+goldens=$work/consumer/goldens
+scene=$source/tests/end_to_end/consumer/scene.json
+mkdir "$goldens"
+"$prefix/bin/texshot" shot "$scene" --renderer shader --size 64x48 --time 0.5 -o "$goldens/drawn.png"
+"$prefix/bin/texshot" shot "$scene" --size 64x48 --time 0.5 -o "$goldens/different.png"
+"$python" - "$goldens" <<'EOF'
+import sys
+from PIL import Image
+
+golden = Image.open(f"{sys.argv[1]}/drawn.png").convert("RGB")
+golden.paste((255, 0, 255), (0, 0, 10, 48))
+golden.save(f"{sys.argv[1]}/alike.png")
+mask = Image.new("L", golden.size, 255)
+mask.paste(0, (0, 0, 10, 48))
+mask.save(f"{sys.argv[1]}/mask.png")
+EOF
+screenshots() { # STATUS, of ctest
+    local status=0
+    ctest --test-dir "$work/consumer" -R '^screenshot' --output-on-failure >"$work/said" || status=$?
+    [ $status = "$1" ] || complain "ctest ended with $status: $(cat "$work/said")"
+}
+left() { find "$work/consumer" -name 'screenshot*.png' -printf '%P\n' | sort | tr '\n' ' '; }
+screenshots 8
+for said in 'screenshot.different (Failed)' 'screenshot.missing (Failed)' '50% tests passed, 2 tests failed out of 4' \
+    ' of 3072 pixels (' "there is no golden $goldens/new/missing.png" \
+    "TEXPLORER_UPDATE_GOLDENS=1 ctest --test-dir '$work/consumer' -R '^screenshot\.missing\$'" \
+    "actual:  $work/consumer/screenshot.different-actual.png" \
+    "difference:  $work/consumer/screenshot.different-difference.png"; do
+    grep -qF "$said" "$work/said" || complain "ctest doesn't say \"$said\": $(cat "$work/said")"
+done
+[ "$(left)" = "screenshot.different-actual.png screenshot.different-difference.png screenshot.missing-actual.png " ] ||
+    complain "these were left: $(left)"
+[ ! -e "$goldens/new" ] || complain "a golden was written unasked"
+cp "$goldens/alike.png" "$work/kept.png"
+TEXPLORER_UPDATE_GOLDENS=1 screenshots 0
+cmp "$goldens/alike.png" "$work/kept.png" || complain "a golden that is right was written"
+"$prefix/bin/texshot" shot "$scene" --no-metadata -o "$work/missing.png"
+cmp "$goldens/new/missing.png" "$work/missing.png" || complain "another golden was written"
+TEXPLORER_UPDATE_GOLDENS=0 screenshots 0
+[ -z "$(left)" ] || complain "these were left by tests that passed: $(left)"
+[ "$(ctest --test-dir "$work/consumer" -N -L slow | grep -c 'Test *#')" = 1 ] || complain "a label is missing"
+
+# Wrong calls, and an installation without the program: CMake says so.
+refused() { # SENTENCE ARGUMENTS
+    echo "include(\"$(echo "$prefix"/lib*/cmake/texplorer)/TexplorerScreenshotTest.cmake\")
+texplorer_add_screenshot_test($2)" >"$work/wrong.cmake"
+    ! cmake -P "$work/wrong.cmake" >"$work/said" 2>&1 || complain "CMake accepts $2"
+    tr -s ' \n' ' ' <"$work/said" | grep -qF "$1" || complain "CMake says of $2: $(cat "$work/said")"
+}
+good="NAME a SCENE a.json GOLDEN a.png"
+refused "(a): SCENE is missing" "NAME a GOLDEN a.png"
+refused "(a): GOLDEN is missing" "NAME a SCENE a.json"
+refused "(): NAME is missing" "SCENE a.json GOLDEN a.png"
+refused 'or LABELS, found "THRESHOLD"' "$good THRESHOLD 3"
+refused 'found "b.json"' "NAME a SCENE a.json b.json GOLDEN a.png"
+refused "(a): SIZE has no value" "$good SIZE"
+refused "NAME names files" "NAME ../a SCENE a.json GOLDEN a.png"
+refused 'expected a file .png without braces in its name, found "a.jpg"' "NAME a SCENE a.json GOLDEN a.jpg"
+refused 'expected a file .png without braces in its name, found "{time}.png"' "NAME a SCENE a.json GOLDEN {time}.png"
+refused "has no texshot" "$good"
+mv "$prefix/bin/texshot" "$work/texshot"
+! cmake -S "$source/tests/end_to_end/consumer" -B "$work/without" -DCMAKE_PREFIX_PATH="$prefix" \
+    -DCMAKE_CXX_COMPILER="$compiler" >"$work/said" 2>&1 || complain "CMake finds a texshot that is not installed"
+grep -q "has no texshot" "$work/said" || complain "CMake says: $(cat "$work/said")"
+mv "$work/texshot" "$prefix/bin/texshot"
+
 # What they write of themselves, where man, the shells and editors look for it.
 for file in share/man/man1/{texplorer,texshot,texshot-shot}.1.gz share/bash-completion/completions/{texplorer,texshot} \
     share/zsh/site-functions/{_texplorer,_texshot} share/fish/vendor_completions.d/{texplorer,texshot}.fish \

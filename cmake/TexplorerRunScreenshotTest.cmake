@@ -1,0 +1,72 @@
+# Run as a script by the tests that texplorer_add_screenshot_test has added: draws SCENE, compares it with GOLDEN.
+cmake_minimum_required(VERSION 3.19...3.25)
+
+set(actual "${NAME}-actual.png")
+set(difference "${NAME}-difference.png")
+file(REMOVE "${FOLDER}/${actual}" "${FOLDER}/${difference}") # of the last time
+
+set(draw "")
+foreach(word IN ITEMS SIZE TIME RENDERER CONTEXT)
+    if(NOT "${${word}}" STREQUAL "")
+        string(TOLOWER "${word}" option)
+        list(APPEND draw "--${option}=${${word}}")
+    endif()
+endforeach()
+set(hold "")
+foreach(word IN ITEMS METRIC TOLERANCE SHARE MASK) # a [ in the file's name would hide what follows
+    if(NOT "${${word}}" STREQUAL "")
+        string(TOLOWER "${word}" option)
+        list(APPEND hold "--${option}=${${word}}")
+    endif()
+endforeach()
+
+# Drawn within its folder: in -o, the braces of a folder's name would be places to fill in.
+function(draw_into folder file)
+    execute_process(COMMAND "${TEXSHOT}" shot "${SCENE}" ${draw} ${ARGN} -o "${file}"
+        WORKING_DIRECTORY "${folder}" RESULT_VARIABLE result)
+    if(NOT result STREQUAL 0)
+        message(FATAL_ERROR "${NAME}: ${folder}/${file} was not drawn: ${TEXSHOT} ended with ${result}")
+    endif()
+endfunction()
+
+draw_into("${FOLDER}" "${actual}")
+if(EXISTS "${GOLDEN}")
+    execute_process(COMMAND "${TEXSHOT}" compare "${GOLDEN}" "${actual}" ${hold} -o "${difference}"
+        WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE result)
+    if(result STREQUAL 0)
+        file(REMOVE "${FOLDER}/${actual}" "${FOLDER}/${difference}")
+        return()
+    endif()
+    if(NOT result STREQUAL 1)
+        message(FATAL_ERROR "${NAME}: not compared with ${GOLDEN}: ${TEXSHOT} ended with ${result}")
+    endif()
+endif()
+
+set(update "$ENV{TEXPLORER_UPDATE_GOLDENS}")
+if(NOT update STREQUAL "" AND NOT update STREQUAL "0")
+    get_filename_component(folder "${GOLDEN}" DIRECTORY)
+    get_filename_component(file "${GOLDEN}" NAME)
+    file(MAKE_DIRECTORY "${folder}")
+    draw_into("${folder}" "${file}" --no-metadata) # as `texshot test --update` writes goldens
+    file(REMOVE "${FOLDER}/${actual}" "${FOLDER}/${difference}")
+    message(NOTICE "${NAME}: the golden was written: ${GOLDEN}")
+    return()
+endif()
+
+# Notices, as the words of an error are wrapped.
+string(REGEX REPLACE "([.+])" "\\\\\\1" pattern "${NAME}")
+string(REPLACE "'" "'\\''" TESTS "${TESTS}")
+set(command "TEXPLORER_UPDATE_GOLDENS=1 ctest --test-dir '${TESTS}' -R '^${pattern}$'")
+if(NOT EXISTS "${GOLDEN}")
+    message(NOTICE "${NAME}: there is no golden ${GOLDEN}\n"
+        "  what was drawn:  ${FOLDER}/${actual}\n"
+        "  if it is right, this makes the golden:  ${command}")
+    message(FATAL_ERROR "${NAME}: the golden is missing")
+endif()
+set(files "  expected:  ${GOLDEN}\n  actual:  ${FOLDER}/${actual}\n")
+if(EXISTS "${FOLDER}/${difference}")
+    string(APPEND files "  difference:  ${FOLDER}/${difference}\n")
+endif()
+message(NOTICE "${NAME}: not like its golden\n${files}"
+    "  if the new one is right, this takes it over:  ${command}")
+message(FATAL_ERROR "${NAME}: not like its golden")
