@@ -50,8 +50,8 @@ std::string driversText(std::span<const DriverAnswer> answers, bool extensions) 
     std::string text;
     for (const DriverAnswer& each : answers) {
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", each.context.text());
-        text +=
-            each.report ? driversText(*each.report, extensions) : line("not usable", each.report.error().message);
+        text += each.report ? driversText(*each.report, extensions)
+                            : line("not usable", each.report.error().message);
     }
     return text;
 }
