@@ -108,7 +108,8 @@ std::string Command::version() const {
 }
 
 std::string Command::group() const {
-    return app_->get_group();
+    const std::string title = app_->get_group();
+    return title == "Subcommands" ? std::string() : title; // CLI11's, of a program that has named none
 }
 
 std::string Command::footer() const {
