@@ -154,7 +154,7 @@ class Drivers(Texshot):
             self.assertIn("\n  not usable      ", result.stdout.decode())
 
     def test_a_wrong_context_is_refused(self):
-        for word in ("EGL", "egl:", "egl:-1", "egl:1x", "egl:99999999999", "glx", ""):
+        for word in ("EGL", "egl:", "egl:-1", "egl:1x", "egl:99999999999", "glx"):
             self.complains(2, f'--context: expected auto, osmesa, egl, egl:surfaceless or egl: and the number of a '
                               f'device, found "{word}"', "shot", "--context", word, "-o", "-")
         result = texshot("shot", "-o", "-", env={**os.environ, "TEXPLORER_CONTEXT": "bogus"})
