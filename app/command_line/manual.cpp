@@ -1,5 +1,7 @@
 #include "app/command_line/manual.h"
 
+#include "core/base/utf8.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +18,18 @@ namespace {
 /// The programs that belong together.
 constexpr std::array<std::string_view, 2> programs{"texplorer", "texshot"};
 
-/// As one line of text, which no macro or escape of roff is.
+/// As one line of text, which no macro or escape of roff is: letters beyond ASCII as groff, which reads no
+/// UTF-8 by itself, names them, and with places in long words where a line may be broken.
 std::string roffText(std::string_view text) {
     std::string out;
-    for (const char c : text) {
-        if (c == '\\')
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (const Utf8Character letter = firstCharacter(text.substr(i)); letter.bytes > 1) {
+            out += fmt::format("\\[u{:04X}]", static_cast<unsigned>(letter.character));
+            i += letter.bytes - 1;
+        } else if (c == ',' && i + 1 < text.size() && text[i + 1] != ' ') {
+            out += ",\\:";
+        } else if (c == '\\')
             out += "\\e";
         else if (c == '-')
             out += "\\-";

@@ -70,6 +70,7 @@ constexpr auto functions = std::to_array<GlFunction>({
     TEXPLORER_GL(glGenFramebuffers, framebuffers, true),
     TEXPLORER_GL(glGenRenderbuffers, framebuffers, true),
     TEXPLORER_GL(glRenderbufferStorage, framebuffers, true),
+    TEXPLORER_GL(glGetStringi, "OpenGL 3.0", false),
     TEXPLORER_GL(glProvokingVertex, "GL_ARB_provoking_vertex", false),
     TEXPLORER_GL(glBindSampler, "GL_ARB_sampler_objects", false),
     TEXPLORER_GL(glBindVertexArray, "GL_ARB_vertex_array_object", false),

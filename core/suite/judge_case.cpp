@@ -246,9 +246,8 @@ JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, c
     JudgedCase judged{record, {}, {}};
     judged.record.state = State::New;
     judged.record.golden = goldens.empty() ? std::string() : goldens.front();
-    judged.record.sentence = goldens.empty()
-                                 ? "there is no golden for this driver"
-                                 : fmt::format("there is no golden yet: {}", inQuotes(goldens.front()));
+    judged.record.sentence = goldens.empty() ? "there is no golden for this driver"
+                                             : fmt::format("there is no golden yet: {}", goldens.front());
     return judged;
 }
 

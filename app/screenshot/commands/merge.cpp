@@ -151,7 +151,7 @@ void addMerge(CommandLine& line) {
                    {.value = "FILE"});
     command.footer(
         "Of a case that is in several of them the later attempt stays, of the same the worse one.\n"
-        "Exit status: as that of the whole run: 0 all are alike, 1 some are not, 2 cases could not "
+        "Exit status: 0 all cases of the whole run are alike, 1 some are not, 2 cases could not "
         "be tried or are missing, a file that can't be read, a wrong call.");
     command.onCall([options]() -> int {
         try {

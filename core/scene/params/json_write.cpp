@@ -64,8 +64,10 @@ public:
     /// up.
     std::string write(Scene* start) {
         open('{');
-        member(schemaKey);
-        out_ += jsonText(sceneSchemaId);
+        if (!start) {
+            member(schemaKey);
+            out_ += jsonText(sceneSchemaId);
+        }
         member(versionKey);
         out_ += std::to_string(sceneFormatVersion);
         members(sceneTable(),

@@ -87,7 +87,7 @@ class Conform(Texshot):
         browser.driver.get((folder / "index.html").as_uri())
         browser.wait(lambda: browser.script("return performance.getEntriesByName('texplorer-shown').length"), "the page")
         self.assertEqual(browser.driver.title, "Do the renderers agree?")
-        self.assertEqual(browser.text(".overview h2"), "All agree")
+        browser.wait(lambda: browser.texts(".overview h2") == ["All agree"], "the overview")
         self.assertEqual(browser.texts("section h3")[:2], ["Shader against Fixed function", "Reference against Fixed function"])
         self.assertEqual(browser.texts("tbody th"), ["wrap", "environment"] * 2)
         browser.script("document.querySelectorAll('tbody th a')[2].click()")

@@ -349,7 +349,7 @@ class Shots(Texshot):
         self.draws("-o", self.out / "good.png")
         shown = self.succeeds("info", self.out / "good.png").decode()
         self.assertRegex(shown, r"keyword +Texplorer renderer\n.*text +fixed\n")
-        self.assertRegex(shown, r'text +\{\\u000a  "version": 1,.* \d+ bytes once they are unpacked')
+        self.assertRegex(shown, r'text +\{\\u000a  "\$schema": .* \d+ bytes once they are unpacked')
         png = (self.out / "good.png").read_bytes()
         hostile = [chunk(b"tEXt", b"Comment\0\x1b[2J\nred \xe4"), chunk(b"tEXt", b"\0"), chunk(b"tEXt", b"x" * 300),
                    chunk(b"zTXt", b"Bomb\0\0" + packed_zeros(64)), chunk(b"zTXt", b"Cut\0"),
