@@ -154,7 +154,7 @@ PngText readTextChunk(const PngChunk& chunk, std::size_t maxBytes) {
                                  : "expected 0 for the method of compression";
         return found;
     }
-    for (int skipped = 0; international && skipped < 2; ++skipped) { // the language, the translated keyword
+    for (int before = 0; international && before < 2; ++before) { // the language, the translated keyword
         const std::optional<std::size_t> stop = endOf(data, at);
         if (!stop) {
             found.wrong = "expected a language and a translated keyword, each with a 0 behind it";
