@@ -1,0 +1,36 @@
+#pragma once
+
+// EXPECT_TRUE(texplorer::matchesGolden(width, height, pixels, "golden/start.png"));
+// With TEXPLORER_UPDATE_GOLDENS=1 in the environment, goldens that are missing or different are written.
+
+#include "core/golden/golden.h"
+
+#include <gtest/gtest.h>
+
+namespace texplorer {
+
+/// What checkGolden says, as GoogleTest has it.
+[[nodiscard]] inline testing::AssertionResult assertionOf(const Result<GoldenCheck>& check) {
+    if (!check)
+        return testing::AssertionFailure() << describe(check.error());
+    return testing::AssertionResult(check->alike) << check->message;
+}
+
+/// An image is a framebuffer of any format, its bottom row first. See checkGolden.
+[[nodiscard]] inline testing::AssertionResult
+matchesGolden(const Image& framebuffer, const std::filesystem::path& golden, GoldenOptions options = {}) {
+    options.update |= goldensAreUpdated();
+    return assertionOf(checkGolden(framebuffer, golden, options));
+}
+
+/// Pixels as glReadPixels gives them for GL_RGBA and GL_UNSIGNED_BYTE, the bottom row first unless options
+/// say otherwise. See checkGolden.
+[[nodiscard]] inline testing::AssertionResult matchesGolden(int width, int height,
+                                                            std::span<const std::byte> rgba,
+                                                            const std::filesystem::path& golden,
+                                                            GoldenOptions options = {}) {
+    options.update |= goldensAreUpdated();
+    return assertionOf(checkGolden(width, height, rgba, golden, options));
+}
+
+} // namespace texplorer
