@@ -63,7 +63,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libc6-dev, libstdc++-12-dev | libstdc++-dev, libdeflate-dev, libexpected-dev, libfmt-dev, libglm-dev, "
     "libjpeg62-turbo-dev | libjpeg-dev, libpng-dev, libsquish-dev, pkgconf | pkg-config")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "texplorer (= ${PROJECT_VERSION})") # texplorer_add_screenshot_test draws with it
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libgtest-dev, texplorer (= ${PROJECT_VERSION})") # gtest.h; screenshot tests
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "texture files, S3TC, and texture mapping as OpenGL specifies it
 The static library behind Texplorer, for C++20: it reads and writes BMP, DDS,
 JPEG, PNG and TGA files, flips and compresses S3TC blocks, makes mip levels,

@@ -91,7 +91,7 @@ mask.save(f"{sys.argv[1]}/mask.png")
 EOF
 screenshots() { # STATUS, of ctest
     local status=0
-    ctest --test-dir "$work/consumer" -R '^screenshot' --output-on-failure >"$work/said" || status=$?
+    ctest --test-dir "$work/consumer" -R '^screenshot' --output-on-failure &>"$work/said" || status=$?
     [ $status = "$1" ] || complain "ctest ended with $status: $(cat "$work/said")"
 }
 left() { find "$work/consumer" -name 'screenshot*.png' -printf '%P\n' | sort | tr '\n' ' '; }
@@ -114,6 +114,35 @@ cmp "$goldens/new/missing.png" "$work/missing.png" || complain "another golden w
 TEXPLORER_UPDATE_GOLDENS=0 screenshots 0
 [ -z "$(left)" ] || complain "these were left by tests that passed: $(left)"
 [ "$(ctest --test-dir "$work/consumer" -N -L slow | grep -c 'Test *#')" = 1 ] || complain "a label is missing"
+
+# Its framebuffer, whose golden Pillow makes: red grows to the right, green upwards.
+"$python" - "$goldens/framebuffer.png" <<'EOF'
+import sys
+from PIL import Image
+
+golden = Image.new("RGBA", (5, 4))
+golden.putdata([(x * 50, y * 60, 7, 255) for y in (3, 2, 1, 0) for x in range(5)])
+golden.save(sys.argv[1])
+EOF
+framebuffer() { # STATUS of its tests, which run in their build folder; what they leave goes there
+    local status=0
+    (cd "$work/consumer" && ./framebuffer_test --gtest_filter='*.IsTheGolden') >"$work/said" || status=$?
+    [ $status = "$1" ] || complain "the framebuffer's test ended with $status: $(cat "$work/said")"
+}
+ctest --test-dir "$work/consumer" -R '^framebuffer$' --output-on-failure >"$work/said" || complain "$(cat "$work/said")"
+grep -q '100% tests passed, 0 tests failed out of 1' "$work/said" || complain "the framebuffer is not tested: $(cat "$work/said")"
+mv "$goldens/framebuffer.png" "$work/framebuffer.png"
+framebuffer 1
+grep -q "there is no golden" "$work/said" || complain "a missing golden: $(cat "$work/said")"
+TEXPLORER_UPDATE_GOLDENS=1 framebuffer 0
+[ "$(identify -format '%#' "$goldens/framebuffer.png")" = "$(identify -format '%#' "$work/framebuffer.png")" ] ||
+    complain "the framebuffer's golden is not as Pillow makes it"
+convert "$goldens/framebuffer.png" -negate "PNG32:$goldens/framebuffer.png"
+framebuffer 1
+for picture in actual expected difference; do
+    grep -qF "$picture: " "$work/said" || complain "no word of its $picture picture: $(cat "$work/said")"
+    [ "$(identify -format '%wx%h' "$work/consumer/framebuffer-$picture.png")" = 5x4 ] || complain "there is no $picture picture"
+done
 
 # Wrong calls, and an installation without the program: CMake says so.
 refused() { # SENTENCE ARGUMENTS
