@@ -100,8 +100,8 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request) {
     return {};
 }
 
-ExitCode shootOne(const ShotOptions& options, ShotRequest request) {
-    const auto output = openImageOutput(options.out, "PNG");
+ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request) {
+    const auto output = openImageOutput(name, "PNG");
     if (!output)
         return output.error();
     if (options.withoutMetadata && output->format->name != "PNG")
@@ -224,7 +224,8 @@ ExitCode shoot(const ShotOptions& options) {
         return shootAll(options, *pattern, *std::move(sizes), *std::move(times), *std::move(request));
     request->size = sizes->front();
     request->time = times->front();
-    return shootOne(options, *std::move(request));
+    const auto noPlaces = [](const std::string& /*place*/) { return std::string(); };
+    return shootOne(options, pattern->fill(noPlaces), *std::move(request));
 }
 
 } // namespace
