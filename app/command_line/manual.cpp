@@ -199,7 +199,7 @@ Result<std::string> manualPage(const CommandLine& line, const std::string& page)
     std::ranges::transform(title, title.begin(), [](char c) {
         return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     });
-    return fmt::format(".TH {} 1 {} \"{}\" \"User Commands\"\n", roffText(title), dateOfPage(),
+    return fmt::format(".TH {} 1 {} \"{}\" \"User Commands\"\n.ad l\n", roffText(title), dateOfPage(),
                        roffText(line.version())) +
            fmt::format(".SH NAME\n{} \\- {}\n", roffText(page), roffText(firstSentence(shown->help()))) +
            ".SH SYNOPSIS\n" + synopsisOf(*shown, called, isProgram && !line.commands().empty()) +

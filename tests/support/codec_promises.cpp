@@ -188,7 +188,7 @@ std::string brokenPromise(const CodecRow& row, ByteView file, const DecodeLimits
     constexpr std::size_t manyBytes = std::size_t{1} << 18; // writing larger ones finds no more, only later
     if (!row.encode || byteCount(texture->surfaces.front()) > manyBytes)
         return {};
-    for (const WriteOptions options : {WriteOptions{}, WriteOptions{.small = true, .runLengthCoded = true}})
+    for (const WriteOptions& options : {WriteOptions{}, WriteOptions{.small = true, .runLengthCoded = true}})
         if (std::string broken = brokenByWriting(row, *texture, options); !broken.empty())
             return broken;
     return {};

@@ -81,7 +81,7 @@ std::vector<Bytes> sampleFiles(const CodecRow& row) {
     if (!row.encode)
         return files;
     for (const TextureImage& texture : sampleTextures())
-        for (const WriteOptions options :
+        for (const WriteOptions& options :
              {WriteOptions{}, WriteOptions{.small = true, .runLengthCoded = true}})
             if (Result<Bytes> file = row.encode(texture, options))
                 if (std::ranges::find(files, *file) == files.end())

@@ -114,7 +114,8 @@ class Shots(Texshot):
 
     def test_one_picture_may_have_places_too(self):
         self.assertEqual(self.draws(self.scene("a b.json"), "-o", self.out / "{scene}-{{x}}.png"), ["a_b-{x}.png"])
-        self.assertEqual(self.draws("-o", self.out / "{{y}}.png"), ["a_b-{x}.png", "{y}.png"])
+        self.assertIn("{y}.png", self.draws("-o", self.out / "{{y}}.png"))
+        (self.out / "{y}.png").unlink()
         self.assertEqual(self.draws("--lesson", "filters", "--step", "2", "-o", self.out / "{scene}.tga")[-1],
                          "filters-2.tga")
 
