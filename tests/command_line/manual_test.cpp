@@ -47,6 +47,7 @@ TEST(Manual, ReadsLikeThis) {
     const Painter painter;
     const std::string page = manualPage(painter.line, "painter-wall").value();
     EXPECT_THAT(page, HasSubstr(R"(.TH PAINTER\-WALL 1 2000-02-29 "painter 1.2.3" "User Commands"
+.ad l
 .SH NAME
 painter\-wall \- Paints a wall
 .SH SYNOPSIS
