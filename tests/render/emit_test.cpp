@@ -144,8 +144,8 @@ Image run(const Program& program) {
     }
     glPopClientAttrib();
     glPopAttrib();
-    for (const GLenum mode : {GL_PROJECTION, GL_TEXTURE, GL_MODELVIEW}) {
-        glMatrixMode(mode);
+    for (const int mode : {GL_PROJECTION, GL_TEXTURE, GL_MODELVIEW}) {
+        glMatrixMode(static_cast<GLenum>(mode));
         glLoadIdentity();
     }
     return found;

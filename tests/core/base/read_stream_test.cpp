@@ -16,8 +16,9 @@ class Pipe {
 public:
     explicit Pipe(std::string content, bool waits = true) {
         EXPECT_EQ(::pipe(ends_.data()), 0);
-        if (!waits)
+        if (!waits) {
             EXPECT_EQ(::fcntl(ends_[0], F_SETFL, O_NONBLOCK), 0);
+        }
         writer_ = std::thread([this, content = std::move(content)] {
             for (std::size_t done = 0; done < content.size();) {
                 const ssize_t put = ::write(ends_[1], content.data() + done, content.size() - done);
