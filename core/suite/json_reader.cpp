@@ -9,11 +9,12 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <vector>
 
 namespace texplorer::suite {
 namespace {
 
-constexpr int deepestJson = 24;
+constexpr std::size_t deepestJson = 24;
 
 /// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'",
 /// which may be long.
@@ -27,35 +28,60 @@ std::string mistakeOf(const Json::exception& error) {
     return printable(readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax)));
 }
 
-/// What is wrong with a text although it is JSON.
-class Watcher {
+/// What is wrong with a text: it is no JSON, or it is nested too deeply, or has a key twice.
+class Checker : public nlohmann::json_sax<Json> {
 public:
-    /// nlohmann's callback: false leaves the value out.
-    bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-        if (problem_ || depth > deepestJson) {
-            if (!problem_)
-                problem_ = Error{ErrorCode::TooLarge,
-                                 fmt::format("expected at most {} levels of brackets", deepestJson),
-                                 {}};
-            return false;
-        }
-        if (event == Json::parse_event_t::object_start)
-            keys_.emplace_back();
-        if (event == Json::parse_event_t::object_end && !keys_.empty())
-            keys_.pop_back();
-        if (event == Json::parse_event_t::key && !keys_.empty() &&
-            !keys_.back().insert(parsed.get<std::string>()).second)
-            problem_ = Error{ErrorCode::Malformed,
-                             fmt::format("expected each key once, found {} again",
-                                         inQuotes(parsed.get_ref<const std::string&>())),
-                             {}};
-        return !problem_;
+    explicit Checker(std::string_view text)
+        : text_(text) {}
+
+    bool null() override { return true; }
+    bool boolean(bool /*value*/) override { return true; }
+    bool number_integer(number_integer_t /*value*/) override { return true; }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+    bool string(string_t& /*value*/) override { return true; }
+    bool binary(binary_t& /*value*/) override { return true; }
+    bool start_object(std::size_t /*elements*/) override { return open(); }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t /*elements*/) override { return open(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& key) override {
+        if (keys_.back().insert(key).second)
+            return true;
+        problem_ = Error{
+            ErrorCode::Malformed, fmt::format("expected each key once, found {} again", inQuotes(key)), {}};
+        return false;
+    }
+
+    bool parse_error(std::size_t position, const std::string& /*token*/,
+                     const Json::exception& error) override {
+        const std::string_view read = text_.substr(0, std::min(text_.size(), position));
+        problem_ = Error{ErrorCode::Malformed, mistakeOf(error),
+                         fmt::format("line {}", 1 + std::ranges::count(read, '\n'))};
+        return false;
     }
 
     [[nodiscard]] const Problem& problem() const { return problem_; }
 
 private:
-    std::vector<std::set<std::string>> keys_;
+    bool open() {
+        if (keys_.size() < deepestJson) {
+            keys_.emplace_back();
+            return true;
+        }
+        problem_ = Error{
+            ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", deepestJson), {}};
+        return false;
+    }
+
+    bool close() {
+        keys_.pop_back();
+        return true;
+    }
+
+    std::string_view text_;
+    std::vector<std::set<std::string>> keys_; ///< of each bracket that is open
     Problem problem_;
 };
 
@@ -65,24 +91,10 @@ Result<Json> parseJson(std::string_view text, std::size_t maxBytes) {
     if (text.size() > maxBytes)
         return fail(ErrorCode::TooLarge,
                     fmt::format("expected at most {} bytes, found {}", maxBytes, text.size()));
-    Watcher watcher;
-    const auto watch = [&watcher](int depth, Json::parse_event_t event, const Json& parsed) {
-        return watcher(depth, event, parsed);
-    };
-    try {
-        Json json = Json::parse(text, watch);
-        if (watcher.problem())
-            return fail(*watcher.problem());
-        return json;
-    } catch (const Json::parse_error& error) {
-        if (watcher.problem())
-            return fail(*watcher.problem());
-        const std::string_view read = text.substr(0, std::min(text.size(), error.byte));
-        return fail(ErrorCode::Malformed, mistakeOf(error),
-                    fmt::format("line {}", 1 + std::ranges::count(read, '\n')));
-    } catch (const Json::exception& error) {
-        return fail(ErrorCode::Malformed, mistakeOf(error));
-    }
+    Checker checker(text);
+    if (!Json::sax_parse(text, &checker))
+        return fail(*checker.problem());
+    return Json::parse(text, nullptr, false); // which throws nothing: it was read once
 }
 
 std::string foundText(const Json& json) {
