@@ -274,11 +274,6 @@ Result<Plan> planOf(std::vector<Suite> suites, const PlanOptions& options) {
     return plan;
 }
 
-const Case* findCase(const Plan& plan, std::string_view name) {
-    const auto found = std::ranges::find(plan.cases, name, &Case::name);
-    return found == plan.cases.end() ? nullptr : &*found;
-}
-
 std::string fingerprintOf(const Plan& plan) {
     std::vector<std::string_view> names;
     names.reserve(plan.cases.size());

@@ -48,9 +48,6 @@ struct PlanOptions {
 /// axes that can't be; two cases of one name; NotFound where `only` fits no case.
 [[nodiscard]] Result<Plan> planOf(std::vector<Suite> suites, const PlanOptions& options = {});
 
-/// nullptr: there is none of this name.
-[[nodiscard]] const Case* findCase(const Plan& plan, std::string_view name);
-
 /// 32 hex digits that are the same for the same cases, in whatever order: for records of one run.
 [[nodiscard]] std::string fingerprintOf(const Plan& plan);
 

@@ -4,10 +4,10 @@
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/golden_file.h"
 #include "app/screenshot/runs/pair_worker.h"
+#include "app/screenshot/runs/run_plan.h"
 #include "core/image/convert.h"
 #include "core/reference/probe.h"
 #include "core/suite/judge_case.h"
-#include "core/suite/suite_folder.h"
 #include "core/texture/block_cache.h"
 
 #include <fmt/core.h>
@@ -126,15 +126,7 @@ Result<void> CaseWorker::plan(const RunSetup& setup) {
     if (plan_ && setup == planned_)
         return {};
     plan_.reset();
-    std::vector<suite::Suite> suites;
-    for (const std::string& path : setup.suites) {
-        Result<std::vector<suite::Suite>> found = suite::suitesAt(path);
-        if (!found)
-            return fail(found.error());
-        std::ranges::move(*found, std::back_inserter(suites));
-    }
-    Result<suite::Plan> plan =
-        suite::planOf(std::move(suites), {.renderers = setup.renderers, .only = setup.only});
+    Result<suite::Plan> plan = readPlan(setup);
     if (!plan)
         return fail(plan.error());
     if (fingerprintOf(*plan) != setup.plan)

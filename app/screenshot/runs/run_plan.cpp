@@ -85,7 +85,7 @@ PlannedRun planned(RunSetup setup, suite::Plan plan, Chosen own, const RunChoice
 
 } // namespace
 
-Result<PlannedRun> planSuites(RunSetup setup, const RunChoice& choice) {
+Result<suite::Plan> readPlan(const RunSetup& setup) {
     std::vector<suite::Suite> suites;
     for (const std::string& path : setup.suites) {
         Result<std::vector<suite::Suite>> found = suite::suitesAt(path);
@@ -93,8 +93,11 @@ Result<PlannedRun> planSuites(RunSetup setup, const RunChoice& choice) {
             return fail(found.error());
         std::ranges::move(*found, std::back_inserter(suites));
     }
-    Result<suite::Plan> plan =
-        suite::planOf(std::move(suites), {.renderers = setup.renderers, .only = setup.only});
+    return suite::planOf(std::move(suites), {.renderers = setup.renderers, .only = setup.only});
+}
+
+Result<PlannedRun> planSuites(RunSetup setup, const RunChoice& choice) {
+    Result<suite::Plan> plan = readPlan(setup);
     if (!plan)
         return fail(plan.error());
     std::vector<RunItem> items;

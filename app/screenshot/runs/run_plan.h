@@ -17,6 +17,10 @@ struct RunChoice {
     double seconds = 0;                    ///< after which a case has hung; 0: as its suite says
 };
 
+/// What the files of setup.suites have, with its renderers and only. A worker reads them as the program does
+/// that it works for.
+[[nodiscard]] Result<suite::Plan> readPlan(const RunSetup& setup);
+
 /// The cases of suites. `setup` has suites, renderers and only; it gets its plan.
 [[nodiscard]] Result<PlannedRun> planSuites(RunSetup setup, const RunChoice& choice);
 

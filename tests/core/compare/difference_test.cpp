@@ -1,6 +1,7 @@
 #include "core/base/file_io.h"
 #include "core/codec/png/png.h"
 #include "core/compare/heat_map.h"
+#include "tests/support/grey_picture.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
@@ -14,20 +15,9 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Rgba8 from grey pixels, bottom row first; their alpha is 255.
-Image grey(int width, int height, std::initializer_list<int> values) {
-    Image image{PixelFormat::Rgba8, width, height, 1, {}};
-    for (const int value : values) {
-        for (int c = 0; c < 3; ++c)
-            image.pixels.push_back(static_cast<std::byte>(value));
-        image.pixels.push_back(std::byte{255});
-    }
-    return image;
-}
-
 TEST(Compare, CountsMeasuresAndFindsTheWorst) {
-    const Image a = grey(3, 2, {0, 10, 20, 30, 40, 255});
-    Image b = grey(3, 2, {0, 11, 18, 30, 70, 255});
+    const Image a = greyPicture(3, 2, {0, 10, 20, 30, 40, 255});
+    Image b = greyPicture(3, 2, {0, 11, 18, 30, 70, 255});
     b.at(2, 1)[0] = std::byte{225}; // red alone: 30 as well, but not the first
     const Result<Difference> difference = compare(a, b, 1);
     ASSERT_TRUE(difference);
@@ -45,7 +35,7 @@ TEST(Compare, CountsMeasuresAndFindsTheWorst) {
 }
 
 TEST(Compare, CountsAlphaUnlessToldNotTo) {
-    const Image a = grey(2, 1, {7, 8});
+    const Image a = greyPicture(2, 1, {7, 8});
     Image b = a;
     b.at(1, 0)[3] = std::byte{200};
     EXPECT_EQ(compare(a, b, 0)->over, 1U);
@@ -55,8 +45,8 @@ TEST(Compare, CountsAlphaUnlessToldNotTo) {
 }
 
 TEST(Compare, RefusesWhatCanNotBeCompared) {
-    const Image a = grey(2, 1, {1, 2});
-    const Result<Difference> sizes = compare(a, grey(1, 2, {1, 2}), 0);
+    const Image a = greyPicture(2, 1, {1, 2});
+    const Result<Difference> sizes = compare(a, greyPicture(1, 2, {1, 2}), 0);
     ASSERT_FALSE(sizes);
     EXPECT_EQ(sizes.error().code, ErrorCode::OutOfRange);
     EXPECT_THAT(sizes.error().message, HasSubstr("found 2 x 1 pixels (RGBA, 8 bits each) and 1 x 2"));

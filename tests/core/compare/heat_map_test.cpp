@@ -1,4 +1,5 @@
 #include "core/compare/heat_map.h"
+#include "tests/support/grey_picture.h"
 
 #include <gmock/gmock.h>
 
@@ -9,17 +10,6 @@ namespace texplorer::heat_map_test {
 namespace {
 
 using testing::ElementsAre;
-
-/// Rgba8 from grey pixels, bottom row first; their alpha is 255.
-Image grey(int width, int height, std::initializer_list<int> values) {
-    Image image{PixelFormat::Rgba8, width, height, 1, {}};
-    for (const int value : values) {
-        for (int c = 0; c < 3; ++c)
-            image.pixels.push_back(static_cast<std::byte>(value));
-        image.pixels.push_back(std::byte{255});
-    }
-    return image;
-}
 
 /// CIE lightness, 0 to 100, of an sRGB colour.
 double lightness(std::array<std::uint8_t, 4> color) {
@@ -68,8 +58,8 @@ INSTANTIATE_TEST_SUITE_P(All, Heat,
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(HeatMap, ColorsEachPixelByItsWorstComponent) {
-    const Image a = grey(2, 2, {0, 50, 100, 150});
-    Image b = grey(2, 2, {0, 51, 105, 150});
+    const Image a = greyPicture(2, 2, {0, 50, 100, 150});
+    Image b = greyPicture(2, 2, {0, 51, 105, 150});
     b.at(1, 1)[2] = std::byte{250}; // blue: 100
     const Result<Image> map = heatMap(a, b, {2, 128});
     ASSERT_TRUE(map);

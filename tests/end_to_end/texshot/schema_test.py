@@ -72,6 +72,16 @@ class Schema(Texshot):
                     self.assertEqual(member["default"], entry["default"])
                     jsonschema.Draft202012Validator(member).validate(member["default"])
 
+    def test_suites_have_one_too(self):
+        schema = json.loads(self.succeeds("schema", "--suites"))
+        jsonschema.Draft202012Validator.check_schema(schema)
+        suites = sorted((SOURCE / "assets").glob("suites/*.suite.json"))
+        self.assertNotEqual(suites, [])
+        for file in suites:
+            jsonschema.Draft202012Validator(schema).validate(json.loads(file.read_text()))
+        with self.assertRaises(jsonschema.ValidationError):
+            jsonschema.Draft202012Validator(schema).validate({"suite": 1, "casses": []})
+
     def test_scenes_of_ours_fit(self):
         scenes = sorted((SOURCE / "assets").glob("scenes/*.json"))
         scenes += [each for each in sorted((SOURCE / "assets").glob("lessons/*/*.json")) if each.name != "lesson.json"]
