@@ -18,6 +18,8 @@ namespace texplorer::conform {
 
 /// What features there are, with the rules that they are held to.
 [[nodiscard]] std::string listing();
+/// The same for programs: "features", "rules" and "notCompared".
+[[nodiscard]] std::string listingJson();
 
 /// What came of it all: "all agree", "all agree, 4 of 300 comparisons skipped", "not all agree" or "nothing
 /// was compared".

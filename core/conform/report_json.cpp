@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace texplorer::conform {
 
 namespace {
@@ -81,6 +83,28 @@ std::string asJson(const Report& report) {
                     {"pairs", std::move(pairs)}};
     // A driver's name may be no UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string listingJson() {
+    Json json{{"features", Json::array()}, {"rules", Json::array()}, {"notCompared", Json::array()}};
+    std::vector<const Rule*> used;
+    for (const Feature& feature : features()) {
+        json["features"].push_back({{"name", feature.name},
+                                    {"scenes", feature.scenes},
+                                    {"section", feature.section},
+                                    {"reference", feature.reference.name},
+                                    {"shader", feature.shader.name},
+                                    {"sweeps", feature.sweeps}});
+        for (const Rule* rule : {&feature.reference, &feature.shader}) {
+            if (std::ranges::find(used, rule) == used.end())
+                used.push_back(rule);
+        }
+    }
+    for (const Rule* rule : used)
+        json["rules"].push_back(asJson(*rule));
+    for (const Skip& skip : skips())
+        json["notCompared"].push_back({{"name", skip.name}, {"reason", skip.reason}});
+    return json.dump(2) + "\n";
 }
 
 } // namespace texplorer::conform

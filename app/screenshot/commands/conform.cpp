@@ -184,7 +184,7 @@ ExitCode conformTo(const ConformOptions& options) {
         for (const Option* option : options.notListing)
             if (option->isGiven())
                 return refuseUnused(option->name(), "--list compares nothing");
-        const std::string text = conform::listing();
+        const std::string text = options.json ? conform::listingJson() : conform::listing();
         const Result<void> written = print(text);
         return written ? success : complain(written.error());
     }
@@ -282,9 +282,9 @@ void addConform(CommandLine& line) {
     command.option("--pretend", options->pretended,
                    view::pretenceHelp() + " What can't be compared then is skipped, and counted.",
                    {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
-    command.flag("--json", options->json, "The report as JSON, for programs.");
     for (const Option& option : command.options())
         options->notListing.push_back(&option);
+    command.flag("--json", options->json, "The report, or the list, as JSON, for programs.");
     command.flag("--list", options->list,
                  "Name the features, the rules that they are held to with their reasons, and what is not "
                  "compared.");

@@ -40,6 +40,7 @@ struct ShotOptions {
     std::vector<std::string> pretended;
     std::string out;
     bool withoutMetadata = false;
+    bool json = false;
     const Option* rendererOption = nullptr;
     const Option* shownOption = nullptr;
     const Option* shadersOption = nullptr;
@@ -100,7 +101,8 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request) {
     return {};
 }
 
-ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request) {
+ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,
+                  ShotReport* report) {
     const auto output = openImageOutput(name, "PNG");
     if (!output)
         return output.error();
@@ -115,7 +117,7 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
     request.file = argument.path();
-    return drawOne(std::move(request), argument, *output, !options.withoutMetadata);
+    return drawOne(std::move(request), argument, *output, !options.withoutMetadata, report);
 }
 
 /// "{scene}" in the names of pictures.
@@ -127,7 +129,8 @@ std::string sceneNameOf(const SceneArgument& scene, const std::string& file) {
 
 /// The scenes that can be read, with their axes; the others' sentences are said. The error is the exit status
 /// of a wrong call.
-tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions& options) {
+tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions& options,
+                                                               ShotReport* report) {
     std::vector<ShotList::Entry> entries;
     std::vector<std::string> files = options.files;
     if (files.empty())
@@ -140,6 +143,8 @@ tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions
             return tl::unexpected(complain(inScene(argument, opened.error().error), wrongCall));
         if (!opened) {
             complain(opened.error().error);
+            if (report != nullptr)
+                report->addUnread(file, opened.error().error);
             continue;
         }
         ShotList::Entry entry{sceneNameOf(options.scene, file), file, *std::move(opened)};
@@ -172,7 +177,7 @@ Result<void> checkFolders(const std::vector<std::string>& names) {
 }
 
 ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::vector<view::Size> sizes,
-                  std::vector<double> times, ShotRequest request) {
+                  std::vector<double> times, ShotRequest request, ShotReport* report) {
     const bool several = options.files.size() > 1 || sizes.size() > 1 || times.size() > 1;
     if (several && pattern.places().empty())
         return complain({ErrorCode::OutOfRange,
@@ -186,11 +191,14 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
         return complain(format.error(), wrongCall);
     if (options.withoutMetadata && (*format)->name != "PNG")
         return refuseUnused("--no-metadata", "it is for PNG files");
-    auto entries = entriesOf(options);
+    auto entries = entriesOf(options, report);
     if (!entries)
         return entries.error();
-    if (entries->empty())
+    if (entries->empty()) {
+        if (report != nullptr)
+            report->finish();
         return failure;
+    }
     const bool incomplete = entries->size() < std::max<std::size_t>(1, options.files.size());
     const ShotList list(*std::move(entries), std::move(sizes), std::move(times));
     Result<std::vector<std::string>> names = list.names(pattern, std::string(rowOf(request.renderer).name));
@@ -199,10 +207,10 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     if (const Result<void> writable = checkFolders(*names); !writable)
         return complain(writable.error());
     return drawAll(
-        {list, *std::move(names), *format, std::move(request), !options.withoutMetadata, incomplete});
+        {list, *std::move(names), *format, std::move(request), !options.withoutMetadata, report, incomplete});
 }
 
-ExitCode shoot(const ShotOptions& options) {
+ExitCode shoot(const ShotOptions& options, ShotReport* report) {
     Result<std::vector<view::Size>> sizes =
         parsePictureSizes(options.picture.size, options.window ? ui::smallestWindow : view::Size{1, 1});
     if (!sizes)
@@ -221,11 +229,27 @@ ExitCode shoot(const ShotOptions& options) {
     const bool many = options.files.size() > 1 || !options.axes.empty() || sizes->size() > 1 ||
                       times->size() > 1 || !pattern->places().empty();
     if (many)
-        return shootAll(options, *pattern, *std::move(sizes), *std::move(times), *std::move(request));
+        return shootAll(options, *pattern, *std::move(sizes), *std::move(times), *std::move(request), report);
     request->size = sizes->front();
     request->time = times->front();
     const auto noPlaces = [](const std::string& /*place*/) { return std::string(); };
-    return shootOne(options, pattern->fill(noPlaces), *std::move(request));
+    return shootOne(options, pattern->fill(noPlaces), *std::move(request), report);
+}
+
+/// With --json what was drawn is told, even if a part of it couldn't be.
+ExitCode shootAndTell(const ShotOptions& options) {
+    if (!options.json)
+        return shoot(options, nullptr);
+    if (isStandardOutput(options.out))
+        return complain(
+            {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
+            wrongCall);
+    ShotReport report;
+    const ExitCode status = shoot(options, &report);
+    if (!report.isFinished())
+        return status;
+    const Result<void> printed = print(report.json());
+    return printed ? status : complain(printed.error());
 }
 
 } // namespace
@@ -282,13 +306,16 @@ void addShot(CommandLine& line) {
                     "{{scene}}-{{minFilter}}.png; {{{{ is a brace.",
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
+    command.flag("--json", options->json,
+                 "Print what was drawn as JSON, for programs: of each picture file, scene, axes, size, time, "
+                 "renderer, driver, context and warnings, or its error.");
     command.footer(fmt::format(
         "One call draws at most {} pictures. A scene that can't be read or drawn gets its sentence, and the "
         "others go on; a file that can't be written ends it.\n"
         "Exit status: 0 done, 1 a picture couldn't be drawn or written, 2 a wrong call, 130 Ctrl+C: what was "
         "written by then is whole.",
         maxShots));
-    command.onCall([options] { return shoot(*options); });
+    command.onCall([options] { return shootAndTell(*options); });
 }
 
 } // namespace texplorer::screenshot

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <sys/wait.h>
 
 namespace texplorer::screenshot {
@@ -69,8 +70,10 @@ private:
     [[nodiscard]] Result<void> askForDriver();
     [[nodiscard]] Result<void> takeUp();
     [[nodiscard]] Result<void> work();
+    [[nodiscard]] Result<void> workOn(const std::vector<std::size_t>& indices, bool update);
     [[nodiscard]] std::vector<std::size_t> order() const;
-    [[nodiscard]] workers::Job jobOf(std::size_t index) const;
+    [[nodiscard]] std::vector<bool> sharers() const;
+    [[nodiscard]] workers::Job jobOf(std::size_t index, bool update) const;
     [[nodiscard]] CaseRecord recordOf(std::size_t index, const Outcome& outcome);
     [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, std::string sentence);
     [[nodiscard]] std::string fingerprintOf(const RunItem& item);
@@ -187,7 +190,24 @@ std::vector<std::size_t> TestRun::order() const {
     return sorted;
 }
 
-workers::Job TestRun::jobOf(std::size_t index) const {
+/// Of each item, whether an earlier one is to write its golden: what is written once must do for both.
+std::vector<bool> TestRun::sharers() const {
+    std::vector<bool> sharing(planned_.items.size());
+    std::set<std::pair<std::size_t, std::string>> written;
+    for (std::size_t i = 0; i < planned_.items.size() && !planned_.plan.cases.empty(); ++i) {
+        const suite::Case& of = planned_.plan.cases[planned_.items[i].number];
+        if (!planned_.items[i].update ||
+            std::holds_alternative<suite::GoldenReference>(planned_.plan.settingsOf(of).golden))
+            continue;
+        const bool drawn = of.renderer != RendererKind::Reference;
+        const std::vector<std::string> goldens =
+            suite::goldensOf(planned_.plan, of, drawn ? finished_.run.driver : std::string());
+        sharing[i] = !goldens.empty() && !written.emplace(of.suite, goldens.front()).second;
+    }
+    return sharing;
+}
+
+workers::Job TestRun::jobOf(std::size_t index, bool update) const {
     const RunItem& item = planned_.items[index];
     const bool pictures = planned_.plan.cases.empty();
     WorkOrder what{.setup = planned_.setup,
@@ -196,7 +216,7 @@ workers::Job TestRun::jobOf(std::size_t index) const {
                    .name = pictures ? item.name : std::string(),
                    .hasActual = item.hasActual,
                    .hasGolden = item.hasGolden,
-                   .update = item.update};
+                   .update = item.update && update};
     return {.number = index,
             .message = bytesOf(what),
             .environment = environmentFor(item.precise, options_.processes),
@@ -254,18 +274,28 @@ void TestRun::keep(std::size_t index, CaseRecord record) {
     records_[index] = std::move(record);
 }
 
-Result<void> TestRun::work() {
-    const std::vector<std::size_t> sorted = order();
+Result<void> TestRun::workOn(const std::vector<std::size_t>& indices, bool update) {
     std::size_t next = 0;
     return pool_.run(
         [&]() -> std::optional<workers::Job> {
-            while (next < sorted.size() && records_[sorted[next]])
+            while (next < indices.size() && records_[indices[next]])
                 ++next;
-            if (next == sorted.size() || broken_ || (failed_ && options_.failFast))
+            if (next == indices.size() || broken_ || (failed_ && options_.failFast))
                 return std::nullopt;
-            return jobOf(sorted[next++]);
+            return jobOf(indices[next++], update);
         },
         [&](const Outcome& outcome) { keep(outcome.number, recordOf(outcome.number, outcome)); });
+}
+
+Result<void> TestRun::work() {
+    std::vector<std::size_t> first = order();
+    const std::vector<bool> sharing = sharers();
+    const auto later =
+        std::ranges::stable_partition(first, [&](std::size_t index) { return !sharing[index]; });
+    const std::vector<std::size_t> last(later.begin(), later.end());
+    first.erase(later.begin(), later.end());
+    const Result<void> done = workOn(first, true);
+    return done ? workOn(last, false) : done;
 }
 
 void TestRun::collect() {

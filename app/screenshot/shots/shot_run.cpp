@@ -39,18 +39,21 @@ bool isOpaque(const ShotRequest& request) {
     return request.window || request.shown == reference::Shown::Picture;
 }
 
-/// What there is to say of a picture that was drawn. `name`: the picture's, where there are several.
-std::vector<Error> warningsAbout(const ShotRequest& request, const Shot& shot, const std::string& name = {}) {
+/// What there is to say of a picture that was drawn.
+std::vector<Error> warningsAbout(const ShotRequest& request, const Shot& shot) {
     std::vector<Error> errors;
     for (const std::string& problem : shot.frame.problems)
-        errors.push_back({ErrorCode::Driver, problem, name});
+        errors.push_back({ErrorCode::Driver, problem, {}});
     for (const Finding& each : diagnose(request.scene, request.images, shot.driver.facts)) {
-        if (each.severity > Severity::Warning || each.reportedByRenderer) // else it is a problem already
-            continue;
-        const Error finding{ErrorCode::Malformed, each.sentence, each.path};
-        errors.push_back(name.empty() ? finding : Error{finding.code, describe(finding), name});
+        if (each.severity <= Severity::Warning && !each.reportedByRenderer) // else it is a problem already
+            errors.push_back({ErrorCode::Malformed, each.sentence, each.path});
     }
     return errors;
+}
+
+/// The same sentence, of one of several pictures.
+Error ofPicture(const Error& error, const std::string& name) {
+    return {error.code, describe(error), name};
 }
 
 /// The scene of each case, with its images: those of the last scene are kept for the next.
@@ -148,15 +151,25 @@ void drawCase(Drawing& all, std::size_t index, Scenes& scenes, ShotDrawer& drawe
             return fail(there.error());
         Result<Shot> drawn = drawer.draw(request);
         if (drawn)
-            warnings = warningsAbout(request, *drawn, name);
+            warnings = warningsAbout(request, *drawn);
         return drawn;
     });
     if (!shot && shot.error().code == ErrorCode::Cancelled)
         return;
     if (!shot) {
-        failed = {shot.error().code, describe(shot.error()), name};
+        failed = ofPicture(shot.error(), name);
         all.incomplete = true;
     }
+    if (all.run.report != nullptr) {
+        const ShotList::Case picture = all.run.list.at(index);
+        const ShotList::Entry& entry = all.run.list.entryOf(picture);
+        if (shot)
+            all.run.report->add(index, name, entry, picture, request, *shot, warnings);
+        else
+            all.run.report->add(index, name, entry, picture, shot.error());
+    }
+    for (Error& each : warnings)
+        each = ofPicture(each, name);
     all.sentences.put(index, std::move(warnings), std::move(failed));
     if (shot) {
         std::optional<PictureFacts> facts;
@@ -199,7 +212,8 @@ unsigned contextsFor(const ShotRun& run) {
 
 } // namespace
 
-ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOutput& output, bool withTexts) {
+ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOutput& output, bool withTexts,
+                 ShotReport* report) {
     if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(scene, loaded.error()));
     tellOfImages(request.images);
@@ -219,16 +233,23 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
         return complain(shot.error());
     if (!shot->driver.name.empty())
         tell("drawn by " + shot->driver.name);
-    for (const Error& warning : warningsAbout(request, *shot))
+    const std::vector<Error> warnings = warningsAbout(request, *shot);
+    for (const Error& warning : warnings)
         warn(warning);
+    if (report != nullptr)
+        report->add(0, output.path, {sceneName(scene.path().string()), scene.file, {}},
+                    {0, request.size, request.time}, request, *shot, warnings);
     WriteOptions options;
     if (withTexts)
         options.texts = textsOf(factsOf(request, *shot));
     Image& image = shot->frame.image;
     const TextureImage seen =
         textureOf(isOpaque(request) ? withoutAlpha(std::move(image)) : std::move(image), {});
-    const auto written = output.write(seen, options);
-    return written ? success : complain(written.error());
+    if (const auto written = output.write(seen, options); !written)
+        return complain(written.error());
+    if (report != nullptr)
+        report->finish();
+    return success;
 }
 
 ExitCode drawAll(const ShotRun& run) {
@@ -248,6 +269,8 @@ ExitCode drawAll(const ShotRun& run) {
         return complainInterrupted(all.writer.written() > 0 ? written : std::string());
     if (all.unopened && all.next < count) // another thread's context has done without it
         return complain(*all.unopened);
+    if (run.report != nullptr)
+        run.report->finish();
     return all.incomplete ? failure : success;
 }
 

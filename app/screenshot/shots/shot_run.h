@@ -4,23 +4,26 @@
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/shot_list.h"
+#include "app/screenshot/shots/shot_report.h"
 
 #include <string>
 #include <vector>
 
 namespace texplorer::screenshot {
 
-/// Draws the request's picture into an output. `scene` names it in errors about its images.
+/// Draws the request's picture into an output. `scene` names it in errors about its images. `report`: see
+/// ShotRun.
 [[nodiscard]] ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOutput& output,
-                               bool withTexts);
+                               bool withTexts, ShotReport* report = nullptr);
 
 /// Many pictures, and what they have in common.
 struct ShotRun {
     const ShotList& list;
     std::vector<std::string> names; ///< the files to write, one for each picture of the list
     const CodecRow* format;
-    ShotRequest common;      ///< all but scene, images, file, time and size
-    bool withTexts = true;   ///< see textsOf
+    ShotRequest common;           ///< all but scene, images, file, time and size
+    bool withTexts = true;        ///< see textsOf
+    ShotReport* report = nullptr; ///< is told of every picture; none: nobody asks
     bool incomplete = false; ///< there are scenes that couldn't be read: it has failed from the beginning
 };
 

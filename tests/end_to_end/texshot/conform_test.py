@@ -119,6 +119,15 @@ class Conform(Texshot):
         for expected in ("trilinear", "dEQP", "undefined-decal", "3.8.13"):
             self.assertIn(expected, said)
 
+    def test_the_list_as_json_names_the_rules_of_its_features(self):
+        listing = json.loads(self.succeeds("conform", "--list", "--json"))
+        rules = {rule["name"] for rule in listing["rules"]}
+        self.assertEqual({feature[key] for feature in listing["features"] for key in ("reference", "shader")}, rules)
+        text = self.succeeds("conform", "--list").decode()
+        for row in listing["features"] + listing["notCompared"]:
+            self.assertIn("\n" + row["name"], text)
+        self.assertTrue(all(rule["reason"] in text for rule in listing["rules"]))
+
     def test_wrong_calls(self):
         for expected, *arguments in (
             ("--feature: expected one of coverage, depth, ", "--feature", "none"),

@@ -54,6 +54,26 @@ class Shots(Texshot):
 
     # -- what is drawn, and what it is called
 
+    def test_json_tells_of_every_picture_what_it_is_of(self):
+        blue = self.scene("blue.json", view={"background": [0, 0, 1, 1]})
+        broken = self.path / "broken.json"
+        broken.write_text("{")
+        result = texshot("shot", broken, blue, "--axis", "textures[0].wrapS=GL_REPEAT,GL_CLAMP", "--size", "16x12,24x8",
+                         "--time", "0.5", "-o", self.out / "{number}.png", "--json")
+        self.assertEqual(result.returncode, 1)
+        told = json.loads(result.stdout)
+        self.assertEqual([entry["scene"] for entry in told["unread"]], [str(broken)])
+        self.assertEqual([(os.path.basename(each["file"]), each["axes"]["textures[0].wrapS"], each["time"])
+                          for each in told["pictures"]],
+                         [("1.png", "GL_REPEAT", 0.5), ("2.png", "GL_CLAMP", 0.5), ("3.png", "GL_REPEAT", 0.5),
+                          ("4.png", "GL_CLAMP", 0.5)])
+        for each in told["pictures"]:
+            with Image.open(each["file"]) as picture:
+                self.assertEqual(picture.size, (each["width"], each["height"]))
+                self.assertEqual(picture.text["Texplorer driver"], f"{each['driver']}, {each['version']}")
+            self.assertEqual((each["scene"], each["warnings"]), (str(blue), []))
+        self.complains(2, "not both", "shot", blue, "-o", "-", "--json")
+
     def test_several_scenes_get_a_picture_each(self):
         red = self.scene("red.json", view={"background": [1, 0, 0, 1]})
         blue = self.scene("blue.texplorer.json", view={"background": [0, 0, 1, 1]})

@@ -91,6 +91,20 @@ class Test(Suites):
         self.passes(changed, "--update")
         self.passes(changed)
 
+    def test_a_golden_that_cases_share_is_written_once_and_the_others_are_held_to_it(self):
+        grey, dark = self.backgrounds("grey", "dark")
+        suite = self.suite([{**grey, "renderer": ["fixed", "shader"], "tolerance": 2}], golden="golden/{picture}.png")
+        said = self.passes(suite, "--update")
+        self.assertIn("1 golden written", said)
+        self.assertEqual(len(os.listdir(self.path / "golden")), 1)
+        self.assertEqual(set(self.states(suite).values()), {"passed"})
+        both = self.suite([grey, dark], golden="golden/both.png")
+        self.assertEqual(self.states(both, "--update", code=1), {"grey": "passed", "dark": "failed"})
+        with Image.open(self.path / "golden/both.png") as golden, Image.open(self.path / "golden" / os.listdir(
+                self.path / "golden")[0]) as other:
+            self.assertEqual(golden.getpixel((0, 0)), other.getpixel((0, 0)))
+        self.assertEqual(self.states(both, code=1), {"grey": "passed", "dark": "failed"})
+
     def test_the_reference_is_a_golden_that_needs_no_picture(self):
         suite = self.suite([{"name": "wraps", "axis": "textures[0].wrapS=GL_REPEAT,GL_CLAMP", "golden": "reference",
                              "renderer": ["fixed", "shader"], "size": "48x48"}])

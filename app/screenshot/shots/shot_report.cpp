@@ -1,0 +1,80 @@
+#include "app/screenshot/shots/shot_report.h"
+
+#include "app/screenshot/output/json_text.h"
+#include "app/screenshot/shots/picture_texts.h"
+
+#include <utility>
+
+namespace texplorer::screenshot {
+
+ShotReport::Row ShotReport::rowOf(const std::string& file, const ShotList::Entry& entry,
+                                  const ShotList::Case& picture) {
+    Row row;
+    row.file = file;
+    row.scene = entry.file;
+    row.size = picture.size;
+    row.time = picture.time;
+    for (std::size_t i = 0; i < entry.axes.size(); ++i)
+        row.axes.emplace_back(entry.axes[i].path, entry.axes[i].values[picture.values[i]]);
+    return row;
+}
+
+void ShotReport::put(std::size_t index, Row row) {
+    const std::scoped_lock lock(mutex_);
+    rows_.insert_or_assign(index, std::move(row));
+}
+
+void ShotReport::add(std::size_t index, const std::string& file, const ShotList::Entry& entry,
+                     const ShotList::Case& picture, const ShotRequest& request, const Shot& shot,
+                     const std::vector<Error>& warnings) {
+    Row row = rowOf(file, entry, picture);
+    PictureFacts facts = factsOf(request, shot);
+    row.renderer = std::move(facts.renderer);
+    row.driver = std::move(facts.driver);
+    row.context = std::move(facts.context);
+    for (const Error& each : warnings)
+        row.warnings.push_back(describe(each));
+    put(index, std::move(row));
+}
+
+void ShotReport::add(std::size_t index, const std::string& file, const ShotList::Entry& entry,
+                     const ShotList::Case& picture, const Error& error) {
+    Row row = rowOf(file, entry, picture);
+    row.error = describe(error);
+    put(index, std::move(row));
+}
+
+void ShotReport::addUnread(const std::string& scene, const Error& error) {
+    const std::scoped_lock lock(mutex_);
+    unread_.emplace_back(scene, describe(error));
+}
+
+std::string ShotReport::json() const {
+    using Json = nlohmann::ordered_json;
+    const std::scoped_lock lock(mutex_);
+    Json pictures = Json::array();
+    for (const auto& [index, row] : rows_) {
+        Json axes = Json::object();
+        for (const auto& [path, value] : row.axes)
+            axes[path] = value;
+        Json picture{{"file", row.file},          {"scene", row.scene.empty() ? Json() : Json(row.scene)},
+                     {"axes", std::move(axes)},   {"width", row.size.width},
+                     {"height", row.size.height}, {"time", row.time}};
+        if (row.error.empty()) {
+            picture["renderer"] = row.renderer;
+            picture["driver"] = row.driver.name.empty() ? Json() : Json(row.driver.name);
+            picture["version"] = row.driver.version.empty() ? Json() : Json(row.driver.version);
+            picture["context"] = row.context.empty() ? Json() : Json(row.context);
+            picture["warnings"] = row.warnings;
+        } else {
+            picture["error"] = row.error;
+        }
+        pictures.push_back(std::move(picture));
+    }
+    Json unread = Json::array();
+    for (const auto& [scene, error] : unread_)
+        unread.push_back({{"scene", scene}, {"error", error}});
+    return documentText({{"pictures", std::move(pictures)}, {"unread", std::move(unread)}});
+}
+
+} // namespace texplorer::screenshot
