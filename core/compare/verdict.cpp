@@ -1,17 +1,13 @@
 #include "core/compare/verdict.h"
 
 #include "core/base/count.h"
+#include "core/base/percent.h"
 
 #include <fmt/core.h>
 
 namespace texplorer {
 
 namespace {
-
-/// Digits enough that nothing but 0 is "0", and 100 alone is "100".
-std::string percentOf(double share) {
-    return share > 0.9999 && share < 1 ? "99.99" : fmt::format("{:.3g}", share * 100);
-}
 
 std::string colorText(const std::array<std::uint8_t, 4>& color, Compared compared) {
     const std::string text = fmt::format("{} {} {}", color[0], color[1], color[2]);
@@ -33,8 +29,8 @@ std::string overText(const Comparison& comparison) {
                                   ? std::string(comparison.over == 1 ? "differs" : "differ")
                                   : fmt::format("{} {} above {:g}{}", comparison.over == 1 ? "has" : "have",
                                                 facts.value, criterion.tolerance, facts.unit);
-    return fmt::format("{} of {} ({} %) {}", comparison.over, countOf(comparison.pixels, "pixel"),
-                       percentOf(comparison.shareOver()), which);
+    return fmt::format("{} of {} ({}) {}", comparison.over, countOf(comparison.pixels, "pixel"),
+                       percentText(comparison.shareOver()), which);
 }
 
 std::string scoreText(const Comparison& comparison) {
@@ -67,7 +63,7 @@ std::string verdictOn(const Comparison& comparison) {
     const std::string all = fmt::format("{}; {}; {}{}", overText(comparison), worstText(comparison), where,
                                         scoreText(comparison));
     if (comparison.alike)
-        return fmt::format("alike, as up to {:g} % may differ: {}", criterion.share * 100, all);
+        return fmt::format("alike, as up to {} may differ: {}", percentText(criterion.share), all);
     return all;
 }
 

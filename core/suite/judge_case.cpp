@@ -1,6 +1,7 @@
 #include "core/suite/judge_case.h"
 
 #include "core/base/file_io.h"
+#include "core/base/percent.h"
 #include "core/codec/registry.h"
 #include "core/compare/comparison.h"
 #include "core/compare/heat_map.h"
@@ -154,9 +155,9 @@ std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& ju
                            rule.bound, rule.name);
     return fmt::format(
         "{} of {} pixels differ by more than {}/255 from the reference; the rule {} doesn't explain {} "
-        "({:.3g} %), and allows {:.3g} %",
+        "({}), and allows {}",
         difference.over, difference.pixels, rule.bound, rule.name, judgement.unexplained,
-        100 * shareUnexplained, 100 * (1 - rule.explainedScene));
+        percentText(shareUnexplained), percentText(1 - rule.explainedScene));
 }
 
 JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene& scene, Image expected,

@@ -80,6 +80,15 @@ std::string earliestStart(const std::vector<RunRecord>& records) {
     return earliest;
 }
 
+/// Of the whole run, where the record's is of a part of it.
+std::string wholeCommand(const RunRecord& record) {
+    const std::string part = fmt::format(" --shard {}/{}", record.shard.number, record.shard.count);
+    std::string command = record.command;
+    if (const std::size_t at = command.find(part); at != std::string::npos)
+        command.erase(at, part.size());
+    return command;
+}
+
 /// Parts that nobody has handed in.
 void sayAbsentShards(const std::vector<RunRecord>& records, Merged& merged) {
     std::set<int> there;
@@ -104,7 +113,7 @@ Result<Merged> merge(const std::vector<RunRecord>& records, const std::vector<st
     Merged merged;
     RunRecord& run = merged.run;
     run.program = joinedTexts(records, &RunRecord::program);
-    run.command = records.front().command;
+    run.command = wholeCommand(records.front());
     run.suites = records.front().suites;
     run.driver = joinedTexts(records, &RunRecord::driver);
     run.version = joinedTexts(records, &RunRecord::version);

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <unordered_map>
 
 namespace texplorer::suite {
@@ -123,7 +124,8 @@ void readState(JsonObject& object, State& state) {
 /// A file of the report's folder: a page and a merge follow it.
 void readPicture(JsonObject& object, const char* key, std::string& name) {
     object.text(key, name, maxRecordText);
-    const bool leadsOut = name.starts_with('/') || name.find("..") != std::string::npos;
+    const std::filesystem::path path(name);
+    const bool leadsOut = path.is_absolute() || std::ranges::find(path, "..") != path.end();
     if (leadsOut || name.find('\0') != std::string::npos)
         object.refuse(key, "a file's name within the folder");
 }

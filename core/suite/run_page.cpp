@@ -1,5 +1,7 @@
 #include "core/suite/run_page.h"
 
+#include "core/base/percent.h"
+
 #include <fmt/core.h>
 
 #include <unordered_map>
@@ -56,8 +58,8 @@ std::vector<report::Fact> factsOf(const CaseRecord& record) {
         facts.push_back({"Metric", record.metric});
         facts.push_back({"Score", fmt::format("{:.6g}", record.score)});
         facts.push_back({"Tolerance", fmt::format("{:.6g}", record.tolerance)});
-        facts.push_back({"Over it", fmt::format("{:.4g} %, allowed {:.4g} %", 100 * record.shareOver,
-                                                100 * record.share)});
+        facts.push_back({"Over it", fmt::format("{}, allowed {}", percentText(record.shareOver),
+                                                percentText(record.share))});
     }
     if (record.worst) {
         facts.push_back({"Worst pixel", fmt::format("{}, {}", record.worst->x, record.worst->y)});

@@ -5,6 +5,7 @@
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "core/base/file_io.h"
+#include "core/scene/params/param_text.h"
 #include "core/suite/junit.h"
 #include "core/suite/record_json.h"
 #include "core/suite/shard.h"
@@ -74,13 +75,22 @@ Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::R
 
 Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecord>& runs,
                          const MergeOptions& options) {
+    for (const std::string& each : options.runs) {
+        std::error_code ignored;
+        const fs::path own = fs::path(each).parent_path();
+        if (fs::equivalent(own.empty() ? fs::path(".") : own, options.report, ignored))
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected another folder than that of {}, whose pictures are gathered",
+                                    inQuotes(each)),
+                        "--report");
+    }
     const Result<RunFolder> folder = RunFolder::open(options.report);
     if (!folder)
         return fail(folder.error());
     removePictures(options.report);
     if (const Result<void> gathered = gatherPictures(run, runs, options.runs, options.report); !gathered)
         return gathered;
-    return folder->finish(run, {});
+    return folder->finish(run, run.command.empty() ? std::string() : run.command + " --accept accept.txt");
 }
 
 Result<void> writeText(const std::string& path, const std::string& text) {

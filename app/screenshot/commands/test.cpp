@@ -147,8 +147,16 @@ std::string commandOf(const TestOptions& options) {
         command += " --rgb";
     if (options.criterion.givenPixelsPerDegree->isGiven())
         add("--pixels-per-degree", std::to_string(options.criterion.pixelsPerDegree));
-    add("--shard", options.shard);
-    add("--durations", options.durations);
+    return command;
+}
+
+/// The same of this part of it.
+std::string partOf(const TestOptions& options, std::string command) {
+    for (const auto& [option, value] :
+         {std::pair("--shard", &options.shard), std::pair("--durations", &options.durations)}) {
+        if (!value->empty())
+            command += fmt::format(" {} {}", option, shellWord(*value));
+    }
     return command;
 }
 
@@ -246,7 +254,7 @@ ExitCode test(const TestOptions& options) {
         return complainOfRun(planned.error());
     if (options.list)
         return list(*planned);
-    planned->run.command = commandOf(options);
+    planned->run.command = partOf(options, commandOf(options));
     const Result<std::optional<Output>> json = outputFor(options.json);
     if (!json)
         return complainOfRun(json.error());
@@ -260,7 +268,7 @@ ExitCode test(const TestOptions& options) {
     run.processes = static_cast<unsigned>(std::clamp<std::size_t>(planned->items.size(), 1, processes));
     run.failFast = options.failFast;
     run.resume = !options.resume.empty();
-    run.acceptCommand = planned->run.command + " --accept accept.txt";
+    run.acceptCommand = commandOf(options) + " --accept accept.txt"; // whatever part its cases are in
     run.says = loudness().quiet     ? RunProgress::Says::Nothing
                : loudness().verbose ? RunProgress::Says::EveryCase
                                     : RunProgress::Says::OneLine;

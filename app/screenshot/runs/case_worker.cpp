@@ -219,9 +219,9 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
     if (record.state == State::Failed && record.worst)
         record.explanation += explanationOf(of, scene, *record.worst, frame.image);
     if (order.update && isUpdatable(record)) {
-        const std::vector<std::string> goldens = goldensOf(*plan_, of, driver.name);
-        if (!goldens.empty())
-            return writeGolden(plan_->suiteOf(of).folder, goldens.front(), actual, std::move(record));
+        // The nearest of several, which it was held against; of none that is there, the first.
+        if (const std::string golden = record.golden; !golden.empty())
+            return writeGolden(plan_->suiteOf(of).folder, golden, actual, std::move(record));
     }
     if (!order.setup.report.empty()) {
         const CasePictures pictures{judged.expected ? &*judged.expected : nullptr, &actual,

@@ -9,6 +9,8 @@
 #include "core/suite/record_json.h"
 #include "core/suite/run_page.h"
 
+#include <fmt/core.h>
+
 #include <fcntl.h>
 #include <optional>
 #include <unistd.h>
@@ -22,9 +24,36 @@ Error cantWrite(const std::string& path) {
     return {ErrorCode::Unwritable, "can't be written: " + systemText(errno), path};
 }
 
+bool isRecordOfOurs(const fs::path& folder) {
+    const Result<std::string> record = readText((folder / recordName).string(), suite::maxRecordBytes);
+    if (record && suite::parseRun(*record))
+        return true;
+    const Result<std::string> journal = readText((folder / journalName).string(), suite::maxRecordBytes);
+    return journal && suite::parseJournal(*journal);
+}
+
+/// What a report replaces or removes must be a report's.
+Result<void> checkOurs(const fs::path& folder) {
+    std::error_code ignored;
+    for (const char* name : {recordName, journalName, "index.html", picturesFolder}) {
+        if (!fs::exists(fs::symlink_status(folder / name, ignored)))
+            continue;
+        if (isRecordOfOurs(folder))
+            return {};
+        return fail(ErrorCode::Unwritable,
+                    fmt::format("expected a new folder or one with a report of texshot test, found \"{}\" of "
+                                "something else",
+                                name),
+                    folder.string());
+    }
+    return {};
+}
+
 } // namespace
 
 Result<RunFolder> RunFolder::open(const fs::path& path) {
+    if (const Result<void> ours = checkOurs(path); !ours)
+        return fail(ours.error());
     std::error_code error;
     fs::create_directories(path, error);
     if (error)

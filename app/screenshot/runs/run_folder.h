@@ -19,7 +19,8 @@ inline constexpr const char* recordName = "run.json";
 /// within "pictures/"; whatever else lies there stays.
 class RunFolder {
 public:
-    /// Made where it is missing. Errors: it can't be made or written to; another run has it.
+    /// Made where it is missing. Errors: it can't be made or written to; another run has it; it has files of
+    /// these names, and no run has left them.
     [[nodiscard]] static Result<RunFolder> open(const std::filesystem::path& path);
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -193,7 +193,7 @@ std::vector<std::size_t> TestRun::order() const {
 /// Of each item, whether an earlier one is to write its golden: what is written once must do for both.
 std::vector<bool> TestRun::sharers() const {
     std::vector<bool> sharing(planned_.items.size());
-    std::set<std::pair<std::size_t, std::string>> written;
+    std::set<std::filesystem::path> written;
     for (std::size_t i = 0; i < planned_.items.size() && !planned_.plan.cases.empty(); ++i) {
         const suite::Case& of = planned_.plan.cases[planned_.items[i].number];
         if (!planned_.items[i].update ||
@@ -202,7 +202,10 @@ std::vector<bool> TestRun::sharers() const {
         const bool drawn = of.renderer != RendererKind::Reference;
         const std::vector<std::string> goldens =
             suite::goldensOf(planned_.plan, of, drawn ? finished_.run.driver : std::string());
-        sharing[i] = !goldens.empty() && !written.emplace(of.suite, goldens.front()).second;
+        for (const std::string& golden : goldens) {
+            const auto path = (planned_.plan.suiteOf(of).folder / golden).lexically_normal();
+            sharing[i] = !written.insert(path).second || sharing[i];
+        }
     }
     return sharing;
 }

@@ -111,6 +111,7 @@ Result<WorkOrder> parseOrder(std::string_view bytes) {
 
 std::string bytesOf(const WorkAnswer& answer) {
     return packed({{"record", answer.record ? suite::journalLine(*answer.record) : std::string()},
+                   {"name", answer.record ? answer.record->name : std::string()},
                    {"wrote", answer.wrote},
                    {"problem", answer.problem},
                    {"driver", answer.driver},
@@ -119,9 +120,11 @@ std::string bytesOf(const WorkAnswer& answer) {
 
 Result<WorkAnswer> parseAnswer(std::string_view bytes) {
     std::string record;
-    Result<WorkAnswer> answer = readBy<WorkAnswer>(bytes, [&record](const Json& json) {
+    std::string name;
+    Result<WorkAnswer> answer = readBy<WorkAnswer>(bytes, [&record, &name](const Json& json) {
         WorkAnswer found;
         json.at("record").get_to(record);
+        json.at("name").get_to(name);
         json.at("wrote").get_to(found.wrote);
         json.at("problem").get_to(found.problem);
         json.at("driver").get_to(found.driver);
@@ -133,6 +136,7 @@ Result<WorkAnswer> parseAnswer(std::string_view bytes) {
         if (!parsed)
             return fail(parsed.error());
         answer->record = *std::move(parsed);
+        answer->record->name = name;
     }
     return answer;
 }

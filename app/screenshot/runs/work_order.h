@@ -55,7 +55,7 @@ struct WorkOrder {
 [[nodiscard]] Result<WorkOrder> parseOrder(std::string_view bytes);
 
 struct WorkAnswer {
-    std::optional<suite::CaseRecord> record{}; ///< of a case or of pictures
+    std::optional<suite::CaseRecord> record{}; ///< of a case or of pictures; its name passes byte by byte
     std::string wrote{};                       ///< the golden that was written, as its suite names it
     std::string problem{};                     ///< of Driver: why there is none
     std::string driver{};                      ///< GL_RENDERER

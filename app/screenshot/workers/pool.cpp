@@ -22,7 +22,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto longestWait = std::chrono::milliseconds(500); // until it is looked whether a process is gone
-constexpr auto patience = std::chrono::seconds(2);           // with processes that were told to end
+constexpr auto startLimit = std::chrono::seconds(60); // until a process has begun with what it was given
+constexpr auto patience = std::chrono::seconds(2);    // with processes that were told to end
 
 } // namespace
 
@@ -158,7 +159,7 @@ Result<void> Pool::Seats::handOut() {
         waiting_.pop_front();
         seat.begun = false;
         seat.since = Clock::now();
-        seat.deadline = seat.since + std::chrono::ceil<Clock::duration>(seat.task->job.limit);
+        seat.deadline = seat.since + startLimit;
         seat.process.forgetWords();
         seat.process.send(Kind::Job, seat.task->job.message);
     }
@@ -204,6 +205,8 @@ void Pool::Seats::look(Seat& seat, bool answered) {
     while (std::optional<Message> message = seat.process.take()) {
         if (message->kind == Kind::Begun && seat.task) {
             seat.begun = true;
+            seat.since = Clock::now();
+            seat.deadline = seat.since + std::chrono::ceil<Clock::duration>(seat.task->job.limit);
             failedStarts_ = 0;
         } else if (message->kind == Kind::Answer && seat.task && seat.begun) {
             takeAnswer(seat, std::move(message->text));
@@ -222,8 +225,8 @@ void Pool::Seats::look(Seat& seat, bool answered) {
 /// Whether the process is gone, or was told to go; then its task is settled.
 bool Pool::Seats::isOver(Seat& seat) {
     if (seat.process.status()) {
-        if (!seat.silent)
-            look(seat, true); // an answer may have come before the end
+        while (!seat.silent) // an answer may have come before the end
+            look(seat, true);
         seat.process.listen();
         end(seat, Outcome::End::Crashed);
         return true;
