@@ -2,6 +2,7 @@
 
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/command.h"
+#include "app/screenshot/gl/driver_crash.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
         workers::workLoop(*socket, [&worker](const std::string& order) { return worker.work(order); });
         return success;
     }
+    sayCrashes();
     watchInterrupts();
     CommandLine line("texshot", TEXPLORER_VERSION,
                      "Texplorer without a display: draw scenes, look into texture files.");

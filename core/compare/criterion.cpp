@@ -70,13 +70,4 @@ Result<double> parseTolerance(std::string_view text, Metric metric) {
                             rowOf(metric).name, text));
 }
 
-std::string describe(const Criterion& criterion) {
-    const MetricRow& facts = factsOf(criterion.metric);
-    const std::string tolerated =
-        fmt::format("{}: up to {:g}{}", rowOf(criterion.metric).name, criterion.tolerance, facts.unit);
-    if (criterion.share == 0)
-        return tolerated;
-    return fmt::format("{}, above that in up to {:g} % of the pixels", tolerated, criterion.share * 100);
-}
-
 } // namespace texplorer

@@ -40,7 +40,4 @@ inline constexpr double highestPixelsPerDegree = 512;
 [[nodiscard]] Result<double> parseShare(std::string_view text);
 [[nodiscard]] Result<double> parseTolerance(std::string_view text, Metric metric);
 
-/// "absolute: up to 2/255, above that in up to 0.1 % of the pixels", for a report.
-[[nodiscard]] std::string describe(const Criterion& criterion);
-
 } // namespace texplorer

@@ -34,11 +34,4 @@ inline void filterAcross(const Plane& in, int first, std::span<const float> taps
         filterRow(in.row(y) + first, 1, taps, out.row(y), width);
 }
 
-/// The same from those of its column that begin `first` rows below it.
-inline void filterDown(const Plane& in, int first, std::span<const float> taps, Plane& out, int width,
-                       int height) {
-    for (int y = 0; y < height; ++y)
-        filterRow(in.row(y + first), in.stride(), taps, out.row(y), width);
-}
-
 } // namespace texplorer

@@ -51,15 +51,9 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
         if (taken.insert(name).second)
             accepted.emplace_back(name);
     }
+    if (accepted.empty())
+        return fail(ErrorCode::OutOfRange, "expected the name of a case on a line, found none");
     return accepted;
-}
-
-Result<std::vector<std::string>> parseAcceptList(std::string_view text, const Plan& plan) {
-    std::vector<std::string> known;
-    known.reserve(plan.cases.size());
-    for (const Case& each : plan.cases)
-        known.push_back(each.name);
-    return parseAcceptList(text, known);
 }
 
 } // namespace texplorer::suite

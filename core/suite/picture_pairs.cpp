@@ -1,6 +1,8 @@
 #include "core/suite/picture_pairs.h"
 
 #include "core/base/file_kind.h"
+#include "core/suite/png_size.h"
+#include "core/suite/suite_folder.h"
 
 #include <fmt/core.h>
 
@@ -19,21 +21,9 @@ bool isPng(std::string name) {
     return name.ends_with(".png");
 }
 
-/// A link must lead to a file of its own folder.
-Result<void> checkLink(const fs::path& root, const fs::path& link) {
-    std::error_code error;
-    const fs::path target = fs::canonical(link, error);
-    if (error)
-        return fail(ErrorCode::Unreadable, systemText(error.value()), link.string());
-    if (std::ranges::mismatch(root, target).in1 != root.end())
-        return fail(ErrorCode::OutOfRange,
-                    "expected pictures within the folder, found a link that leads out of it", link.string());
-    return {};
-}
-
 /// Calls `add` with the name of every PNG below a folder.
 template<class Add>
-Result<void> forEachPng(const fs::path& folder, const Add& add) {
+Result<void> forEachPng(const fs::path& folder, const fs::path& leftOut, const Add& add) {
     std::error_code error;
     const fs::path root = fs::canonical(folder, error);
     if (error)
@@ -50,12 +40,10 @@ Result<void> forEachPng(const fs::path& folder, const Add& add) {
                         fmt::format("expected at most {} files and folders", 2 * maxPicturePairs),
                         folder.string());
         std::error_code ignored;
+        if (!leftOut.empty() && each->is_directory(ignored) && fs::equivalent(each->path(), leftOut, ignored))
+            each.disable_recursion_pending();
         if (!isPng(each->path().filename().string()) || each->is_directory(ignored))
             continue;
-        if (each->is_symlink(ignored)) {
-            if (const Result<void> inside = checkLink(root, each->path()); !inside)
-                return inside;
-        }
         add(each->path().lexically_relative(root).generic_string());
     }
     if (error)
@@ -65,18 +53,23 @@ Result<void> forEachPng(const fs::path& folder, const Add& add) {
 
 } // namespace
 
-Result<std::vector<PicturePair>> pairPictures(const fs::path& actual, const fs::path& golden) {
+Result<std::vector<PicturePair>> pairPictures(const fs::path& actual, const fs::path& golden,
+                                              const fs::path& leftOut) {
     std::map<std::string, PicturePair> pairs;
-    const auto addTo = [&pairs](bool PicturePair::*member) {
-        return [&pairs, member](const std::string& name) {
+    const auto addTo = [&pairs](bool PicturePair::*member, const fs::path& folder) {
+        return [&pairs, member, &folder](const std::string& name) {
             PicturePair& pair = pairs[name];
             pair.name = name;
             pair.*member = true;
+            const Result<fs::path> path = pathInside(folder, name);
+            const PictureSize size = path ? sizeOfPng(*path) : PictureSize();
+            pair.pixels = std::max(pair.pixels, static_cast<std::uint64_t>(size.width) *
+                                                    static_cast<std::uint64_t>(size.height));
         };
     };
-    if (const Result<void> read = forEachPng(actual, addTo(&PicturePair::hasActual)); !read)
+    if (const Result<void> read = forEachPng(actual, leftOut, addTo(&PicturePair::hasActual, actual)); !read)
         return fail(read.error());
-    if (const Result<void> read = forEachPng(golden, addTo(&PicturePair::hasGolden)); !read)
+    if (const Result<void> read = forEachPng(golden, leftOut, addTo(&PicturePair::hasGolden, golden)); !read)
         return fail(read.error());
     if (pairs.empty())
         return fail(ErrorCode::OutOfRange, "expected pictures, *.png, found none in either folder",

@@ -17,14 +17,17 @@ struct PicturePair {
     std::string name; ///< "menus/main.png", below each folder
     bool hasActual = false;
     bool hasGolden = false;
+    std::uint64_t pixels = 0; ///< of the larger one, as the headers say
 
     bool operator==(const PicturePair&) const = default;
 };
 
 /// Every *.png below two folders, in the order of their names. Links to folders are not followed, and files
-/// that are links out of their folder are refused by name. Errors: NotFound, Unreadable, TooLarge, OutOfRange
-/// where neither has any picture.
+/// that are links out of their folder are listed, and refused when they are read. Errors: NotFound,
+/// Unreadable, TooLarge, OutOfRange where neither has any picture. `leftOut`: a folder in one of them that is
+/// none of it, as a report's.
 [[nodiscard]] Result<std::vector<PicturePair>> pairPictures(const std::filesystem::path& actual,
-                                                            const std::filesystem::path& golden);
+                                                            const std::filesystem::path& golden,
+                                                            const std::filesystem::path& leftOut = {});
 
 } // namespace texplorer::suite

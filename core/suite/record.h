@@ -112,6 +112,7 @@ struct RunRecord {
     std::size_t planned = 0; ///< cases of the whole plan
     Shard shard{};
     std::vector<std::string> names{}; ///< of the cases that are this shard's, run or not
+    bool endedEarly = false; ///< with its first failure, as --fail-fast has it: what is missing was left out
     double seconds = 0;
     std::vector<CaseRecord> cases{}; ///< in the order of `names`, a case at most once
 
@@ -122,7 +123,8 @@ struct RunRecord {
     [[nodiscard]] std::vector<std::string> missing() const;
 };
 
-/// 0: all are alike; 1: some differ, are new, crashed or hung; 2: some could not be tried, or there is none.
+/// 0: all are alike, or a part has none of the cases; 1: some differ, are new, crashed or hung; 2: some could
+/// not be tried, or there are none.
 [[nodiscard]] int exitStatus(const RunRecord& run);
 
 /// "36 cases: 33 passed, 2 failed, 1 skipped"

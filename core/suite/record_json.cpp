@@ -1,5 +1,6 @@
 #include "core/suite/record_json.h"
 
+#include "core/base/printable.h"
 #include "core/suite/json_reader.h"
 
 #include <fmt/core.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace texplorer::suite {
 namespace {
@@ -77,6 +79,8 @@ OrderedJson runJson(const RunRecord& run) {
     writeText(json, "plan", run.plan);
     json["planned"] = run.planned;
     json["shard"] = {run.shard.number, run.shard.count};
+    if (run.endedEarly)
+        json["endedEarly"] = true;
     json["seconds"] = run.seconds;
     return json;
 }
@@ -192,6 +196,7 @@ void readHead(JsonObject& object, RunRecord& run) {
     std::array<int, 2> shard{run.shard.number, run.shard.count};
     readNumbers(object, "shard", shard, 1, static_cast<int>(maxRecordCases));
     run.shard = {shard[0], shard[1]};
+    object.flag("endedEarly", run.endedEarly);
     object.number("seconds", run.seconds, 0, maxSeconds);
     readTexts(object, "names", run.names);
 }
@@ -349,6 +354,23 @@ Result<RunRecord> parseRun(std::string_view text) {
     return parseReport(*json);
 }
 
+namespace {
+
+/// Not shortened: what differs may be at its end.
+std::string quotedWhole(const std::string& text) {
+    return fmt::format("\"{}\"", printable(text));
+}
+
+/// Empty: all are.
+std::string firstNotIn(const std::vector<std::string>& names, const std::vector<std::string>& others) {
+    const std::unordered_set<std::string_view> there(others.begin(), others.end());
+    const auto found =
+        std::ranges::find_if(names, [&](const std::string& name) { return !there.contains(name); });
+    return found == names.end() ? std::string() : *found;
+}
+
+} // namespace
+
 Result<void> checkResumable(const RunRecord& journal, const RunRecord& now) {
     struct Fact {
         std::string_view what;
@@ -366,12 +388,16 @@ Result<void> checkResumable(const RunRecord& journal, const RunRecord& now) {
         if (fact.then != fact.now)
             return fail(ErrorCode::OutOfRange,
                         fmt::format("the journal is of another {}, {}; it is {} now", fact.what,
-                                    foundText(fact.then), foundText(fact.now)));
+                                    quotedWhole(fact.then), quotedWhole(fact.now)));
     }
+    const std::string gone = firstNotIn(journal.names, now.names);
+    const std::string added = firstNotIn(now.names, journal.names);
+    if (!gone.empty() || !added.empty())
+        return fail(ErrorCode::OutOfRange, fmt::format("the journal is of other cases: {} is {}",
+                                                       quotedWhole(gone.empty() ? added : gone),
+                                                       gone.empty() ? "a new one" : "gone"));
     if (journal.plan != now.plan || journal.names != now.names)
-        return fail(ErrorCode::OutOfRange,
-                    fmt::format("the journal is of other cases: there were {}, and there are {} now",
-                                journal.names.size(), now.names.size()));
+        return fail(ErrorCode::OutOfRange, "the journal is of the same cases in another order or division");
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/file_kind.h"
 #include "core/base/printable.h"
 #include "core/scene/params/param_text.h"
+#include "core/suite/png_size.h"
 
 #include <fmt/core.h>
 
@@ -13,8 +14,6 @@ namespace texplorer::suite {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t pngHeaderBytes = 24; // up to the height in IHDR
 
 /// Names of regular files below a folder, with "/", sorted. Folders that are links are not entered.
 Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
@@ -35,24 +34,6 @@ Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
         return fail(ErrorCode::Unreadable, systemText(error.value()), folder.string());
     std::ranges::sort(names);
     return names;
-}
-
-int bigEndian(ByteView bytes, std::size_t at) {
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + i]);
-    return number <= static_cast<std::uint32_t>(maxPictureSize) ? static_cast<int>(number) : 0;
-}
-
-/// As a PNG's header states it; as a suite has it where there is none.
-PictureSize sizeOfPng(const fs::path& file) {
-    constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
-    const Result<Bytes> start = readFileStart(file, pngHeaderBytes);
-    if (!start || start->size() < pngHeaderBytes ||
-        !std::ranges::equal(ByteView(*start).first(signature.size()), viewBytes(signature)))
-        return {};
-    const PictureSize size{bigEndian(*start, 16), bigEndian(*start, 20)};
-    return size.width > 0 && size.height > 0 ? size : PictureSize{};
 }
 
 /// A golden's name stands in a pattern, where braces mean something.

@@ -1,5 +1,6 @@
 #include "core/suite/merge.h"
 
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/runs/case_pictures.h"
@@ -38,12 +39,13 @@ ExitCode complainOfMerge(const Error& error) {
 Result<std::vector<suite::RunRecord>> readRuns(const std::vector<std::string>& paths) {
     std::vector<suite::RunRecord> runs;
     for (const std::string& path : paths) {
-        const Result<std::string> text = readText(path, suite::maxRecordBytes);
-        if (!text)
-            return fail(text.error());
-        Result<suite::RunRecord> run = suite::parseRun(*text);
+        const Result<Bytes> bytes = readInput(path, suite::maxRecordBytes);
+        if (!bytes)
+            return fail(bytes.error());
+        Result<suite::RunRecord> run =
+            suite::parseRun({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
         if (!run)
-            return fail(run.error().code, describe(run.error()), path);
+            return fail(run.error().code, describe(run.error()), inputName(path));
         runs.push_back(*std::move(run));
     }
     return runs;
@@ -111,6 +113,13 @@ Result<void> writeDurations(const suite::RunRecord& run, const std::string& path
 }
 
 int merge(const MergeOptions& options) {
+    const Result<void> apart = checkOutputsApart(
+        {{"--out", options.out}, {"--junit", options.junit}, {"--durations", options.durations}},
+        options.runs);
+    if (!apart)
+        return complainOfMerge(apart.error());
+    if (const Result<void> once = checkStandardInputOnce(options.runs); !once)
+        return complainOfMerge(once.error());
     const Result<std::vector<suite::RunRecord>> runs = readRuns(options.runs);
     if (!runs)
         return complainOfMerge(runs.error());

@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/criterion_argument.h"
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
@@ -12,6 +13,7 @@
 #include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
 #include "core/suite/accept_list.h"
 #include "core/suite/junit.h"
 #include "core/suite/record_json.h"
@@ -19,6 +21,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <optional>
 #include <thread>
@@ -112,10 +115,11 @@ Result<RunChoice> choiceFor(const TestOptions& options) {
         choice.durations = *durations;
     }
     if (!options.accepted.empty()) {
-        Result<std::string> text = readText(options.accepted, suite::maxAcceptBytes);
-        if (!text)
-            return fail(text.error());
-        choice.accepted = *std::move(text);
+        const Result<Bytes> list = readInput(options.accepted, suite::maxAcceptBytes);
+        if (!list)
+            return fail(list.error());
+        choice.accepted = std::string(reinterpret_cast<const char*>(list->data()), list->size());
+        choice.acceptedFrom = inputName(options.accepted);
     }
     return choice;
 }
@@ -204,12 +208,6 @@ Result<void> writeResults(const TestOptions& options, const FinishedRun& finishe
     return writeFileAtomically(options.durations, viewBytes(text));
 }
 
-ExitCode statusOf(const suite::RunRecord& run) {
-    if (run.names.empty() && run.planned > 0) // more parts than cases
-        return success;
-    return static_cast<ExitCode>(suite::exitStatus(run));
-}
-
 ExitCode list(const PlannedRun& planned) {
     std::string text;
     for (const RunItem& each : planned.items)
@@ -218,7 +216,22 @@ ExitCode list(const PlannedRun& planned) {
     return printed ? success : complainOfRun(printed.error());
 }
 
+/// Outputs that would take the place of what is read, or of each other.
+Result<void> checkApart(const TestOptions& options) {
+    std::vector<std::string> inputs = options.suites;
+    for (const std::string* each : {&options.accepted, &options.criterion.mask})
+        inputs.push_back(*each);
+    return checkOutputsApart(
+        {{"--json", options.json}, {"--junit", options.junit}, {"--durations", options.durations}}, inputs);
+}
+
 ExitCode refuseOptions(const TestOptions& options) {
+    if (const Result<void> apart = checkApart(options); !apart)
+        return complainOfRun(apart.error());
+    if (std::ranges::any_of(options.suites, isStandardInput))
+        return complainOfRun(
+            {ErrorCode::OutOfRange,
+             "expected a file or a folder, which several processes can read; found standard input", "SUITE"});
     for (const Option* each : options.ofSuites) {
         if (options.pictures && each->isGiven())
             return refuseUnused(each->name(), "--pictures draws nothing");
@@ -231,9 +244,11 @@ ExitCode refuseOptions(const TestOptions& options) {
         return complainOfRun(pretence.error());
     if (const Result<view::ContextChoice> context = parseContext(options.context); !context)
         return complainOfRun(context.error());
-    if (options.json == "-" && options.junit == "-")
-        return complainOfRun(
-            {ErrorCode::OutOfRange, "expected one text on standard output, found two", "--json and --junit"});
+    if (!options.report.empty() && !options.resume.empty() && options.report != options.resume)
+        return complainOfRun({ErrorCode::OutOfRange,
+                              fmt::format("expected the folder of --report, {}, or --resume alone, found {}",
+                                          inQuotes(options.report), inQuotes(options.resume)),
+                              "--resume"});
     return success;
 }
 
@@ -255,6 +270,10 @@ ExitCode test(const TestOptions& options) {
     if (options.list)
         return list(*planned);
     planned->run.command = partOf(options, commandOf(options));
+    if (!options.report.empty() && options.resume.empty()) { // the results may go into it
+        std::error_code said;                                // by whom writes the report
+        std::filesystem::create_directories(options.report, said);
+    }
     const Result<std::optional<Output>> json = outputFor(options.json);
     if (!json)
         return complainOfRun(json.error());
@@ -263,7 +282,7 @@ ExitCode test(const TestOptions& options) {
         return complainOfRun(junit.error());
 
     std::stop_source stop;
-    askToStop(&stop);
+    std::optional<AskedToStop> asked(stop);
     RunOptions run;
     run.processes = static_cast<unsigned>(std::clamp<std::size_t>(planned->items.size(), 1, processes));
     run.failFast = options.failFast;
@@ -274,15 +293,14 @@ ExitCode test(const TestOptions& options) {
                                     : RunProgress::Says::OneLine;
     run.stop = stop.get_token();
     const Result<FinishedRun> finished = runAll(*planned, run);
-    askToStop(nullptr);
+    asked.reset();
     if (!finished && finished.error().code == ErrorCode::Cancelled)
         return complainInterrupted(finished.error().message);
     if (!finished)
         return complainOfRun(finished.error());
-    if (const Result<void> written = writeResults(options, *finished, *json, *junit, choice->durations);
-        !written)
-        return complainOfRun(written.error());
-    return say(options, *finished, statusOf(finished->run));
+    const ExitCode status = say(options, *finished, static_cast<ExitCode>(suite::exitStatus(finished->run)));
+    const Result<void> written = writeResults(options, *finished, *json, *junit, choice->durations);
+    return written ? status : complainOfRun(written.error());
 }
 
 void declarePictures(Command& command, TestOptions& options) {
@@ -347,7 +365,7 @@ void declareRunning(Command& command, TestOptions& options) {
         "--resume", options.resume,
         "Go on with a run that was interrupted or killed, whose report is in this folder: what its journal has "
         "isn't run again, unless a scene, an image or a golden has changed since.",
-        {.value = "DIR", .excludes = &report});
+        {.value = "DIR"});
     running(resume);
     options.ofSuites.push_back(&resume);
     running(command.number("--timeout", options.timeout, 1, 86400,

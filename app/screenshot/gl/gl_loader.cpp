@@ -1,3 +1,4 @@
+#include "app/screenshot/gl/driver_crash.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/gl/gl_module.h"
 
@@ -42,6 +43,7 @@ Result<void*> loadModule(const ModuleRow& row) {
     std::error_code ignored;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     const std::filesystem::path module = program.parent_path().parent_path() / "lib/texplorer" / row.file;
+    driverIsLoaded();
     if (void* handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL))
         return handle;
     return fail(ErrorCode::Driver,

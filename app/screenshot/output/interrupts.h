@@ -16,6 +16,15 @@ void watchInterrupts();
 /// Whom a signal asks to stop instead of ending the program; a second one ends it. nullptr: nobody.
 void askToStop(std::stop_source* work);
 
+/// While it lives a signal asks this one.
+class AskedToStop {
+public:
+    explicit AskedToStop(std::stop_source& work) { askToStop(&work); }
+    AskedToStop(const AskedToStop&) = delete;
+    AskedToStop& operator=(const AskedToStop&) = delete;
+    ~AskedToStop() { askToStop(nullptr); }
+};
+
 /// What is said after the work was stopped, and the exit status of its signal. `written`: "3 of 8 pictures
 /// were written"; empty: that nothing was, if so.
 ExitCode complainInterrupted(const std::string& written = {});

@@ -5,10 +5,12 @@
 #include "app/screenshot/output/messages.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 namespace texplorer::screenshot {
@@ -37,6 +39,36 @@ bool isTerminal(const std::string& path) {
 
 bool isStandardOutput(const std::string& path) {
     return path == "-" || path == "/dev/stdout";
+}
+
+Result<void> checkOutputsApart(const std::vector<NamedOutput>& outputs,
+                               const std::vector<std::string>& inputs) {
+    const auto areTheSame = [](const std::string& a, const std::string& b) {
+        std::error_code ignored;
+        return !a.empty() && !b.empty() && std::filesystem::is_regular_file(a, ignored) &&
+               std::filesystem::equivalent(a, b, ignored);
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (const std::string& input : inputs) {
+            if (areTheSame(outputs[i].path, input))
+                return fail(ErrorCode::OutOfRange,
+                            fmt::format("expected another file than {}, which is read", inQuotes(input)),
+                            outputs[i].option);
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            const std::string& other = outputs[k].path;
+            if (isStandardOutput(outputs[i].path) && isStandardOutput(other))
+                return fail(ErrorCode::OutOfRange, "expected one text on standard output, found two",
+                            fmt::format("{} and {}", outputs[k].option, outputs[i].option));
+            const std::filesystem::path own = outputs[i].path;
+            if (!other.empty() && (areTheSame(own, other) ||
+                                   own.lexically_normal() == std::filesystem::path(other).lexically_normal()))
+                return fail(ErrorCode::OutOfRange,
+                            fmt::format("expected another file than that of {}", outputs[k].option),
+                            outputs[i].option);
+        }
+    }
+    return {};
 }
 
 Result<Output> Output::open(const std::string& path) {

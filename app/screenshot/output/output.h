@@ -4,6 +4,9 @@
 #include "core/base/descriptor.h"
 #include "core/codec/registry.h"
 
+#include <string>
+#include <vector>
+
 namespace texplorer::screenshot {
 
 /// Where a command writes what it was asked for: a file, which appears as a whole; standard output ("-"); or
@@ -27,6 +30,16 @@ private:
 
 /// Whether a path names the program's standard output.
 [[nodiscard]] bool isStandardOutput(const std::string& path);
+
+/// An option and the file that it names; an empty one names none.
+struct NamedOutput {
+    const char* option;
+    std::string path;
+};
+
+/// No output may take the place of an input or of another output. The error names the option.
+[[nodiscard]] Result<void> checkOutputsApart(const std::vector<NamedOutput>& outputs,
+                                             const std::vector<std::string>& inputs);
 
 /// An image file to write, and how.
 struct ImageOutput {

@@ -202,7 +202,8 @@ WorkAnswer CaseWorker::doCase(const WorkOrder& order) {
         }
     }
     answer.record->driver = driver.name;
-    answer.record->fingerprint = fingerprints_->of(*plan_, of, drawnWith(driver.version), driver.name);
+    answer.record->fingerprint =
+        fingerprints_->of(*plan_, of, drawnWith(order.setup, driver.version), driver.name);
     return answer;
 }
 
@@ -233,8 +234,8 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
     return {.record = std::move(record)};
 }
 
-std::string drawnWith(std::string_view driverVersion) {
-    return fmt::format("texshot {}, {}", TEXPLORER_VERSION, driverVersion);
+std::string drawnWith(const RunSetup& setup, std::string_view driverVersion) {
+    return fmt::format("texshot {}, {}, {}", TEXPLORER_VERSION, driverVersion, setup.drawing);
 }
 
 } // namespace texplorer::screenshot

@@ -43,7 +43,7 @@ private:
     ImageSource images_; ///< of that one
 };
 
-/// What a fingerprint of a case says of who drew it, beside the driver's name.
-[[nodiscard]] std::string drawnWith(std::string_view driverVersion);
+/// What a fingerprint of a case says of who drew it and how, beside the driver's name.
+[[nodiscard]] std::string drawnWith(const RunSetup& setup, std::string_view driverVersion);
 
 } // namespace texplorer::screenshot

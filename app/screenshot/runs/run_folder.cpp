@@ -29,14 +29,16 @@ bool isRecordOfOurs(const fs::path& folder) {
     if (record && suite::parseRun(*record))
         return true;
     const Result<std::string> journal = readText((folder / journalName).string(), suite::maxRecordBytes);
-    return journal && suite::parseJournal(*journal);
+    return journal && (journal->empty() || suite::parseJournal(*journal));
 }
 
 /// What a report replaces or removes must be a report's.
 Result<void> checkOurs(const fs::path& folder) {
     std::error_code ignored;
     for (const char* name : {recordName, journalName, "index.html", picturesFolder}) {
-        if (!fs::exists(fs::symlink_status(folder / name, ignored)))
+        const fs::file_status status = fs::symlink_status(folder / name, ignored);
+        const bool isEmptyFolder = fs::is_directory(status) && fs::is_empty(folder / name, ignored);
+        if (!fs::exists(status) || isEmptyFolder) // as a run leaves it that couldn't begin
             continue;
         if (isRecordOfOurs(folder))
             return {};

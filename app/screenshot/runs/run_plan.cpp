@@ -1,8 +1,10 @@
 #include "app/screenshot/runs/run_plan.h"
 
 #include "app/screenshot/gl/mesa_settings.h"
+#include "core/base/file_io.h"
 #include "core/suite/accept_list.h"
 #include "core/suite/case_name.h"
+#include "core/suite/hash.h"
 #include "core/suite/picture_pairs.h"
 #include "core/suite/suite_folder.h"
 
@@ -11,6 +13,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
+#include <set>
 #include <unordered_set>
 
 namespace texplorer::screenshot {
@@ -24,6 +28,25 @@ std::string now() {
         std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts) == 0)
         return {};
     return text.data();
+}
+
+/// See RunSetup. Files that can't be read are said by the renderer that needs them.
+std::string drawingOf(const RunSetup& setup) {
+    suite::HashedText text;
+    for (const std::string& each : setup.pretended)
+        text.add(each);
+    std::set<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& each : std::filesystem::directory_iterator(setup.shaders, error)) {
+        if (each.path().extension() == ".glsl")
+            files.insert(each.path());
+    }
+    for (const std::filesystem::path& each : files) {
+        const Result<Bytes> bytes = readFile(each);
+        text.add(each.filename().string());
+        text.add(bytes ? suite::hashOf(*bytes) : std::string());
+    }
+    return text.hash();
 }
 
 struct Chosen {
@@ -40,7 +63,7 @@ Result<Chosen> chosen(std::vector<RunItem> items, const RunChoice& choice) {
             names.push_back(each.name);
         const Result<std::vector<std::string>> found = suite::parseAcceptList(*choice.accepted, names);
         if (!found)
-            return fail(found.error());
+            return fail(found.error().code, describe(found.error()), choice.acceptedFrom);
         accepted.insert(found->begin(), found->end());
         std::erase_if(items, [&](const RunItem& each) { return !accepted.contains(each.name); });
     }
@@ -115,6 +138,7 @@ Result<PlannedRun> planSuites(RunSetup setup, const RunChoice& choice) {
     if (!own)
         return fail(own.error());
     setup.plan = fingerprintOf(*plan);
+    setup.drawing = drawingOf(setup);
     PlannedRun result = planned(std::move(setup), *std::move(plan), *std::move(own), choice);
     result.drawsWithOpenGl = std::ranges::any_of(result.items, [&result](const RunItem& each) {
         return result.plan.cases[each.number].renderer != RendererKind::Reference;
@@ -125,7 +149,8 @@ Result<PlannedRun> planSuites(RunSetup setup, const RunChoice& choice) {
 }
 
 Result<PlannedRun> planPictures(const RunSetup& setup, const RunChoice& choice) {
-    const Result<std::vector<suite::PicturePair>> pairs = suite::pairPictures(setup.actual, setup.golden);
+    const Result<std::vector<suite::PicturePair>> pairs =
+        suite::pairPictures(setup.actual, setup.golden, setup.report);
     if (!pairs)
         return fail(pairs.error());
     std::vector<RunItem> items;
@@ -136,7 +161,10 @@ Result<PlannedRun> planPictures(const RunSetup& setup, const RunChoice& choice) 
             }))
             continue;
         named.cases.emplace_back().name = each.name;
-        items.push_back({.name = each.name, .hasActual = each.hasActual, .hasGolden = each.hasGolden});
+        items.push_back({.name = each.name,
+                         .hasActual = each.hasActual,
+                         .hasGolden = each.hasGolden,
+                         .pixels = each.pixels});
     }
     if (items.empty())
         return fail(ErrorCode::NotFound, "expected a pattern that fits a picture, none does", "--only");

@@ -13,6 +13,7 @@ struct RunChoice {
     suite::Durations durations{};
     std::optional<std::string> accepted{}; ///< an accept list's text: its cases alone, whose goldens are
                                            ///< written
+    std::string acceptedFrom{};            ///< the list's name, for its errors
     bool update = false;                   ///< every golden that is new or different is written
     double seconds = 0;                    ///< after which a case has hung; 0: as its suite says
 };

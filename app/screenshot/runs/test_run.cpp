@@ -77,6 +77,7 @@ private:
     [[nodiscard]] CaseRecord recordOf(std::size_t index, const Outcome& outcome);
     [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, std::string sentence);
     [[nodiscard]] std::string fingerprintOf(const RunItem& item);
+    [[nodiscard]] std::string_view workerOf(const RunItem& item) const;
     void keep(std::size_t index, CaseRecord record);
     void collect();
     [[nodiscard]] Error interrupted() const;
@@ -98,6 +99,10 @@ private:
 Result<void> TestRun::openFolder() {
     if (planned_.setup.report.empty())
         return {};
+    std::error_code ignored;
+    if (options_.resume && !std::filesystem::exists(planned_.setup.report + "/" + journalName, ignored))
+        return fail(ErrorCode::NotFound, "there is no run to go on with in this folder",
+                    planned_.setup.report);
     Result<RunFolder> folder = RunFolder::open(planned_.setup.report);
     if (!folder)
         return fail(folder.error());
@@ -114,13 +119,17 @@ Result<void> TestRun::askForDriver() {
     const workers::Job job{.message =
                                bytesOf(WorkOrder{.setup = planned_.setup, .what = WorkOrder::What::Driver}),
                            .environment = environmentFor(precise, options_.processes),
+                           .limit = std::chrono::duration<double>(
+                               std::ranges::max_element(planned_.items, {}, &RunItem::limit)->limit),
                            .counts = false};
     std::optional<Error> problem;
+    bool hung = false;
     bool answered = false;
     const auto take = [&](const Outcome& outcome) {
         const Result<WorkAnswer> answer = parseAnswer(outcome.answer);
         if (outcome.end != Outcome::End::Answered) { // there is nothing to be parsed then
-            problem = {ErrorCode::Driver, "OpenGL can't be opened: " + sentenceOf(outcome), {}};
+            hung = hung || outcome.end == Outcome::End::Hung;
+            problem = {ErrorCode::Driver, "OpenGL can't be opened: " + sentenceOf(outcome, "the driver"), {}};
         } else if (!answer || !answer->problem.empty()) {
             problem = answer ? Error{ErrorCode::Driver, answer->problem, {}} : answer.error();
         } else {
@@ -130,7 +139,7 @@ Result<void> TestRun::askForDriver() {
         }
     };
     constexpr int mostRounds = 3;
-    for (int round = 0; round < mostRounds && !answered; ++round) {
+    for (int round = 0; round < mostRounds && !answered && !hung; ++round) {
         std::size_t left = round > 0 ? 1 : std::min<std::size_t>(options_.processes, planned_.items.size());
         const Result<void> asked = pool_.run(
             [&]() -> std::optional<workers::Job> {
@@ -151,7 +160,8 @@ std::string TestRun::fingerprintOf(const RunItem& item) {
         return {};
     const suite::Case& of = planned_.plan.cases[item.number];
     const bool drawn = of.renderer != RendererKind::Reference;
-    return fingerprints_.of(planned_.plan, of, drawnWith(drawn ? finished_.run.version : std::string()),
+    return fingerprints_.of(planned_.plan, of,
+                            drawnWith(planned_.setup, drawn ? finished_.run.version : std::string()),
                             drawn ? finished_.run.driver : std::string());
 }
 
@@ -256,7 +266,7 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
                                                         : answer->problem);
         }
     } else {
-        record = recordWithout(item, stateOf(outcome.end), sentenceOf(outcome));
+        record = recordWithout(item, stateOf(outcome.end), sentenceOf(outcome, workerOf(item)));
         if (outcome.end == Outcome::End::Crashed && WIFSIGNALED(outcome.status))
             record.signal = WTERMSIG(outcome.status);
         if (!outcome.lastWords.empty())
@@ -265,6 +275,14 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
     record.seconds = outcome.took.count();
     record.attempt = outcome.attempt;
     return record;
+}
+
+/// Who does the work of an item, for sentences.
+std::string_view TestRun::workerOf(const RunItem& item) const {
+    if (planned_.plan.cases.empty())
+        return "the comparison";
+    return planned_.plan.cases[item.number].renderer == RendererKind::Reference ? "the reference"
+                                                                                : "the driver";
 }
 
 void TestRun::keep(std::size_t index, CaseRecord record) {
@@ -306,6 +324,7 @@ void TestRun::collect() {
         if (each)
             finished_.run.cases.push_back(*std::move(each));
     }
+    finished_.run.endedEarly = failed_ && options_.failFast;
     finished_.run.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
 }

@@ -32,6 +32,7 @@ Json jsonOf(const RunSetup& setup) {
             {"renderers", renderers},
             {"only", setup.only},
             {"plan", setup.plan},
+            {"drawing", setup.drawing},
             {"report", setup.report},
             {"shaders", setup.shaders},
             {"pretended", setup.pretended},
@@ -54,6 +55,7 @@ RunSetup setupOf(const Json& json) {
         setup.renderers.push_back(static_cast<RendererKind>(each));
     json.at("only").get_to(setup.only);
     json.at("plan").get_to(setup.plan);
+    json.at("drawing").get_to(setup.drawing);
     json.at("report").get_to(setup.report);
     json.at("shaders").get_to(setup.shaders);
     json.at("pretended").get_to(setup.pretended);

@@ -18,8 +18,10 @@ struct RunSetup {
     std::vector<std::string> suites{}; ///< files or folders, as the command line has them
     std::vector<RendererKind> renderers{};
     std::vector<std::string> only{};
-    std::string plan{};   ///< the fingerprint of what is planned: a worker reads the suites again
-    std::string report{}; ///< the folder for pictures; empty: none
+    std::string plan{};    ///< the fingerprint of what is planned: a worker reads the suites again
+    std::string drawing{}; ///< a hash of what else decides how it is drawn: what a driver is treated as
+                           ///< lacking, the files of the shaders
+    std::string report{};  ///< the folder for pictures; empty: none
     std::string shaders{};
     std::vector<std::string> pretended{};
     std::string context = "auto"; ///< as view::ContextChoice has it

@@ -343,18 +343,19 @@ Result<void> Pool::Seats::run(const JobSource& source, const JobSink& sink) {
     }
 }
 
-std::string sentenceOf(const Outcome& outcome) {
+std::string sentenceOf(const Outcome& outcome, std::string_view who) {
     std::string text;
     switch (outcome.end) {
     case Outcome::End::Answered:
         return {};
     case Outcome::End::Crashed:
         text = WIFSIGNALED(outcome.status)
-                   ? fmt::format("the driver crashed: {}", signalText(WTERMSIG(outcome.status)))
-                   : fmt::format("the driver ended the process, with status {}", WEXITSTATUS(outcome.status));
+                   ? fmt::format("{} crashed: {}", who, signalText(WTERMSIG(outcome.status)))
+                   : fmt::format("{} ended the process, with status {}", who, WEXITSTATUS(outcome.status));
         break;
     case Outcome::End::Hung:
-        text = fmt::format("no picture within {:.3g} s: the driver hangs", outcome.took.count());
+        text =
+            fmt::format("no answer within {:.3g} s: {} hangs, or needs more time", outcome.took.count(), who);
         break;
     case Outcome::End::Killed:
         text =

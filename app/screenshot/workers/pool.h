@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::workers {
@@ -45,8 +46,8 @@ struct Outcome {
 };
 
 /// What became of it otherwise than by an answer, in a sentence: "the driver crashed: SIGSEGV, segmentation
-/// fault".
-[[nodiscard]] std::string sentenceOf(const Outcome& outcome);
+/// fault". `who`: what had the process do it, "the driver".
+[[nodiscard]] std::string sentenceOf(const Outcome& outcome, std::string_view who);
 
 struct PoolSetup {
     StartCommand command;

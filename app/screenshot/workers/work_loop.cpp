@@ -6,11 +6,13 @@
 #include <cstring>
 #include <fcntl.h>
 #include <string_view>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 
 namespace texplorer::workers {
 
 void workLoop(int socket, const std::function<std::string(const std::string&)>& work) {
+    ::prctl(PR_SET_NAME, "texshot"); // else ps has it as "exe", by the link that it was started by
     Inbox inbox;
     for (;;) {
         std::optional<Message> message = inbox.take();

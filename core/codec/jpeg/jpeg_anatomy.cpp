@@ -109,11 +109,16 @@ Anatomy dissectJpeg(ByteView file) {
     JpegSegments segments(file);
     bool ended = false;
     for (std::size_t index = 0; const std::optional<JpegSegment> segment = segments.next(); ++index) {
-        if (index == mostSegments) {
-            anatomy.damage = fmt::format("the first {} segments are shown, there are more", mostSegments);
-            return anatomy;
+        if (index == mostSegments)
+            anatomy.fields.push_back({segment->offset, 0, "More segments", {}, {}, {}, 0});
+        if (index < mostSegments) {
+            describeSegment(*segment, anatomy.fields);
+        } else {
+            Field& more = anatomy.fields.back();
+            more.size = segment->offset + segment->size() - more.offset;
+            more.value = std::to_string(index + 1 - mostSegments);
+            more.meaning = fmt::format("only the first {} are listed", mostSegments);
         }
-        describeSegment(*segment, anatomy.fields);
         if (!segment->complete()) {
             anatomy.damage =
                 fmt::format("{} at offset {} needs {} bytes, the file has {}",

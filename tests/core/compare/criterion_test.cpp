@@ -68,12 +68,5 @@ TEST(Criterion, IsCheckedWhereNoTextWas) {
     }
 }
 
-TEST(Criterion, IsDescribed) {
-    EXPECT_EQ(describe(Criterion{}), "absolute: up to 0/255");
-    Criterion criterion = criterionOf(Metric::Flip);
-    criterion.share = 0.001;
-    EXPECT_EQ(describe(criterion), "flip: up to 0.1, above that in up to 0.1 % of the pixels");
-}
-
 } // namespace
 } // namespace texplorer::criterion_test

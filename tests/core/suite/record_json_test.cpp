@@ -121,11 +121,11 @@ TEST(RecordJson, AJournalOfAnotherRunIsNoticed) {
     EXPECT_THAT(checkResumable(other, now).error().message, HasSubstr("another part, \"1/2\""));
     other = now;
     other.plan = "x";
-    EXPECT_THAT(checkResumable(other, now).error().message, HasSubstr("the journal is of other cases"));
+    EXPECT_THAT(checkResumable(other, now).error().message, HasSubstr("of the same cases in another order"));
     other = now;
     other.names.pop_back();
     EXPECT_EQ(checkResumable(other, now).error().message,
-              "the journal is of other cases: there were 11, and there are 12 now");
+              "the journal is of other cases: \"late/fixed@8x8\" is a new one");
 }
 
 } // namespace

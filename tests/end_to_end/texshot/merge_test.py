@@ -50,6 +50,11 @@ class Merge(Suites):
         self.assertTrue((self.path / "all" / "index.html").is_file())
         self.assertEqual(len(self.junit(self.path / "junit.xml").findall(".//testcase")), 7)
         self.assertEqual(len(json.loads((self.path / "durations.json").read_text())["seconds"]), 7)
+        accept = json.loads((self.path / "all/report-data.js").read_text().split("=", 1)[1].rstrip().rstrip(";"))["acceptCommand"]
+        self.assertEqual(accept, f"texshot test {self.cases} --accept accept.txt")
+        first, *others = [report / "run.json" for report in reports]
+        piped = texshot("merge", "-", *others, "-o", "-", input=first.read_bytes())
+        self.assertEqual(json.loads(piped.stdout)["cases"], run["cases"])
         printed = self.merge(*[report / "run.json" for report in reports], "-o", "-")
         self.assertEqual(json.loads(printed.stdout), run)
 
@@ -77,8 +82,12 @@ class Merge(Suites):
             broken.write_text(text)
             self.complains(2, "broken.json", "merge", first, broken, "-o", self.path / "run.json")
         self.complains(2, "nothing.json", "merge", first, self.path / "nothing.json", "-o", self.path / "run.json")
-        os.mkfifo(self.path / "pipe")
-        self.complains(2, "pipe", "merge", first, self.path / "pipe", "-o", self.path / "run.json")
+        self.complains(2, "standard input: can be read once", "merge", "-", "-", "-o", self.path / "run.json")
+        before = first.read_bytes()
+        self.complains(2, "which is read", "merge", first, "-o", first)
+        self.complains(2, "one text on standard output", "merge", first, "-o", "-", "--junit", "-")
+        self.complains(2, "whose pictures are gathered", "merge", first, "-o", self.path / "run.json", "--report", first.parent)
+        self.assertEqual(first.read_bytes(), before)
         self.complains(2, "--out", "merge", first)
         self.complains(2, "RUN", "merge", "-o", self.path / "run.json")
         self.complains(2, "", "merge", first, "-o", self.path / "no/run.json")

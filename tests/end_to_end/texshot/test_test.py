@@ -5,6 +5,7 @@ import json
 import os
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -110,7 +111,7 @@ class Test(Suites):
                              "renderer": ["fixed", "shader"], "size": "48x48"}])
         self.assertEqual(self.passes(suite), "4 cases: 4 passed\n")
         self.assertEqual(sorted(os.listdir(self.path)), ["s.suite.json"])
-        self.assertIn("0 goldens", self.passes(suite, "--update") + "0 goldens", "there is none to write")
+        self.assertNotIn("written", self.passes(suite, "--update"), "there is none to write")
 
     def test_a_crash_a_hang_and_an_end_fail_alone(self):
         suite = self.suite(self.backgrounds("grey", "crash", "dark", "hang", "blue", "killed", "exit", "black", seconds=4),
@@ -137,8 +138,86 @@ class Test(Suites):
 
     def test_fail_fast_ends_with_the_first_failure(self):
         suite = self.suite(self.backgrounds("grey", "dark", "blue", "black"))
-        cases = self.record(suite, "--fail-fast", "-j", 1, code=2)
+        cases = self.record(suite, "--fail-fast", "-j", 1, code=1)
         self.assertEqual(len(cases), 1)
+
+    def test_a_folder_of_the_users_is_no_report(self):
+        suite = self.suite(self.backgrounds("grey"))
+        folder = self.path / "mine"
+        (folder / "pictures").mkdir(parents=True)
+        files = {"index.html": b"my page", "run.json": b"{}", "pictures/holiday-actual.png": b"my picture"}
+        for kept in ({"index.html"}, {"run.json"}, {"pictures/holiday-actual.png"}, set(files)):
+            for name in files:
+                (folder / name).unlink(missing_ok=True)
+            for name in kept:
+                (folder / name).write_bytes(files[name])
+            self.complains(2, "expected a new folder or one with a report", "test", suite, "--report", folder)
+            self.assertEqual({name: (folder / name).read_bytes() for name in kept}, {name: files[name] for name in kept})
+        self.assertEqual(self.run_of(suite, "--report", self.path / "new", "--json", self.path / "new/result.json").returncode, 1)
+        self.complains(2, "no run to go on with", "test", suite, "--resume", self.path / "none")
+        self.assertFalse((self.path / "none").exists())
+
+    def test_names_with_dots_have_pictures(self):
+        suite = self.suite([{**self.backgrounds("grey")[0], "name": "v1..2"}])
+        self.assertEqual(self.states(suite, "--report", self.path / "report", code=1), {"v1..2": "new"})
+
+    def test_of_several_goldens_the_nearest_is_updated(self):
+        suite = self.suite(self.backgrounds("grey"), golden=["golden/first.png", "golden/second.png"])
+        self.passes(suite, "--update")
+        golden = self.path / "golden"
+        self.assertEqual(os.listdir(golden), ["first.png"])
+        right = (golden / "first.png").read_bytes()
+        with Image.open(golden / "first.png") as picture:
+            picture.putpixel((3, 3), (255, 0, 0))
+            picture.save(golden / "second.png")
+        Image.new("RGB", (24, 16), (0, 255, 0)).save(golden / "first.png")
+        other = (golden / "first.png").read_bytes()
+        self.passes(suite, "--update")
+        self.assertEqual((golden / "second.png").read_bytes(), right)
+        self.assertEqual((golden / "first.png").read_bytes(), other)
+
+    def test_shaders_that_have_changed_are_drawn_again(self):
+        shaders = self.path / "shaders"
+        shutil.copytree(Path(__file__).resolve().parents[3] / "shaders", shaders)
+        suite = self.suite(self.backgrounds("grey", renderer="shader"), golden="reference")
+        report = self.path / "report"
+        self.passes(suite, "--shaders", shaders, "--report", report)
+        again = ("test", suite, "--shaders", shaders, "--resume", report)
+        self.assertIn(b"1 of 1 cases were done before", texshot(*again).stdout)
+        fragment = shaders / "fragment.glsl"
+        fragment.write_text(fragment.read_text() + "\n// another one\n")
+        self.assertNotIn(b"done before", texshot(*again).stdout)
+
+    def test_no_output_takes_the_place_of_an_input(self):
+        suite = self.suite(self.backgrounds("grey"))
+        before = suite.read_bytes()
+        self.complains(2, "which is read", "test", suite, "--json", suite)
+        self.complains(2, "that of --json", "test", suite, "--json", self.path / "x", "--junit", self.path / "x")
+        self.complains(2, "found standard input", "test", "-")
+        self.assertEqual(suite.read_bytes(), before)
+        self.run_of(suite, "--update")
+        (self.path / "golden/grey__fixed@24x16.png").unlink()
+        accepted = texshot("test", suite, "--accept", "-", input=b"grey/fixed@24x16\n")
+        self.assertEqual(accepted.returncode, 0, accepted.stderr)
+        empty = texshot("test", suite, "--accept", "-", input=b"\n")
+        self.assertEqual((empty.returncode, empty.stderr),
+                         (2, b"texshot: standard input: expected the name of a case on a line, found none\n"))
+
+    def test_what_failed_is_said_even_if_the_results_can_not_be_written(self):
+        suite = self.suite(self.backgrounds("grey"))
+        result = self.run_of(suite, "--json", "/dev/full")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(b"new: grey", result.stdout)
+        self.assertIn(b"/dev/full", result.stderr)
+
+    def test_a_crash_without_worker_processes_is_a_sentence(self):
+        if SANITIZED:
+            self.skipTest("a sanitizer says what crashed")
+        result = texshot("shot", "--set", "view.background=1,0,1,1", "--size", "8x8", "-o", self.path / "x.png",
+                         env=self.broken_driver())
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"texshot: OpenGL's driver crashed: SIGABRT", result.stderr)
+        self.assertFalse((self.path / "x.png").exists())
 
     def test_a_driver_that_can_not_be_opened_is_an_error(self):
         suite = self.suite(self.backgrounds("grey"))
@@ -257,7 +336,10 @@ class Test(Suites):
         self.assertEqual((len(states), [name for name in states if states[name] != "passed"]), (40, [done[0]]))
         other = self.suite(self.backgrounds("grey", renderer="reference"), "other.suite.json")
         self.assertIn(b"the journal is of other cases", self.run_of(other, "--resume", report).stderr)
-        self.assertIn(b"--resume", self.run_of(suite, "--resume", report, "--report", report).stderr)
+        both = self.run_of(suite, "--resume", report, "--report", report)
+        self.assertEqual(both.stderr, b"")
+        self.assertIn(b"40 of 40 cases were done before", both.stdout)
+        self.complains(2, "--resume", "test", suite, "--resume", report, "--report", self.path / "another")
         journal.write_text("nonsense\n")
         said = self.run_of(suite, "--resume", report)
         self.assertEqual(said.returncode, 2)
@@ -362,7 +444,10 @@ class Test(Suites):
         report = self.path / "report"
         report.mkdir()
         (report / "pictures").symlink_to(outside)
-        self.assertIn(b"found something else", self.run_of(suite, "--report", report).stderr)
+        (outside / "holiday-actual.png").write_text("a picture of the user's")
+        self.assertIn(b"of something else", self.run_of(suite, "--report", report).stderr)
+        (outside / "holiday-actual.png").unlink()
+        self.assertIn(b"of something else", self.run_of(suite, "--report", report).stderr)
         (report / "pictures").unlink()
         (report / "journal.jsonl").symlink_to(outside / "journal")
         self.assertEqual(self.run_of(suite, "--report", report).returncode, 2)
@@ -478,6 +563,20 @@ class Pictures(Suites):
         for metric in ("ssim", "flip"):
             result = self.run_of(*call, "--metric", metric, "--json", "-")
             self.assertEqual(json.loads(result.stdout)["cases"][0]["metric"], metric)
+
+    def test_names_that_are_no_text_and_links_are_cases_of_their_own(self):
+        odd = b"caf\xe9.png"
+        for folder in (self.actual, self.golden):
+            Image.new("RGB", (4, 4)).save(os.path.join(os.fsencode(folder), odd), "PNG")
+        (self.actual / "leads-out.png").symlink_to("/dev/zero")
+        states = self.states("--pictures", self.actual, self.golden, code=2)
+        self.assertEqual((states["caf\ufffd.png"], states["leads-out.png"], states["same.png"]), ("passed", "error", "passed"))
+
+    def test_a_report_among_the_pictures_is_none_of_them(self):
+        Image.new("RGB", (9, 8)).save(self.actual / "same.png")
+        call = ["--pictures", self.actual, self.golden, "--report", self.actual / "report"]
+        first = self.states(*call, code=1)
+        self.assertEqual(self.states(*call, code=1), first)
 
     def test_update_takes_the_pictures_over(self):
         Image.new("RGB", (8, 8), (1, 2, 3)).save(self.actual / "same.png")

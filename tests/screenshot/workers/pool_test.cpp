@@ -85,17 +85,18 @@ TEST(Pool, CrashIsTheJobsAloneAndIsToldByItsSignal) {
     for (const std::size_t good : {0U, 2U, 5U})
         EXPECT_EQ(outcomes[good].end, Outcome::End::Answered) << good;
     EXPECT_EQ(outcomes[1].end, Outcome::End::Crashed);
-    EXPECT_EQ(sentenceOf(outcomes[1]),
+    EXPECT_EQ(sentenceOf(outcomes[1], "the driver"),
               "the driver crashed: SIGSEGV, segmentation fault (after 1 other case in the same process)");
-    EXPECT_EQ(sentenceOf(outcomes[3]),
+    EXPECT_EQ(sentenceOf(outcomes[3], "the driver"),
               "the driver crashed: SIGABRT, aborted (after 1 other case in the same process)");
-    EXPECT_EQ(sentenceOf(outcomes[4]), "the driver ended the process, with status 3");
+    EXPECT_EQ(sentenceOf(outcomes[4], "the driver"), "the driver ended the process, with status 3");
 }
 
 TEST(Pool, JobThatHangsIsEndedAtItsLimit) {
     const std::vector<Outcome> outcomes = outcomesOf({"hang", "echo 1", "echo 2"}, 2, 1s);
     EXPECT_EQ(outcomes[0].end, Outcome::End::Hung);
-    EXPECT_EQ(sentenceOf(outcomes[0]), "no picture within 1 s: the driver hangs");
+    EXPECT_EQ(sentenceOf(outcomes[0], "the reference"),
+              "no answer within 1 s: the reference hangs, or needs more time");
     EXPECT_EQ(outcomes[1].answer + outcomes[2].answer, "12");
 }
 
@@ -113,7 +114,7 @@ TEST(Pool, WhatIsKilledFromOutsideIsTriedOnceMore) {
     EXPECT_EQ(outcomes[0].attempt, 2);
     EXPECT_EQ(outcomes[1].end, Outcome::End::Killed);
     EXPECT_EQ(outcomes[1].attempt, 2);
-    EXPECT_THAT(sentenceOf(outcomes[1]), HasSubstr("and so was a second one: SIGKILL"));
+    EXPECT_THAT(sentenceOf(outcomes[1], "the driver"), HasSubstr("and so was a second one: SIGKILL"));
 }
 
 TEST(Pool, ProcessThatGoesBetweenJobsTakesNoneWithIt) {
