@@ -75,8 +75,10 @@ Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::R
     return {};
 }
 
-Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecord>& runs,
-                         const MergeOptions& options) {
+/// The pictures of a RUN lie in its folder: a report there would remove them before they are gathered.
+Result<void> checkReportApart(const MergeOptions& options) {
+    if (options.report.empty())
+        return {};
     for (const std::string& each : options.runs) {
         std::error_code ignored;
         const fs::path own = fs::path(each).parent_path();
@@ -86,6 +88,11 @@ Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecor
                                     inQuotes(each)),
                         "--report");
     }
+    return {};
+}
+
+Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecord>& runs,
+                         const MergeOptions& options) {
     const Result<RunFolder> folder = RunFolder::open(options.report);
     if (!folder)
         return fail(folder.error());
@@ -118,6 +125,8 @@ int merge(const MergeOptions& options) {
         options.runs);
     if (!apart)
         return complainOfMerge(apart.error());
+    if (const Result<void> own = checkReportApart(options); !own)
+        return complainOfMerge(own.error());
     if (const Result<void> once = checkStandardInputOnce(options.runs); !once)
         return complainOfMerge(once.error());
     const Result<std::vector<suite::RunRecord>> runs = readRuns(options.runs);
