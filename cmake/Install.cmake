@@ -64,11 +64,14 @@ install(CODE "
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/end_to_end/consumer DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 if(TEXPLORER_PROGRAMS)
     # For `texplorer --shaders`: to be copied and changed. The programs have their own inside.
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer)
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer
-           )
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes ${PROJECT_SOURCE_DIR}/assets/suites
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer)
+    # For clusters, to be copied and changed.
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/cluster DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
     # What a desktop knows of it: the program, its icon, scenes as a kind of file, and its page in a software centre.
     install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications
            )
@@ -80,7 +83,7 @@ if(TEXPLORER_PROGRAMS)
            )
 endif()
 
-# What the programs write of themselves: manual pages, completion for three shells, the schema of scenes.
+# What the programs write of themselves: manual pages, completion for three shells, the schemas of scenes and suites.
 if(TEXPLORER_PROGRAMS)
     find_program(GZIP_PROGRAM gzip REQUIRED)
     set(words ${PROJECT_BINARY_DIR}/words)

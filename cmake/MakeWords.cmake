@@ -1,5 +1,5 @@
 # Run as a script: what is installed and made of the programs' own tables. PROGRAMS (with commas between them) each
-# write their manual pages and completion, and texshot the schema of scenes, into OUT.
+# write their manual pages and completion, and texshot the schemas of scenes and suites, into OUT.
 #   cmake -DPROGRAMS=bin/texshot,bin/texplorer -DOUT=words -DGZIP=/usr/bin/gzip -DDATE=1795392000 -P MakeWords.cmake
 cmake_minimum_required(VERSION 3.25)
 set(ENV{SOURCE_DATE_EPOCH} ${DATE}) # a page's
@@ -24,6 +24,8 @@ foreach(program IN LISTS programs)
     endforeach()
     if(name STREQUAL texshot)
         execute_process(COMMAND "${program}" schema OUTPUT_FILE "${OUT}/schema/scene.schema.json"
+            COMMAND_ERROR_IS_FATAL ANY)
+        execute_process(COMMAND "${program}" schema --suites OUTPUT_FILE "${OUT}/schema/suite.schema.json"
             COMMAND_ERROR_IS_FATAL ANY)
     endif()
 endforeach()

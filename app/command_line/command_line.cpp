@@ -181,8 +181,22 @@ void Command::footer(const std::string& text) {
 }
 
 void Command::usage(std::vector<std::string> lines) {
-    usage_ = std::move(lines);
-    app_->formatter(std::make_shared<HelpFormatter>(usage_));
+    sections_.usage = std::move(lines);
+    showSections();
+}
+
+void Command::examples(std::vector<std::string> lines) {
+    sections_.examples = std::move(lines);
+    showSections();
+}
+
+void Command::table(HelpTable table) {
+    sections_.tables.push_back(std::move(table));
+    showSections();
+}
+
+void Command::showSections() {
+    app_->formatter(std::make_shared<HelpFormatter>(sections_));
 }
 
 Command& Command::command(const std::string& name, const std::string& help) {

@@ -3,6 +3,7 @@
 // A program's command line: what it takes is declared, then parsed. Its --help and the sentences about wrong
 // calls are the same in every program.
 
+#include "app/command_line/help_sections.h"
 #include "app/command_line/offers.h"
 #include "core/base/result.h"
 
@@ -108,7 +109,15 @@ public:
 
     /// How it is called, where that isn't its options and arguments in their order: "IN OUT", "IN... -o DIR".
     void usage(std::vector<std::string> lines);
-    [[nodiscard]] const std::vector<std::string>& usage() const { return usage_; }
+    [[nodiscard]] const std::vector<std::string>& usage() const { return sections_.usage; }
+
+    /// Calls that can be made as they stand, in this order in an empty folder: each a line of a shell.
+    void examples(std::vector<std::string> lines);
+    [[nodiscard]] const std::vector<std::string>& examples() const { return sections_.examples; }
+
+    /// A table below the options: what is written in a file that the command reads, and what it says there.
+    void table(HelpTable table);
+    [[nodiscard]] const std::vector<HelpTable>& tables() const { return sections_.tables; }
 
     /// A command of this one, which from then on needs one of them.
     Command& command(const std::string& name, const std::string& help);
@@ -158,8 +167,10 @@ private:
 
     std::deque<Option> options_;
     std::deque<Option> shared_;
-    std::vector<std::string> usage_;
+    HelpSections sections_;
     std::function<int()> action_;
+
+    void showSections();
 };
 
 inline constexpr const char* completionOption = "--completion";

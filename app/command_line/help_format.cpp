@@ -65,19 +65,36 @@ std::string rangeIn(std::string_view described) {
                        described.substr(middle + 3, end - middle - 3));
 }
 
+/// As they are typed, however long.
+std::string examplesText(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += fmt::format("{}  {}\n", text.empty() ? "\nExamples:\n" : "", line);
+    return text;
+}
+
+std::string tableText(const HelpTable& table) {
+    std::string text = fmt::format("\n{}:\n", table.title);
+    if (!table.about.empty())
+        text += paragraph(table.about);
+    for (const auto& [name, words] : table.rows)
+        text += entry(name, words);
+    return text;
+}
+
 } // namespace
 
-HelpFormatter::HelpFormatter(std::vector<std::string> usage)
-    : usage_(std::move(usage)) {
+HelpFormatter::HelpFormatter(HelpSections sections)
+    : sections_(std::move(sections)) {
     label("Positionals", "Arguments");
     label("SUBCOMMAND", "COMMAND");
 }
 
 std::string HelpFormatter::make_usage(const CLI::App* command, std::string name) const {
-    if (usage_.empty())
+    if (sections_.usage.empty())
         return CLI::Formatter::make_usage(command, name);
     std::string text;
-    for (const std::string& line : usage_)
+    for (const std::string& line : sections_.usage)
         text += fmt::format("{} {} [OPTIONS] {}\n", text.empty() ? "Usage:" : "      ", name, line);
     return text;
 }
@@ -87,7 +104,8 @@ std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
     std::vector<std::string> titles = command->get_groups();
     std::ranges::stable_partition(titles, [](const std::string& title) { return title != sharedGroup; });
     std::string text = make_description(command) + make_usage(command, std::move(name)) +
-                       make_positionals(command) + make_subcommands(command, mode);
+                       examplesText(sections_.examples) + make_positionals(command) +
+                       make_subcommands(command, mode);
     for (const std::string& title : titles) {
         const std::vector<const CLI::Option*> options = command->get_options([&](const CLI::Option* option) {
             return option->get_group() == title && option->nonpositional();
@@ -95,6 +113,8 @@ std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
         if (!options.empty())
             text += make_group(title, false, options);
     }
+    for (const HelpTable& table : sections_.tables)
+        text += tableText(table);
     return text + "\n" + make_footer(command);
 }
 

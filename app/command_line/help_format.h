@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/command_line/help_sections.h"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -14,8 +16,7 @@ public:
     /// The title of what every command has, which stands behind its own.
     static constexpr const char* sharedGroup = "Of every command";
 
-    /// `usage`: how it is called, beside its name; empty: as its options and arguments say it.
-    explicit HelpFormatter(std::vector<std::string> usage = {});
+    explicit HelpFormatter(HelpSections sections = {});
 
     std::string make_usage(const CLI::App* command, std::string name) const override;
     std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override;
@@ -25,7 +26,7 @@ public:
     std::string make_footer(const CLI::App* command) const override; ///< a paragraph for each of its lines
 
 private:
-    std::vector<std::string> usage_;
+    HelpSections sections_;
 };
 
 } // namespace texplorer

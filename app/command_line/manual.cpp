@@ -54,6 +54,43 @@ std::string roffSentences(std::string_view text) {
     return out;
 }
 
+/// A line of a shell: what is typed is ASCII, and may be copied from the page.
+std::string roffLiteral(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '\\':
+            out += "\\e";
+            break;
+        case '-':
+            out += "\\-";
+            break;
+        case '\'':
+            out += "\\(aq";
+            break;
+        case '`':
+            out += "\\(ga";
+            break;
+        case '~':
+            out += "\\(ti";
+            break;
+        case '^':
+            out += "\\(ha";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string inCapitals(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
+    return text;
+}
+
 std::string bold(std::string_view text) {
     return "\\fB" + roffText(text) + "\\fR";
 }
@@ -145,6 +182,24 @@ std::string commandsOf(const CommandLine& line) {
     return text.empty() ? "" : ".SH COMMANDS\n" + text;
 }
 
+/// Verbatim: a shell's lines, which must not be broken.
+std::string examplesOf(const Command& command) {
+    std::string text;
+    for (const std::string& line : command.examples())
+        text += fmt::format(".PP\n.nf\n.RS\n{}\n.RE\n.fi\n", roffLiteral(line));
+    return text.empty() ? "" : ".SH EXAMPLES\n" + text;
+}
+
+std::string tablesOf(const Command& command) {
+    std::string text;
+    for (const HelpTable& table : command.tables()) {
+        text += ".SH " + roffText(inCapitals(table.title)) + "\n" + roffSentences(table.about);
+        for (const auto& [name, words] : table.rows)
+            text += ".TP\n" + bold(name) + "\n" + roffSentences(words);
+    }
+    return text;
+}
+
 /// The lines of a footer: the exit status has a section of its own.
 std::string footerOf(const Command& command) {
     constexpr std::string_view exits = "Exit status: ";
@@ -195,16 +250,12 @@ Result<std::string> manualPage(const CommandLine& line, const std::string& page)
                     "--manual");
     const bool isProgram = shown == &line;
     const std::string called = isProgram ? line.name() : line.name() + " " + shown->name();
-    std::string title = page;
-    std::ranges::transform(title, title.begin(), [](char c) {
-        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    });
-    return fmt::format(".TH {} 1 {} \"{}\" \"User Commands\"\n.ad l\n", roffText(title), dateOfPage(),
-                       roffText(line.version())) +
+    return fmt::format(".TH {} 1 {} \"{}\" \"User Commands\"\n.ad l\n", roffText(inCapitals(page)),
+                       dateOfPage(), roffText(line.version())) +
            fmt::format(".SH NAME\n{} \\- {}\n", roffText(page), roffText(firstSentence(shown->help()))) +
            ".SH SYNOPSIS\n" + synopsisOf(*shown, called, isProgram && !line.commands().empty()) +
            ".SH DESCRIPTION\n" + roffSentences(shown->help()) + (isProgram ? commandsOf(line) : "") +
-           optionsOf(*shown) + footerOf(*shown) + seeAlso(line, page);
+           optionsOf(*shown) + tablesOf(*shown) + footerOf(*shown) + examplesOf(*shown) + seeAlso(line, page);
 }
 
 } // namespace texplorer

@@ -41,6 +41,9 @@ void addTexture(CommandLine& line);
 void addTest(CommandLine& line);
 void addMerge(CommandLine& line);
 
+/// What --help and the manual say of the commands declared so far beside their options: examples, formats.
+void addHelpSections(CommandLine& line);
+
 /// Prints "texshot: …" on standard error, a printable line, and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);
 

@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
             add(line);
     }
     line.addHelp();
+    addHelpSections(line);
     line.addWords();
 
     try {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace texplorer::suite {
@@ -17,6 +18,31 @@ bool parsePositive(std::string_view text, int& number) {
     constexpr int most = 1'000'000;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() && number >= 1 && number <= most;
+}
+
+/// Why cases were skipped: a reason for all that have it, under the name of the first.
+std::string skippedText(const RunRecord& run) {
+    struct Skipped {
+        const CaseRecord* first;
+        std::size_t count;
+    };
+    std::vector<Skipped> reasons;
+    std::unordered_map<std::string_view, std::size_t> numbers;
+    for (const CaseRecord& each : run.cases) {
+        if (each.state != State::Skipped)
+            continue;
+        const auto [at, isNew] = numbers.try_emplace(each.sentence, reasons.size());
+        if (isNew)
+            reasons.push_back({&each, 1});
+        else
+            ++reasons[at->second].count;
+    }
+    std::string text;
+    for (const auto& [first, count] : reasons)
+        text += fmt::format("skipped: {}{}\n    {}\n", printable(first->name),
+                            count > 1 ? fmt::format(" and {}", countOf(count - 1, "more case")) : "",
+                            printable(first->sentence));
+    return text;
 }
 
 bool isWorthALine(State state) {
@@ -91,6 +117,7 @@ std::string asText(const RunRecord& run) {
             text += fmt::format("{}: {}\n    {}\n", rowOf(each.state).text, printable(each.name),
                                 printable(each.sentence));
     }
+    text += skippedText(run);
     constexpr std::size_t shown = 20;
     const std::vector<std::string> missing = run.missing();
     for (std::size_t i = 0; i < std::min(shown, missing.size()); ++i)

@@ -130,8 +130,8 @@ struct RunRecord {
 /// "36 cases: 33 passed, 2 failed, 1 skipped"
 [[nodiscard]] std::string summary(const RunRecord& run);
 
-/// The summary after a line or two for every case that neither passed nor was skipped. Printable, of several
-/// lines.
+/// The summary after a line or two for every case that neither passed nor was skipped, and for each reason of
+/// those that were. Printable, of several lines.
 [[nodiscard]] std::string asText(const RunRecord& run);
 
 } // namespace texplorer::suite

@@ -61,7 +61,9 @@ OrderedJson goldenSchema() {
     const OrderedJson files = oneOrMore(one, maxGoldens, "pictures, any of which will do", false);
     return {{"description",
              "What the picture is held against: stored pictures, any of which will do; the same for "
-             "each driver, by globs of its renderer string; or the reference."},
+             "each driver, by globs of its renderer string; or the reference. In a name {case} is the case, "
+             "{picture} the case without its renderer, so that several renderers share it, and {driver} the "
+             "driver. Without it: golden/{case}.png."},
             {"anyOf",
              {OrderedJson{{"const", "reference"}}, files,
               OrderedJson{{"type", "object"},
@@ -135,6 +137,7 @@ std::string suiteSchema() {
     };
     OrderedJson schema = strictObject(std::move(properties), {"suite", "cases"});
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+    schema["$id"] = "file:///usr/share/texplorer/suite.schema.json"; // where the Debian package installs it
     schema["title"] = "A suite of pictures for texshot test";
     return dumpJson(schema, 2) + "\n";
 }

@@ -171,11 +171,17 @@ mv "$work/texshot" "$prefix/bin/texshot"
 # What they write of themselves, where man, the shells and editors look for it.
 for file in share/man/man1/{texplorer,texshot,texshot-shot}.1.gz share/bash-completion/completions/{texplorer,texshot} \
     share/zsh/site-functions/{_texplorer,_texshot} share/fish/vendor_completions.d/{texplorer,texshot}.fish \
-    share/texplorer/scene.schema.json share/mime/packages/texplorer.xml share/metainfo/texplorer.metainfo.xml; do
+    share/texplorer/{scene,suite}.schema.json share/texplorer/suites/textures.suite.json \
+    share/doc/texplorer/examples/cluster/texshot-{array.sbatch,job.yaml} \
+    share/doc/texplorer/examples/consumer/CMakeLists.txt share/mime/packages/texplorer.xml share/metainfo/texplorer.metainfo.xml; do
     [ -s "$prefix/$file" ] || complain "$file is not installed"
 done
 gzip -dc "$prefix/share/man/man1/texshot-shot.1.gz" | grep -q '^\.TH TEXSHOT' || complain "a manual page is none"
 "$prefix/bin/texshot" schema | cmp - "$prefix/share/texplorer/scene.schema.json" || complain "another schema is installed"
+"$prefix/bin/texshot" schema --suites | cmp - "$prefix/share/texplorer/suite.schema.json" ||
+    complain "another schema of suites is installed"
+"$prefix/bin/texshot" test --list "$prefix/share/texplorer/suites/textures.suite.json" >"$work/said" ||
+    complain "the installed suite can't be read: $(cat "$work/said")"
 
 # The programs.
 [ "$(identify -format '%wx%h' "$work/shot.png")" = 64x64 ] || complain "the installed texshot drew no 64x64 PNG"

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
+
 namespace texplorer::screenshot {
 namespace {
 
@@ -25,24 +27,31 @@ Result<void> take(const Result<double>& number, double& to, const char* option) 
 } // namespace
 
 void addCriterionArgument(Command& command, CriterionArgument& argument, const Option* needs) {
+    const std::string of = needs == nullptr ? std::string() : fmt::format("With {}: ", needs->name());
+    const auto help = [&of](std::string text) {
+        if (!of.empty()) // the sentence goes on
+            text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+        return of + text;
+    };
     command.option(
-        "--metric", argument.metric, "What a pixel's value is." + explainChoices<Metric>(),
+        "--metric", argument.metric, help("What a pixel's value is.") + explainChoices<Metric>(),
         {.value = "METRIC", .showsDefault = true, .needs = needs, .offers = {choiceNames<Metric>}});
-    argument.givenTolerance =
-        &command.option("--tolerance", argument.tolerance, toleranceHelp(), {.value = "N", .needs = needs});
-    argument.givenShare =
-        &command.option("--share", argument.share,
-                        "Which share of the pixels may be above the tolerance: 0 to 1, or in percent as in "
-                        "0.1%. Unless given, none.",
-                        {.value = "P", .needs = needs});
-    command.option("--mask", argument.mask,
-                   "A picture of the same size: where it is black or wholly transparent, pixels don't count.",
-                   {.value = "FILE", .needs = needs});
-    command.flag("--rgb", argument.rgb, "Leave alpha out.", {.needs = needs});
+    argument.givenTolerance = &command.option("--tolerance", argument.tolerance, help(toleranceHelp()),
+                                              {.value = "N", .needs = needs});
+    argument.givenShare = &command.option(
+        "--share", argument.share,
+        help("Which share of the pixels may be above the tolerance: 0 to 1, or in percent as in "
+             "0.1%. Unless given, none."),
+        {.value = "P", .needs = needs});
+    command.option(
+        "--mask", argument.mask,
+        help("A picture of the same size: where it is black or wholly transparent, pixels don't count."),
+        {.value = "FILE", .needs = needs});
+    command.flag("--rgb", argument.rgb, help("Leave alpha out."), {.needs = needs});
     argument.givenPixelsPerDegree = &command.number(
         "--pixels-per-degree", argument.pixelsPerDegree, 1, 512,
-        "flip: how many pixels of the picture lie in a degree of the viewer's field of view. 67 is a 4K "
-        "screen of 0.7 m at a distance of 0.7 m.",
+        of + "flip: how many pixels of the picture lie in a degree of the viewer's field of view. 67 is a 4K "
+             "screen of 0.7 m at a distance of 0.7 m.",
         {.showsDefault = true, .needs = needs});
 }
 

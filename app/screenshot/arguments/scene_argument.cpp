@@ -5,7 +5,9 @@
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/picture_texts.h"
 #include "core/base/file_io.h"
+#include "core/base/nearest_name.h"
 #include "core/codec/png/png_text.h"
+#include "core/example/example.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/preset/preset.h"
 #include "core/scene/params/json.h"
@@ -13,7 +15,9 @@
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace texplorer::screenshot {
 namespace {
@@ -55,6 +59,17 @@ Result<std::string> readSceneText(const std::string& path) {
     return fail(ErrorCode::NotFound,
                 fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword),
                 inputName(path));
+}
+
+Result<Scene> exampleNamed(const std::string& name) {
+    const std::vector<std::string> names = exampleNames();
+    if (std::ranges::find(names, name) != names.end())
+        return exampleScene(name + ".json");
+    const std::string_view meant = nearestName(name, {names.begin(), names.end()});
+    if (meant.empty())
+        return refuseChoice(fmt::format("{}", fmt::join(names, ", ")), name, "--example");
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("there is no example \"{}\"; did you mean \"{}\"?", name, meant), "--example");
 }
 
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
@@ -120,6 +135,13 @@ std::vector<Assigned> assignedParams() {
     return assigned;
 }
 
+std::vector<std::string> exampleNames() {
+    std::vector<std::string> names;
+    for (const Example& each : examples())
+        names.push_back(std::filesystem::path(each.file).stem().string());
+    return names;
+}
+
 Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored))
@@ -133,8 +155,13 @@ const Option& addSceneArgument(Command& command, SceneArgument& argument, std::v
         "input. Without one: the cube and the sphere that Texplorer starts with.";
     const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
                                : command.option("SCENE", argument.file, help);
+    command.option("--example", argument.example,
+                   fmt::format("In the place of a scene: an example of the program's, one of {}.",
+                               fmt::join(exampleNames(), ", ")),
+                   {.value = "NAME", .excludes = &file, .offers = {exampleNames}});
     command.option("--set", argument.assignments,
-                   "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
+                   "Change one parameter, as in 'textures[0].minFilter=GL_NEAREST', in quotes because of the "
+                   "brackets. May be given again; "
                    "\"texshot params\" lists every path.",
                    {.value = "PATH=VALUE",
                     .oneEach = true,
@@ -165,6 +192,15 @@ void addSceneOrLessonArgument(Command& command, SceneArgument& argument, std::ve
 
 tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument) {
     OpenedScene opened{defaultScene(), ImageSource{}};
+    if (!argument.example.empty() && !argument.lesson.empty())
+        return tl::unexpected(SceneProblem{
+            {ErrorCode::OutOfRange, "--example and --lesson exclude each other", {}}, wrongCall});
+    if (!argument.example.empty()) {
+        Result<Scene> scene = exampleNamed(argument.example);
+        if (!scene)
+            return tl::unexpected(SceneProblem{scene.error(), wrongCall});
+        opened.scene = *std::move(scene);
+    }
     if (!argument.lesson.empty()) {
         auto step = openStep(argument);
         if (!step)

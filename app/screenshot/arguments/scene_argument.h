@@ -14,6 +14,7 @@ struct SceneArgument {
     std::string file; ///< empty: the default scene; "-": standard input
     std::vector<std::string> assignments{};
     std::vector<std::string> presets{}; ///< applied after them, to unit 0 of pass 0
+    std::string example{};              ///< in the place of a file: "cube"; empty: none
     std::string lesson{};               ///< whose step's scene it is, in the place of a file; empty: none
     std::size_t step = 1;               ///< from 1
     std::size_t answer = 0;             ///< from 1, of the step's question; 0: what the step begins with
@@ -30,7 +31,10 @@ struct SceneArgument {
 /// Every parameter that --set takes, but lists of what each vertex has, for shells to offer.
 [[nodiscard]] std::vector<Assigned> assignedParams();
 
-/// Declares SCENE, --set and --preset; SCENE is what it returns.
+/// The names of the program's examples, which --example takes: "cube".
+[[nodiscard]] std::vector<std::string> exampleNames();
+
+/// Declares SCENE, --example, --set and --preset; SCENE is what it returns.
 const Option& addSceneArgument(Command& command, SceneArgument& argument,
                                std::vector<std::string>* files = nullptr);
 

@@ -32,7 +32,7 @@ void addSchema(CommandLine& line) {
                    {.value = "FILE", .showsDefault = true});
     command.footer(
         "Draft 2020-12, made of the table of \"texshot params\". A scene that Texplorer writes names it "
-        "in its \"$schema\", as the package installs it: share/texplorer/scene.schema.json.\n"
+        "in its \"$schema\", as the package installs it: share/texplorer/scene.schema.json; that of suites, suite.schema.json, lies beside it.\n"
         "Exit status: 0 done, 1 it can't be written, 2 a wrong call.");
     command.onCall([options] { return writeSchema(*options); });
 }

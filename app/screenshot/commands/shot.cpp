@@ -122,6 +122,8 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
 
 /// "{scene}" in the names of pictures.
 std::string sceneNameOf(const SceneArgument& scene, const std::string& file) {
+    if (!scene.example.empty())
+        return scene.example;
     if (scene.lesson.empty())
         return sceneName(file);
     return fmt::format("{}-{}", std::filesystem::path(scene.lesson).filename().string(), scene.step);
@@ -164,26 +166,42 @@ tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions
     return entries;
 }
 
-/// Each folder once: what else a name may be is seen when it is written.
-Result<void> checkFolders(const std::vector<std::string>& names) {
+/// Each folder once: what else a name may be is seen when it is written. `makes`: those that aren't there.
+Result<void> checkFolders(const std::vector<std::string>& names, bool makes) {
     std::set<std::filesystem::path> folders;
     for (const std::string& name : names) {
-        if (!folders.insert(std::filesystem::path(name).parent_path()).second)
+        const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+        if (!folders.insert(folder).second)
             continue;
-        if (const Result<void> writable = checkFileWritable(name); !writable)
+        if (std::error_code error; makes && !folder.empty()) {
+            std::filesystem::create_directories(folder, error);
+            if (error)
+                return fail(ErrorCode::Unwritable, "can't make the folder: " + error.message(),
+                            folder.string());
+        }
+        if (const Result<void> writable = checkPlace(name); !writable)
             return fail(writable.error());
     }
     return {};
 }
 
+/// What to call several pictures: "{minFilter}.png".
+std::string nameForSeveral(const ShotOptions& options) {
+    if (options.axes.empty())
+        return "{scene}.png";
+    const std::string path = options.axes.front().substr(0, options.axes.front().find('='));
+    return fmt::format("{{{}}}.png", path.substr(path.rfind('.') + 1));
+}
+
 ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::vector<view::Size> sizes,
                   std::vector<double> times, ShotRequest request, ShotReport* report) {
     const bool several = options.files.size() > 1 || sizes.size() > 1 || times.size() > 1;
-    if (several && pattern.places().empty())
+    const bool toStream = isStandardOutput(options.out) && !options.axes.empty();
+    if ((several || toStream) && pattern.places().empty())
         return complain({ErrorCode::OutOfRange,
-                         fmt::format("expected a name that differs for each picture, as in {{scene}}.png or "
+                         fmt::format("expected a name that differs for each picture, as in {} or "
                                      "{{number}}.png, found \"{}\"",
-                                     options.out),
+                                     nameForSeveral(options), options.out),
                          "--out"},
                         wrongCall);
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
@@ -204,7 +222,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     Result<std::vector<std::string>> names = list.names(pattern, std::string(rowOf(request.renderer).name));
     if (!names)
         return complain(names.error(), wrongCall);
-    if (const Result<void> writable = checkFolders(*names); !writable)
+    if (const Result<void> writable = checkFolders(*names, !pattern.places().empty()); !writable)
         return complain(writable.error());
     return drawAll(
         {list, *std::move(names), *format, std::move(request), !options.withoutMetadata, report, incomplete});
@@ -260,7 +278,7 @@ void addShot(CommandLine& line) {
     addSceneOrLessonArgument(command, options->scene, &options->files);
     command.option(
         "--axis", options->axes,
-        "A parameter and values that it goes through, as in textures[0].minFilter=*: a picture for "
+        "A parameter and values that it goes through, as in 'textures[0].minFilter=*': a picture for "
         "each, and for each combination where this is given again. V1,V2 are values (of vectors "
         "and colours with ; between them), A..B/N are N numbers, * is every choice.",
         {.value = "PATH=VALUES", .oneEach = true, .offers = {.assigned = assignedParams}});
@@ -303,7 +321,7 @@ void addShot(CommandLine& line) {
         fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG. "
                     "Of several pictures a name with places to fill in: {{scene}}, {{number}}, {{renderer}}, "
                     "{{time}}, {{size}} and the axes' paths or their last parts, as in "
-                    "{{scene}}-{{minFilter}}.png; {{{{ is a brace.",
+                    "'out/{{scene}}-{{minFilter}}.png', whose folder is made; {{{{ is a brace.",
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
     command.flag("--json", options->json,

@@ -171,6 +171,19 @@ Result<std::optional<Output>> outputFor(const std::string& path) {
     return Output::open(path).map([](Output output) { return std::optional(std::move(output)); });
 }
 
+/// What one does now.
+std::string nextSteps(const TestOptions& options, const FinishedRun& finished) {
+    std::string text;
+    const std::size_t without = finished.run.count(suite::State::New);
+    if (without > 0 && !options.update)
+        text += without == 1 ? "1 has no golden: --update writes it\n"
+                             : fmt::format("{} have no golden: --update writes them\n", without);
+    const std::string& report = options.resume.empty() ? options.report : options.resume;
+    if (!report.empty())
+        text += fmt::format("report: {}\n", (std::filesystem::path(report) / "index.html").string());
+    return text;
+}
+
 ExitCode say(const TestOptions& options, const FinishedRun& finished, ExitCode status) {
     const bool toStandardOutput = options.json != "-" && options.junit != "-";
     std::string text;
@@ -179,6 +192,7 @@ ExitCode say(const TestOptions& options, const FinishedRun& finished, ExitCode s
     text += suite::asText(finished.run);
     if (!finished.wrote.empty())
         text += fmt::format("{} written\n", countOf(finished.wrote.size(), "golden"));
+    text += nextSteps(options, finished);
     if (loudness().quiet && status == success)
         return status;
     if (!toStandardOutput) {

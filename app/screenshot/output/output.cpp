@@ -81,9 +81,18 @@ Result<Output> Output::open(const std::string& path) {
             return fail(ErrorCode::Unwritable, "can't be opened: " + systemText(errno), path);
         return output;
     }
-    if (const Result<void> writable = checkFileWritable(path); !writable)
+    if (const Result<void> writable = checkPlace(path); !writable)
         return fail(writable.error());
     return output;
+}
+
+Result<void> checkPlace(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::exists(std::filesystem::symlink_status(folder, error)))
+        return fail(ErrorCode::Unwritable,
+                    fmt::format("can't be written: the folder {} isn't there", folder.string()), path);
+    return checkFileWritable(path);
 }
 
 Result<void> Output::write(ByteView bytes) const {

@@ -28,6 +28,9 @@ private:
     Descriptor stream_; ///< of a device or pipe
 };
 
+/// Whether a file can be written there. The error names the path, and the folder that isn't there.
+[[nodiscard]] Result<void> checkPlace(const std::string& path);
+
 /// Whether a path names the program's standard output.
 [[nodiscard]] bool isStandardOutput(const std::string& path);
 

@@ -19,6 +19,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace texplorer::screenshot {
@@ -93,7 +94,8 @@ private:
     ImageSource images_;
 };
 
-/// Sentences about pictures, said in the pictures' order whoever has drawn them.
+/// Sentences about pictures, in the pictures' order whoever has drawn them. Why there is none is said at
+/// once, a warning at the end: once, however many pictures it is about.
 class Sentences {
 public:
     explicit Sentences(LongWork& work)
@@ -105,14 +107,25 @@ public:
         waiting_.emplace(index, About{std::move(warnings), std::move(failure)});
         for (auto next = waiting_.begin(); next != waiting_.end() && next->first == said_;
              next = waiting_.erase(next), ++said_) {
-            const auto& [said, failed] = next->second;
-            if (!said.empty() || failed)
+            auto& [said, failed] = next->second;
+            for (Error& warning : said)
+                add(std::move(warning));
+            if (failed) {
                 work_.clearLine();
-            for (const Error& warning : said)
-                warn(warning);
-            if (failed)
                 complain(*failed);
+            }
         }
+    }
+
+    /// When no more pictures come.
+    void sayWarnings() {
+        const std::scoped_lock lock(mutex_);
+        for (auto& [first, pictures] : warnings_) {
+            if (pictures > 1)
+                first.message += fmt::format(" (and of {})", countOf(pictures - 1, "more picture"));
+            warn(first);
+        }
+        warnings_.clear();
     }
 
 private:
@@ -121,10 +134,25 @@ private:
         std::optional<Error> failure;
     };
 
+    struct Warning {
+        Error first; ///< of the first picture
+        std::size_t pictures = 1;
+    };
+
+    void add(Error warning) {
+        const auto [at, isNew] = numbers_.try_emplace(warning.message, warnings_.size());
+        if (isNew)
+            warnings_.push_back({std::move(warning)});
+        else
+            ++warnings_[at->second].pictures;
+    }
+
     LongWork& work_;
     std::mutex mutex_;
-    std::map<std::size_t, About> waiting_; ///< for those before them
-    std::size_t said_ = 0;                 ///< of how many pictures, from the first
+    std::vector<Warning> warnings_;                        ///< in the order of their first pictures
+    std::unordered_map<std::string, std::size_t> numbers_; ///< of each among them, by its sentence
+    std::map<std::size_t, About> waiting_;                 ///< for those before them
+    std::size_t said_ = 0;                                 ///< of how many pictures, from the first
 };
 
 /// What the threads that draw have in common.
@@ -260,6 +288,7 @@ ExitCode drawAll(const ShotRun& run) {
     parallelFor(contexts, contexts, [&](std::size_t) { drawThem(all); });
     all.writer.finish();
     work.finish();
+    all.sentences.sayWarnings();
     const std::size_t count = run.names.size();
     const std::string written =
         fmt::format("{} of {} were written", all.writer.written(), countOf(count, "picture"));

@@ -1,5 +1,6 @@
 // Parameters by their path: "passes[0].units[1].envMode".
 
+#include "core/base/nearest_name.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <deque>
 #include <optional>
 
 namespace texplorer {
@@ -45,6 +47,30 @@ std::optional<std::size_t> parseIndex(std::string_view text) {
     return index;
 }
 
+/// The first path from a table down to a parameter of this name, breadth first: "textures[0].minFilter";
+/// empty: there is none.
+std::string pathBelow(const StructTable& table, std::string_view key) {
+    struct Below {
+        const StructTable* table;
+        std::string path;
+        int depth;
+    };
+    constexpr int deepest = 4; // of a table that has itself below it there is no end
+    std::deque<Below> waiting{{&table, {}, 0}};
+    for (; !waiting.empty(); waiting.pop_front()) {
+        const Below at = waiting.front();
+        if (findParam(*at.table, key) != nullptr)
+            return at.path + std::string(key);
+        if (at.depth == deepest)
+            continue;
+        for (const ChildRow& child : at.table->children)
+            waiting.push_back({child.table,
+                               fmt::format("{}{}{}.", at.path, child.key, child.indexed ? "[0]" : ""),
+                               at.depth + 1});
+    }
+    return {};
+}
+
 class Walker {
 public:
     Walker(Scene& scene, std::string_view path)
@@ -60,8 +86,7 @@ public:
             const ChildRow* child = findChild(*place_.table, part.key);
             walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
             if (!row && !child)
-                return refuse(
-                    fmt::format("no such parameter; {}", suggestName(part.key, tableKeys(*place_.table))));
+                return refuse(fmt::format("no such parameter; {}", suggested(part.key)));
             auto entered = row ? enter(*row, part) : enter(*child, part);
             if (!entered)
                 return fail(std::move(entered.error()));
@@ -81,6 +106,20 @@ private:
             part.index = part.whole.substr(bracket + 1, part.whole.size() - bracket - 2);
         }
         return part;
+    }
+
+    /// Where there is no such key: one that is close, or a parameter below it that has that name.
+    std::string suggested(std::string_view key) const {
+        const std::vector<std::string_view> keys = tableKeys(*place_.table);
+        if (!dotted_ && nearestName(key, keys).empty()) {
+            const std::string below = pathBelow(*place_.table, key);
+            if (!below.empty()) {
+                const std::size_t dot = walked_.rfind('.');
+                const std::string before = dot == std::string::npos ? "" : walked_.substr(0, dot + 1);
+                return fmt::format("did you mean {}{}?", before, below);
+            }
+        }
+        return suggestName(key, keys);
     }
 
     Result<void> enter(const ParamRow& row, const Part& part) {

@@ -18,9 +18,21 @@ TEST(Record, SaysWhatCameOfItAll) {
     EXPECT_THAT(run.missing(), ElementsAre("late/fixed@8x8"));
     const std::string text = asText(run);
     EXPECT_THAT(text, HasSubstr("failed: failed/fixed@8x8\n    it is failed\n"));
+    EXPECT_THAT(text, HasSubstr("skipped: skipped/fixed@8x8\n    it is skipped\n"));
     EXPECT_THAT(text, HasSubstr("not run: late/fixed@8x8\n"));
     EXPECT_THAT(text, Not(HasSubstr("passed/fixed")));
     EXPECT_TRUE(text.ends_with("not run\n"));
+}
+
+TEST(Record, AReasonForSkippingIsSaidOnce) {
+    RunRecord run;
+    for (const char* const reason : {"no S3TC", "undefined", "no S3TC", "no S3TC"}) {
+        run.names.push_back("case " + std::to_string(run.names.size()));
+        run.cases.push_back({.name = run.names.back(), .state = State::Skipped, .sentence = reason});
+    }
+    EXPECT_EQ(asText(run), "skipped: case 0 and 2 more cases\n    no S3TC\n"
+                           "skipped: case 1\n    undefined\n"
+                           "4 cases: 4 skipped\n");
 }
 
 RunRecord runOf(std::initializer_list<State> states) {

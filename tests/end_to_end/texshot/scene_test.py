@@ -44,7 +44,7 @@ class Scene(Texshot):
         self.assertEqual(json.loads(out.read_text())["view"]["distance"], 9)
         self.succeeds("scene", out, "--short", "-o", out)  # its own input
         self.assertEqual(json.loads(out.read_text()), {"version": 1, "view": {"distance": 9}})
-        self.complains(1, "No such file or directory", "scene", "-o", self.path / "no" / "out.json")
+        self.complains(1, "isn't there", "scene", "-o", self.path / "no" / "out.json")
         self.complains(2, 'a scene is JSON: expected a name that ends in .json, found', "scene", "-o", self.path / "a.png")
 
     def test_images_are_named_from_where_it_is_written(self):

@@ -29,6 +29,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "no such parameter; expected one of view, light, material, models, textures, passes"},
         Refusal{"Typo", "textures[0].minfilter", "GL_LINEAR",
                 R"(textures[0].minfilter: no such parameter; did you mean "minFilter"?)"},
+        Refusal{"WithoutWhatItBelongsTo", "minFilter", "GL_LINEAR",
+                "minFilter: no such parameter; did you mean textures[0].minFilter?"},
+        Refusal{"WithoutItsUnit", "passes[0].envMode", "GL_ADD",
+                "passes[0].envMode: no such parameter; did you mean passes[0].units[0].envMode?"},
         Refusal{"TypoOfAList", "texture[0].minFilter", "GL_LINEAR",
                 R"(texture[0]: no such parameter; did you mean "textures"?)"},
         Refusal{

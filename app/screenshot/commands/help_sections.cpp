@@ -1,0 +1,201 @@
+// What --help and the manual say of each command beside its options: calls that can be made as they stand,
+// what
+// --json prints, and how a suite is written.
+
+#include "app/screenshot/command.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace texplorer::screenshot {
+namespace {
+
+struct CommandExamples {
+    std::string_view command;
+    std::vector<std::string> lines;
+};
+
+/// Run one after the other in an empty folder by tests/end_to_end/texshot/examples_test.py.
+const std::vector<CommandExamples>& commandExamples() {
+    static const std::vector<CommandExamples> rows{
+        {"shot",
+         {"texshot shot --example teapot --size 640x480 -o teapot.png",
+          "texshot shot --set 'textures[0].minFilter=GL_NEAREST' -o nearest.png",
+          "texshot shot --axis 'textures[0].wrapS=*' -o '{wrapS}.png'",
+          "texshot shot --ui --tab explain --probe 300,200 -o window.png"}},
+        {"probe",
+         {"texshot probe --at 640,400", "texshot probe --example checker --at 300,300 --json",
+          "texshot probe --texel 0,3,2,1 --size 320x200"}},
+        {"texture",
+         {"texshot texture --example cube -o base.png",
+          "texshot texture --example earth --level 2 -o small.png"}},
+        {"commands", {"texshot commands", "texshot commands --example fog --all"}},
+        {"test",
+         {R"(echo '{"suite": 1, "cases": [{"scene": {"example": "cube"}}]}' > my.suite.json)",
+          "texshot test my.suite.json --update", "texshot test my.suite.json --report out",
+          "texshot test --pictures golden golden --tolerance 2"}},
+        {"merge",
+         {R"(echo '{"suite": 1, "cases": [{"golden": "reference", "time": [0, 1]}]}' > s.suite.json)",
+          "texshot test s.suite.json --shard 1/2 --json part1.json",
+          "texshot test s.suite.json --shard 2/2 --json part2.json",
+          "texshot merge part*.json -o run.json --report out"}},
+        {"compare",
+         {"texshot shot -o a.png; texshot shot --renderer shader -o b.png",
+          "texshot compare a.png b.png --tolerance 2 --share 1% -o where.png",
+          "texshot compare a.png b.png --metric flip --json"}},
+        {"conform",
+         {"texshot conform --list", "texshot conform --feature wrap --scenes 10",
+          "texshot conform --feature fog --scenes 5 --seed 2 -o report"}},
+        {"diff",
+         {"texshot scene -o before.json", "texshot scene --set view.distance=9 -o after.json",
+          "texshot diff before.json after.json || echo different"}},
+        {"scene",
+         {"texshot scene --example fog --short", "texshot scene --set view.distance=9 -o far.json",
+          "texshot scene far.json | texshot shot - -o far.png"}},
+        {"check", {"texshot check", "texshot check --example teapot --json"}},
+        {"params", {"texshot params wrap", "texshot params 'textures[].minFilter'", "texshot params --json"}},
+        {"presets", {"texshot presets", "texshot shot --preset shimmer -o shimmer.png"}},
+        {"lessons",
+         {"texshot lessons", "texshot shot --lesson wrap --step 5 --answer 2 -o answer.png",
+          "texshot lessons --page handout --lesson wrap"}},
+        {"schema", {"texshot schema -o scene.schema.json", "texshot schema --suites -o suite.schema.json"}},
+        {"info", {"texshot shot -o cube.png", "texshot info cube.png", "texshot info cube.png --json"}},
+        {"validate",
+         {"texshot shot -o cube.png; texshot scene -o scene.json", "texshot validate cube.png scene.json"}},
+        {"decode",
+         {"texshot texture -o in.png; texshot compress in.png in.dds --format dxt1 --mips mitchell",
+          "texshot decode in.dds level-2.png --level 2"}},
+        {"convert",
+         {"texshot shot --axis 'textures[0].magFilter=*' -o '{magFilter}.png'",
+          "texshot convert GL_LINEAR.png linear.tga --rle", "texshot convert *.png --to bmp -o pictures"}},
+        {"flip",
+         {"texshot texture -o in.png; texshot compress in.png in.dds --format dxt5",
+          "texshot flip in.dds flipped.dds", "texshot flip in.png mirrored.png --horizontal"}},
+        {"compress",
+         {"texshot texture -o in.png", "texshot compress in.png out.dds --format dxt1 --report",
+          "texshot compress in.png best.dds --format dxt5 --quality best --mips mitchell"}},
+        {"drivers", {"texshot drivers", "texshot drivers --json --extensions"}},
+        {"help", {"texshot help shot"}},
+    };
+    return rows;
+}
+
+struct CommandTable {
+    std::string_view command;
+    HelpTable table;
+};
+
+const std::vector<CommandTable>& commandTables() {
+    const std::pair<std::string, std::string> score{
+        "score",
+        "What the metric says of both pictures: of absolute the mean over all components in 255ths, 0 "
+        "where they are equal; of ssim 1 where they are equal; of flip 0, and at most 1."};
+    const std::pair<std::string, std::string> measured{"metric, tolerance, share",
+                                                       "What was measured, and how much of it was allowed."};
+    const std::pair<std::string, std::string> over{
+        "shareOver", "Which share of the pixels is above the tolerance, 0 to 1."};
+    static const std::vector<CommandTable> rows{
+        {"compare",
+         {"What --json prints",
+          {},
+          {{"alike, sentence", "Whether they are, and what is said of it."},
+           {"expected, actual, expectedSize, actualSize", "The files and what they measure, in pixels."},
+           measured,
+           {"components, pixelsPerDegree", "rgba or rgb; of flip, how large pixels are."},
+           {"pixels, over", "How many pixels count, and how many of them are above the tolerance."},
+           over,
+           score,
+           {"worst", "The worst pixel: x, y, value, expected, actual."},
+           {"bounds, regions, largestRegions",
+            "Where pixels above the tolerance lie: x, y, width, height, pixels."},
+           {"difference", "Of the components: max and mean, in 255ths."}}}},
+        {"test",
+         {"What --json writes",
+          {},
+          {{"program, command, started, seconds", "What ran, when and for how long."},
+           {"suites, planned, shard, plan", "What of: the suites, the cases of the whole, which part."},
+           {"driver, version, settings", "What drew, and the variables that say how precisely."},
+           {"counts, status", "How many cases of each state, and the exit status."},
+           {"names", "The cases of this part, run or not."},
+           {"cases",
+            "Of each name, state, sentence, explanation, seconds, attempt, signal, renderer, driver, size, "
+            "time and golden; expectedPicture, actualPicture and differencePicture of the report's folder; "
+            "worst, the pixel; fingerprint; and what follows."},
+           measured,
+           over,
+           score}}},
+        {"test",
+         {"Suites",
+          "A suite is a JSON file, NAME.suite.json: {\"suite\": 1, \"defaults\": {...}, \"cases\": [{...}]}. What "
+          "an entry of cases or, for all, defaults may say is below; where several are possible, one alone will do. "
+          "Its schema is that of \"texshot schema --suites\".",
+          {{"name", "What its cases' names begin with. Without it: the scene's."},
+           {"scene",
+            "A file within the suite's folder, {\"example\": NAME}, {\"lesson\": NAME, \"step\": N} with "
+            "\"answer\" or \"reached\", or {\"inline\": {...}}, a scene written out. Without it: what the "
+            "program starts with."},
+           {"set", "Edits, PATH=VALUE or preset:NAME, in this order."},
+           {"axis", "PATH=VALUES: a case for each value, and of several for each combination."},
+           {"size, time, renderer",
+            "\"512x512\" pixels, 0 seconds, \"fixed\", \"shader\" or \"reference\": a case "
+            "for each. Without them 512x512, 0 and fixed."},
+           {"golden",
+            "Pictures of which any will do; the same by driver, {\"llvmpipe*\": [...], \"*\": ...}, of "
+            "which the longest name that fits counts; or \"reference\". {case} in a name is the case, "
+            "{picture} the case without its renderer, {driver} the driver. Without it: "
+            "golden/{case}.png."},
+           {"rule",
+            "With \"reference\": auto, none (tolerance and share count), or a name of \"texshot conform "
+            "--list\". Without it: auto."},
+           {"metric, tolerance, share",
+            "What is measured, what a pixel may have of it, and which share of the "
+            "pixels may have more. Without them: absolute, the metric's own, and 0."},
+           {"mask", "A picture whose black pixels don't count."},
+           {"seconds", "After which a case has hung. Without it: 60."}}}},
+        {"drivers",
+         {"What --json prints",
+          {},
+          {{"contexts", "Of each context, usable and, where it can't draw, error; renderer, vendor, version, "
+                        "shadingLanguage, profile, maxTextureSize, maxAnisotropy, s3tc, textureBorders, "
+                        "extensionCount; with --extensions, extensions."}}}},
+        {"conform",
+         {"What --json prints",
+          {},
+          {{"program, command, driver, seed, scenes, extent", "What was drawn, by what."},
+           {"compared, agrees", "Whether anything was, and whether all of it agrees."},
+           {"pairs",
+            "Of two renderers, renderer and against: agrees, and features (feature, sweeps, section, rule, "
+            "all, worstShareOfAScene, shapes, skipped, worst)."},
+           {"features, rules, notCompared",
+            "With --list in their place: what is compared, how, and what isn't."}}}},
+        {"probe",
+         {"What --json prints",
+          {},
+          {{"at, window, size, time",
+            "The pixel, from the upper left and as OpenGL counts, and the picture."},
+           {"reference, fixed, shader", "Its colour as the specification and each renderer have it."},
+           {"color, background", "The same before it is stored, and what was there at first."},
+           {"fragments",
+            "Of each fragment pass, model, shape, face, part, vertices, lighting, units (texture, "
+            "coords, sample with lod, levels, probes, wrapped and taps, environment), fog, outcome and "
+            "color."},
+           {"pass, unit, level, texel, pixels",
+            "With --texel in their place: the pixels that it has a share in."}}}},
+    };
+    return rows;
+}
+
+} // namespace
+
+void addHelpSections(CommandLine& line) {
+    for (const auto& command : line.commands()) {
+        const auto found = std::ranges::find(commandExamples(), command->name(), &CommandExamples::command);
+        if (found != commandExamples().end())
+            command->examples(found->lines);
+        for (const auto& [name, table] : commandTables())
+            if (name == command->name())
+                command->table(table);
+    }
+}
+
+} // namespace texplorer::screenshot
