@@ -37,7 +37,7 @@ class Examples(Texshot):
                 lines = examples_of(self.succeeds("help", command).decode())
                 self.assertTrue(1 <= len(lines) <= 4, lines)
                 self.assertTrue(any(re.search(rf"\btexshot {command}\b", line) for line in lines), lines)
-                self.assertEqual([line for line in lines if len(line) > 98], [])
+                self.assertEqual([line for line in lines if len(line) > 78], [])
                 self.made(lines, folder)
 
     def test_the_manual_has_them_letter_by_letter(self):

@@ -40,6 +40,11 @@ class Schema(Texshot):
         file = self.path / "scene.schema.json"
         self.assertEqual(self.succeeds("schema", "-o", file), b"")
         self.assertEqual(json.loads(file.read_text()), self.schema)
+        suites = json.loads(self.succeeds("schema", "--suites"))
+        jsonschema.Draft202012Validator.check_schema(suites)
+        self.assertEqual(suites["$id"], self.schema["$id"].replace("scene.", "suite."))
+        for place in ("{case}", "{picture}", "{driver}"):
+            self.assertIn(place, json.dumps(suites))
         self.complains(1, "nowhere", "schema", "-o", self.path / "nowhere" / "schema.json")
 
     def test_every_parameter_has_words_and_an_initial_value_that_it_accepts(self):

@@ -163,13 +163,34 @@ class Shots(Texshot):
                      "-o", self.out / "{envMode}.png")
         self.refuses("expected a name and } behind each {", a, b, "-o", self.out / "{scene.png")
         self.refuses("expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
-        self.refuses("expected a name that ends in one of", a, *axis, "-o", "-")
-        self.refuses("can't be written: No such file or directory", a, b, "-o", self.out / "no" / "{scene}.png", code=1)
+        self.refuses('expected a name that differs for each picture, as in {minFilter}.png or {number}.png, found "-"',
+                     a, *axis, "-o", "-")
         self.refuses("expected each axis once, found textures[0].minFilter twice", a, *axis, *axis, "-o", self.out / "{number}.png")
         self.refuses('expected each once, found "0" twice', a, "--time", "0,1,0", "-o", self.out / "{time}.png")
         self.refuses("--size: expected WIDTHxHEIGHT", a, "--size", "8x8,", "-o", self.out / "{size}.png")
         self.refuses("textures[0].nonsense", a, b, "--axis", "textures[0].nonsense=*", "-o", self.out / "{number}.png")
         self.refuses("--no-metadata: has no effect here: it is for PNG files", a, b, "--no-metadata", "-o", self.out / "{scene}.bmp")
+
+    def test_folders_of_a_pattern_are_made_those_of_a_file_are_not(self):
+        a = self.scene("a.json")
+        axis = ("--axis", "textures[0].minFilter=GL_NEAREST,GL_LINEAR")
+        self.succeeds("shot", *SMALL, a, *axis, "-o", self.out / "new" / "{minFilter}" / "{scene}.png")
+        self.assertEqual(sorted(str(each.relative_to(self.out)) for each in self.out.rglob("*.png")),
+                         ["new/GL_LINEAR/a.png", "new/GL_NEAREST/a.png"])
+        self.complains(1, f"one.png: can't be written: the folder {self.out / 'no'} isn't there",
+                       "shot", *SMALL, a, "-o", self.out / "no" / "one.png")
+        (self.out / "file").write_text("")
+        self.complains(1, "can't make the folder: Not a directory", "shot", *SMALL, a, "-o", self.out / "file" / "in" / "{scene}.png")
+
+    def test_a_warning_is_said_once(self):
+        a = self.scene("a.json", textures=[{"minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "none"}],
+                       passes=[{"units": [{"enabled": True}]}])
+        result = texshot("shot", *SMALL, a, "--axis", "view.azimuth=0..90/10", "-o", self.out / "{azimuth}.png")
+        said = result.stderr.decode().splitlines()
+        self.assertEqual((result.returncode, len(self.names()), len(said), len(set(said))), (0, 10, len(set(said)), len(said)))
+        self.assertTrue(said)
+        for each in said:
+            self.assertRegex(each, r"\Atexshot: .*/0\.png: .* \(and of 9 more pictures\)\Z")
 
     def test_no_value_leads_out_of_the_folder(self):
         evil = self.scene("..<script>.json", view={"azimuth": 1})

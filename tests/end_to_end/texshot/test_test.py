@@ -393,6 +393,13 @@ class Test(Suites):
         said = self.run_of(new, "--quiet")
         self.assertEqual(said.returncode, 1)
         self.assertIn("new: grey/fixed@24x16\n    there is no golden yet", said.stdout.decode())
+        report = self.path / "report"
+        said = self.run_of(new, "--report", report).stdout.decode()
+        self.assertEqual(said.splitlines()[-2:], ["1 has no golden: --update writes it", f"report: {report}/index.html"])
+        self.assertTrue((report / "index.html").exists())
+        two = self.suite(self.backgrounds("grey", "dark"), "two.suite.json", golden="missing/{case}.png")
+        self.assertTrue(self.run_of(two).stdout.decode().endswith("2 have no golden: --update writes them\n"))
+        self.assertNotIn("--update", self.passes(two, "--update"))
         result = self.run_of(suite, "--junit", "-")
         self.assertTrue(result.stdout.startswith(b"<?xml"))
         self.assertIn(b"2 cases: 2 passed", result.stderr)
