@@ -64,7 +64,8 @@ install(CODE "
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/end_to_end/consumer DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/end_to_end/consumer DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
+        COMPONENT development)
 if(TEXPLORER_PROGRAMS)
     # For `texplorer --shaders`: to be copied and changed. The programs have their own inside.
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer)

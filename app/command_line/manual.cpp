@@ -186,8 +186,8 @@ std::string commandsOf(const CommandLine& line) {
 std::string examplesOf(const Command& command) {
     std::string text;
     for (const std::string& line : command.examples())
-        text += fmt::format(".PP\n.nf\n.RS\n{}\n.RE\n.fi\n", roffLiteral(line));
-    return text.empty() ? "" : ".SH EXAMPLES\n" + text;
+        text += roffLiteral(line) + "\n";
+    return text.empty() ? "" : fmt::format(".SH EXAMPLES\n.RS\n.nf\n{}.fi\n.RE\n", text);
 }
 
 std::string tablesOf(const Command& command) {

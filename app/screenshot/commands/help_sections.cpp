@@ -35,7 +35,7 @@ const std::vector<CommandExamples>& commandExamples() {
           "texshot test my.suite.json --update", "texshot test my.suite.json --report out",
           "texshot test --pictures golden golden --tolerance 2"}},
         {"merge",
-         {R"(echo '{"suite":1,"cases":[{"golden":"reference","time":[0,1]}]}' > s.suite.json)",
+         {R"(echo '{"suite":1,"cases":[{"golden":"reference","time":[0,1]}]}' >s.suite.json)",
           "texshot test s.suite.json --shard 1/2 --json part1.json",
           "texshot test s.suite.json --shard 2/2 --json part2.json",
           "texshot merge part*.json -o run.json --report out"}},
