@@ -77,6 +77,22 @@ Then varnishes.
     EXPECT_THAT(page, Not(HasSubstr("painter\\-wall (1)"))) << "itself";
 }
 
+TEST(Manual, ExamplesAndTablesStandInHelpAndOnThePage) {
+    Painter painter;
+    Command& wall = *painter.line.commands().front();
+    wall.examples({"painter wall 'a~b'", "painter wall --varnish"});
+    wall.table({"Colours", "What there is.", {{"red", "As it dries."}}});
+    const std::string page = manualPage(painter.line, "painter-wall").value();
+    EXPECT_THAT(page, HasSubstr(".SH EXAMPLES\n.RS\n.nf\npainter wall \\(aqa\\(tib\\(aq\n"
+                                "painter wall \\-\\-varnish\n.fi\n.RE\n"));
+    EXPECT_THAT(page, HasSubstr(".SH COLOURS\nWhat there is.\n.TP\n\\fBred\\fR\nAs it dries.\n"));
+    const char* const words[]{"painter", "wall", "--help"};
+    const Result<std::optional<std::string>> help = painter.line.parse(3, words);
+    ASSERT_TRUE(help && *help);
+    EXPECT_THAT(**help, HasSubstr("\nExamples:\n  painter wall 'a~b'\n  painter wall --varnish\n"));
+    EXPECT_THAT(**help, HasSubstr("\nColours:\nWhat there is.\n  red                     As it dries.\n"));
+}
+
 TEST(Manual, WhatRoffWouldTakeForItsOwnIsText) {
     const Painter painter;
     const std::string page = manualPage(painter.line, "painter").value();
