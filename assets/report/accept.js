@@ -67,10 +67,8 @@ function acceptTray(accepted, report, shownCases) {
       some && button("Clear", () => accepted.clear(), { id: "clear" })),
     some && make("div", { class: "tray-line" },
       button("Download accept.txt", download, { class: "strong", id: "download" }),
-      button("Copy the list", async () => {
-        await copyText(accepted.text(report.cases));
-        say("Copied");
-      }, { id: "copy" })),
+      copyButton("Copy the list", () => accepted.text(report.cases), { id: "copy" })),
+    some && make("p", { class: "muted" }, "The browser puts it into its downloads folder. Move it to where the run was made, then:"),
     some && commandLine(report.acceptCommand),
   ]);
 }

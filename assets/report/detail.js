@@ -33,8 +33,9 @@ class Detail {
       this.#stage.element,
       each.pictures.length === 0 && make("p", { class: "muted" }, "This case has no pictures."),
       make("div", { class: "said-of-it" },
-        make("section", {}, rows.length > 0 && make("h3", {}, "Facts"), facts(rows), this.#links(each), each.command && [make("h3", {}, "To repeat it"), commandLine(each.command)]),
-        each.explanation && make("section", {}, make("h3", {}, "Explanation"), make("pre", { tabIndex: 0 }, each.explanation))),
+        make("section", {}, rows.length > 0 && make("h3", {}, "Facts"), facts(rows), this.#links(each)),
+        each.explanation && make("section", {}, make("h3", {}, "Explanation"), make("pre", { tabIndex: 0 }, each.explanation)),
+        each.commands && make("section", { class: "commands" }, each.commands.map(({ label, line }) => [make("h3", {}, label), commandLine(line)]))),
     ]));
     this.#stage.show(each);
   }

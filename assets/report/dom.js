@@ -55,15 +55,21 @@ async function copyText(text) {
   }
 }
 
-/** A command of the shell as a line that can be copied. */
-function commandLine(text) {
-  const copy = button("Copy", async () => {
-    await copyText(text);
+/** Copies what `text()` gives, and shows that it has. */
+function copyButton(label, text, settings = {}) {
+  const copy = button(label, async () => {
+    await copyText(text());
     copy.textContent = "Copied";
     say("Copied");
-    setTimeout(() => { copy.textContent = "Copy"; }, 1500);
-  }, { class: "small", "aria-label": `Copy the command ${text}` });
-  return make("div", { class: "command" }, make("code", {}, text), copy);
+    setTimeout(() => { copy.textContent = label; }, 1500);
+  }, settings);
+  return copy;
+}
+
+/** A command of the shell as a line that can be copied. It goes on in the next line between words alone. */
+function commandLine(text) {
+  const words = text.split(" ").flatMap((word, i) => [i > 0 && " ", make("span", { class: "word" }, word)]);
+  return make("div", { class: "command" }, make("code", {}, words), copyButton("Copy", () => text, { class: "small", "aria-label": `Copy the command ${text}` }));
 }
 
 /** What the browser keeps for this page; some keep nothing for files. */

@@ -62,6 +62,18 @@ function stateLabel(state) {
   return make("span", { class: `state ${state.tone}` }, make("span", { class: "dot" }), state.label);
 }
 
+const shortName = 60; // letters, which three lines of a row hold for certain
+const nameTail = 44;  // and two
+
+/** A name without what its group says. Of a long one the end can be seen: that is where names differ. */
+function nameInRow(each) {
+  const prefix = each.group && each.name.startsWith(`${each.group}/`) ? `${each.group}/` : "";
+  const name = each.name.slice(prefix.length);
+  const head = name.length > shortName ? name.slice(0, -nameTail) : "";
+  return make("span", { class: "name" }, prefix && make("span", { class: "unseen" }, prefix),
+    head && make("span", { class: "head" }, head), make("span", { class: "tail" }, breakable(name.slice(head.length))));
+}
+
 class CaseList {
   #element;
   #accepted;
@@ -69,6 +81,8 @@ class CaseList {
   #rows = new Map(); // by case
   #pending = 0;
   #current = null;
+  #last = null; // that was looked at
+  #stop = null; // the link that the tab key leads to
 
   constructor(element, accepted) {
     this.#element = element;
@@ -85,23 +99,46 @@ class CaseList {
     if (cases.length === 0) this.#element.append(make("li", { class: "none muted" }, "No case is like that."));
     this.#append(rowsAtOnce);
     this.#later();
+    this.#rove();
   }
 
-  /** The case that is looked at; null: none. */
+  /** The case that is looked at; null: none. The last one stays marked. */
   select(aCase) {
     this.#rows.get(this.#current)?.firstChild.removeAttribute("aria-current");
+    const focused = this.#element.contains(document.activeElement);
     this.#current = aCase;
+    if (aCase) this.#last = aCase;
     const at = aCase ? this.#shown.indexOf(aCase) : -1;
-    if (at < 0) return;
-    this.#append(at + rowsAtOnce - this.#rows.size);
-    const row = this.#rows.get(aCase);
-    row.firstChild.setAttribute("aria-current", "true");
-    row.scrollIntoView({ block: "nearest" });
+    if (at >= 0) {
+      this.#append(at + rowsAtOnce - this.#rows.size);
+      const row = this.#rows.get(aCase);
+      row.firstChild.setAttribute("aria-current", "true");
+      row.scrollIntoView({ block: "nearest" });
+    }
+    this.#rove();
+    if (focused && at >= 0) this.#stop?.focus({ preventScroll: true });
   }
 
-  /** The neighbour of what is looked at: 1 the next one, -1 the one before. */
+  /** Puts the list, which has the window to itself, where it was left, with the last case in sight. */
+  scrollBack(top) {
+    this.#append(this.#shown.length);
+    scrollTo(0, top);
+    this.#rows.get(this.#last)?.scrollIntoView({ block: "nearest" });
+  }
+
+  /** One stop of the tab key, from which arrows lead on: the last case, or the first that is shown. */
+  #rove() {
+    this.#stop?.parentElement.classList.remove("last");
+    if (this.#stop) this.#stop.tabIndex = -1;
+    const last = this.#rows.get(this.#last);
+    last?.classList.add("last");
+    this.#stop = (last ?? this.#rows.get(this.#shown[0]))?.firstChild ?? null;
+    if (this.#stop) this.#stop.tabIndex = 0;
+  }
+
+  /** The neighbour of what is looked at, or was last: 1 the next one, -1 the one before. */
   neighbour(step) {
-    const at = this.#shown.indexOf(this.#current);
+    const at = this.#shown.indexOf(this.#current ?? this.#last);
     return at < 0 ? this.#shown[0] : this.#shown[at + step];
   }
 
@@ -137,10 +174,10 @@ class CaseList {
   #row(each) {
     const picture = (role) => each.pictures.find((one) => one.role === role);
     const small = [picture("actual") ?? picture("expected"), each.wrong && picture("difference")];
-    const row = make("li", { class: "row" }, make("a", { href: each.address, title: each.name, "aria-current": each === this.#current ? "true" : null },
+    const row = make("li", { class: "row" }, make("a", { href: each.address, title: each.name, tabIndex: -1, "aria-current": each === this.#current ? "true" : null },
       make("span", { class: "thumbnails" }, small.filter(Boolean).map(thumbnail)),
       make("span", { class: "row-text" },
-        make("span", { class: "name" }, breakable(each.name)),
+        nameInRow(each),
         make("span", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted group-name" }, each.group),
           each.seconds !== undefined && each.seconds !== null && make("span", { class: "muted" }, secondsText(each.seconds)),
           make("span", { class: "accepted", hidden: true }, "✓ accepted")))));

@@ -28,7 +28,8 @@ function shares(report) {
   return parts.length > 0 && [
     make("div", { class: "shares", role: "img", "aria-label": words }, parts.map(({ state, count }) =>
       make("span", { class: state.tone, style: `flex: ${count} 0 4px`, title: `${count} ${state.label}` }))),
-    make("p", { class: "muted" }, `${words}.`)];
+    // Most runs say the same in their headline.
+    !parts.every(({ state, count }) => report.verdict.includes(`${count} ${state.label.toLowerCase()}`)) && make("p", { class: "muted" }, `${words}.`)];
 }
 
 function card(each) {

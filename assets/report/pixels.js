@@ -38,7 +38,7 @@ class PixelStore {
 }
 
 /** { width, height, rgba }: how far two pictures are apart in each channel, `gain` times, opaque. What only one of them
-    has, or alpha alone tells apart, is white. */
+    has, or alpha alone tells apart, is white; what neither has is transparent. */
 function differenceOf(a, b, gain) {
   const width = Math.max(a.width, b.width);
   const height = Math.max(a.height, b.height);
@@ -47,8 +47,10 @@ function differenceOf(a, b, gain) {
     for (let x = 0; x < width; ++x) {
       const to = (y * width + x) * 4;
       rgba[to + 3] = 255;
-      if (x >= a.width || x >= b.width || y >= a.height || y >= b.height) {
-        rgba.fill(255, to, to + 3);
+      const inA = x < a.width && y < a.height;
+      const inB = x < b.width && y < b.height;
+      if (!inA || !inB) {
+        rgba.fill(inA || inB ? 255 : 0, to, to + 4);
         continue;
       }
       const ofA = (y * a.width + x) * 4;

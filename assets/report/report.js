@@ -25,6 +25,8 @@ function applyTheme(name) {
   document.documentElement.dataset.theme = name;
 }
 
+const onlyOneFits = matchMedia("(max-width: 52rem)"); // as the style sheet has it
+
 class ReportPage {
   #report;
   #filter = new Filter();
@@ -33,12 +35,15 @@ class ReportPage {
   #detail;
   #main = document.getElementById("main");
   #keys;
+  #listScroll = 0; // of the window, where the list has it to itself
 
   constructor(report) {
     this.#report = report;
     this.#accepted = new AcceptList(report.key, new Set(report.cases.filter((each) => each.acceptable).map((each) => each.name)));
     this.#accepted.onChange = () => this.#acceptChanged();
     this.#list = new CaseList(document.getElementById("list"), this.#accepted);
+    document.getElementById("list").classList.toggle("bare", report.cases.every((each) => each.pictures.length === 0));
+    history.scrollRestoration = "manual"; // a phone's list comes back as it was left
     this.#detail = new Detail(this.#list, this.#accepted, (step) => this.#go(step));
     this.#keys = this.#keyRows();
     this.#buildTop();
@@ -46,6 +51,11 @@ class ReportPage {
     this.#filterChanged();
     this.#route();
     addEventListener("hashchange", () => this.#route());
+    document.getElementById("skip").addEventListener("click", (event) => {
+      event.preventDefault(); // the address is the case's
+      if (onlyOneFits.matches && document.body.dataset.show === "list") location.hash = "#overview";
+      else this.#main.focus();
+    });
     addEventListener("keydown", (event) => this.#onKey(event));
   }
 
@@ -75,10 +85,14 @@ class ReportPage {
       try { id = decodeURIComponent(id); } catch { /* as it stands */ }
       each = this.#report.cases.find((one) => one.id === id) ?? null;
     }
-    // Where there is room for one of them only: the list comes first.
+    // Where there is room for one of them only: the list comes first, and comes back as it was left.
+    const before = document.body.dataset.show;
+    if (before === "list") this.#listScroll = scrollY;
     document.body.dataset.looked = each ? "case" : "overview";
     document.body.dataset.show = each || hash === "overview" ? "main" : "list";
-    document.getElementById("to-overview").toggleAttribute("aria-current", !each);
+    const toOverview = document.getElementById("to-overview");
+    if (each) toOverview.removeAttribute("aria-current");
+    else toOverview.setAttribute("aria-current", "page");
     this.#list.select(each);
     if (each) {
       if (this.#detail.shown !== each) {
@@ -92,6 +106,10 @@ class ReportPage {
       this.#main.replaceChildren(overview(this.#report));
       document.title = this.#report.title;
     }
+    const shows = document.body.dataset.show;
+    if (shows === before || !onlyOneFits.matches) return;
+    if (shows === "list") this.#list.scrollBack(this.#listScroll);
+    else scrollTo(0, 0);
   }
 
   #go(step) {

@@ -4,7 +4,7 @@ const views = [
   { name: "side", label: "Side by side", pair: false },
   { name: "slider", label: "Slider", pair: true },
   { name: "flicker", label: "Flicker", pair: true },
-  { name: "difference", label: "Difference", pair: true },
+  { name: "difference", label: "Difference", pair: true }, // times the gain, as its button says
 ];
 // No more than three flashes a second: WCAG 2.2, 2.3.1.
 const flickerRates = [1, 2, 3];
@@ -60,6 +60,10 @@ class Stage {
     if (view.name !== "flicker") this.#pause();
     this.#build();
     say(view.label);
+  }
+
+  get #differenceName() {
+    return `Difference × ${this.#gain}`;
   }
 
   get #shownView() {
@@ -196,8 +200,8 @@ class Stage {
       onPoint: (pixel) => { this.#pointed = pixel; this.#showPixel(); },
       onPin: (pixel) => { this.#pin = pixel; this.#place(); },
     });
-    return make("figure", { class: "figure" },
-      make("figcaption", {}, make("span", { class: "caption" }, label), picture && make("a", { href: urlOf(picture.file), target: "_blank", "aria-label": `${label} as a file of its own` }, "file")),
+    return make("figure", { class: "figure", "data-role": picture?.role },
+      make("figcaption", {}, make("span", { class: "caption" }, label), picture && make("span", { class: "extent muted" }), picture && make("a", { href: urlOf(picture.file), target: "_blank", "aria-label": `${label} as a file of its own` }, "file")),
       pane,
       legend && make("div", { class: "legend", role: "group", "aria-label": "What the colours of the difference mean" }, legend.map(legendEntry)));
   }
@@ -305,6 +309,7 @@ class Stage {
     range.value = gains.indexOf(gain);
     range.setAttribute("aria-valuetext", `${gain}`);
     this.#tools.querySelector(".gain").textContent = `Gain × ${gain}`;
+    this.#tools.querySelector("[data-tool=difference]").textContent = this.#differenceName;
     this.#panes.replaceChildren(this.#differencePane());
     this.#measure();
   }
@@ -318,7 +323,18 @@ class Stage {
     const sizes = [{ width, height }, ...Object.values(this.#naturalSizes)];
     const picture = { width: Math.max(1, ...sizes.map((size) => size.width)), height: Math.max(1, ...sizes.map((size) => size.height)) };
     this.#panes.style.setProperty("--ratio", picture.width / picture.height);
+    this.#sayExtents();
     if (pane.clientWidth > 0) this.#viewport.setSizes(picture, { width: pane.clientWidth, height: pane.clientHeight });
+  }
+
+  /** Beside their names, where the pictures have two sizes. */
+  #sayExtents() {
+    const textOf = (size) => `${size.width} × ${size.height}`;
+    const differ = new Set(Object.values(this.#naturalSizes).map(textOf)).size > 1;
+    for (const figure of this.#panes.querySelectorAll("[data-role]")) {
+      const size = this.#naturalSizes[figure.dataset.role];
+      figure.querySelector(".extent").textContent = differ && size ? textOf(size) : "";
+    }
   }
 
   #place() {
@@ -361,7 +377,7 @@ class Stage {
     const tool = (name, text, action, settings = {}) => button(text, action, { "data-tool": name, ...settings });
     const group = (label, ...content) => make("div", { class: "group", role: "group", "aria-label": label }, content);
     this.#tools.replaceChildren(...present([
-      group("View", views.map((view, i) => tool(view.name, view.label, () => this.setView(i), {
+      group("View", views.map((view, i) => tool(view.name, view.name === "difference" ? this.#differenceName : view.label, () => this.setView(i), {
         "aria-pressed": view === chosen, disabled: view.pair && !this.#pair,
         title: view.pair && !this.#pair ? "There is only one picture" : `Key ${i + 1}` }))),
       group("Zoom",

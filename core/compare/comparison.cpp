@@ -48,18 +48,22 @@ Result<void> checkMask(const Image& expected, const Image& mask) {
                     expected.width, expected.height, mask.width, mask.height));
 }
 
+/// What 1 of a metric's values is in 255ths.
+float mapUnit(Metric metric) {
+    return metric == Metric::Absolute ? 1.0F : 255.0F;
+}
+
 /// The colours of a metric's values: what is above the tolerance is above that of the scale.
 class MapColors {
 public:
     explicit MapColors(const Criterion& criterion)
-        : scale_(criterion.metric == Metric::Absolute ? 1.0F : 255.0F)
+        : scale_(mapUnit(criterion.metric))
         , limit_(criterion.tolerance) {
-        const double exact = limit_ * static_cast<double>(scale_);
-        const int tolerance = exact > 0 && exact < 1 ? 1 : static_cast<int>(std::floor(exact));
-        within_ = tolerance * steps;
+        const HeatScale heat = mapScale(criterion.metric, criterion.tolerance);
+        within_ = heat.tolerance * steps;
         above_ = within_ + steps;
         for (std::size_t i = 0; i < colors_.size(); ++i)
-            colors_[i] = heatColor(static_cast<float>(i) / steps, {tolerance, 255});
+            colors_[i] = heatColor(static_cast<float>(i) / steps, heat);
     }
 
     [[nodiscard]] const Rgba& of(float value) const {
@@ -302,6 +306,11 @@ private:
 };
 
 } // namespace
+
+HeatScale mapScale(Metric metric, double tolerance) {
+    const double exact = tolerance * static_cast<double>(mapUnit(metric));
+    return {exact > 0 && exact < 1 ? 1 : static_cast<int>(std::floor(exact)), 255};
+}
 
 std::uint64_t comparisonBytes(glm::ivec2 size, const Criterion& criterion, const ComparisonWork& work) {
     const auto area = [](int width, int height) {

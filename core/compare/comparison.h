@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/compare/criterion.h"
 #include "core/compare/difference.h"
+#include "core/compare/heat_map.h"
 #include "core/image/image.h"
 
 #include <glm/vec2.hpp>
@@ -93,6 +94,10 @@ struct ComparisonWork {
 [[nodiscard]] Result<Comparison> comparePictures(const Image& expected, const Image& actual,
                                                  const Criterion& criterion = {}, const Image* mask = nullptr,
                                                  const ComparisonWork& work = {});
+
+/// What the colours of Comparison::map mean: 255ths of Absolute's differences, and 1 of another metric's
+/// values as 255.
+[[nodiscard]] HeatScale mapScale(Metric metric, double tolerance);
 
 /// How much memory it takes at most, beside the pictures themselves.
 [[nodiscard]] std::uint64_t comparisonBytes(glm::ivec2 size, const Criterion& criterion,

@@ -42,6 +42,13 @@ std::array<std::uint8_t, 4> heatColor(float difference, const HeatScale& scale) 
     return between(aboveRamp, range > 0 ? (std::log(difference) - lowest) / range : 1);
 }
 
+std::vector<HeatStep> heatSteps(const HeatScale& scale) {
+    std::vector<HeatStep> steps;
+    for (const int difference : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255})
+        steps.push_back({difference, heatColor(static_cast<float>(difference), scale)});
+    return steps;
+}
+
 Result<Image> heatMap(const Image& a, const Image& b, const HeatScale& scale, Compared compared) {
     if (const Result<void> comparable = checkComparable(a, b); !comparable)
         return fail(comparable.error());

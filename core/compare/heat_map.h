@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace texplorer {
 
@@ -24,6 +25,14 @@ struct HeatScale {
 
 /// The colour of a difference, opaque, for a pixel or a legend. 0 to 255; outside of it is as the nearest.
 [[nodiscard]] std::array<std::uint8_t, 4> heatColor(float difference, const HeatScale& scale = {});
+
+struct HeatStep {
+    int difference; ///< in 255ths
+    std::array<std::uint8_t, 4> color;
+};
+
+/// For a legend: from 0 by powers of 2 to 255.
+[[nodiscard]] std::vector<HeatStep> heatSteps(const HeatScale& scale = {});
 
 /// Each pixel's difference as its colour on that scale: Rgba8, opaque. Errors: as of compare().
 [[nodiscard]] Result<Image> heatMap(const Image& a, const Image& b, const HeatScale& scale = {},

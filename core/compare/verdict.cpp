@@ -33,6 +33,15 @@ std::string overText(const Comparison& comparison) {
                        percentText(comparison.shareOver()), which);
 }
 
+/// Nothing where it is the worst pixel alone, whose place is said.
+std::string regionsText(const Comparison& comparison) {
+    if (comparison.over == 1)
+        return {};
+    const PixelRect& bounds = comparison.bounds;
+    return fmt::format("; {} within {} x {} pixels at {}, {}", countOf(comparison.regions, "region"),
+                       bounds.width, bounds.height, bounds.x, bounds.y);
+}
+
 std::string scoreText(const Comparison& comparison) {
     if (comparison.criterion.metric == Metric::Absolute)
         return {};
@@ -56,12 +65,8 @@ std::string verdictOn(const Comparison& comparison) {
     if (comparison.over == 0)
         return fmt::format("alike within {:g}{}: {}{}", criterion.tolerance, factsOf(criterion.metric).unit,
                            worstText(comparison), scoreText(comparison));
-    const PixelRect& bounds = comparison.bounds;
-    const std::string where =
-        fmt::format("{} within {} x {} pixels at {}, {}", countOf(comparison.regions, "region"), bounds.width,
-                    bounds.height, bounds.x, bounds.y);
-    const std::string all = fmt::format("{}; {}; {}{}", overText(comparison), worstText(comparison), where,
-                                        scoreText(comparison));
+    const std::string all = fmt::format("{}; {}{}{}", overText(comparison), worstText(comparison),
+                                        regionsText(comparison), scoreText(comparison));
     if (comparison.alike)
         return fmt::format("alike, as up to {} may differ: {}", percentText(criterion.share), all);
     return all;

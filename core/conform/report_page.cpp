@@ -19,10 +19,8 @@ namespace {
 
 std::vector<report::Swatch> legend(const HeatScale& scale) {
     std::vector<report::Swatch> swatches;
-    for (const int value : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
-        const auto color = heatColor(static_cast<float>(value), scale);
-        swatches.push_back({std::to_string(value), {color[0], color[1], color[2]}});
-    }
+    for (const HeatStep& step : heatSteps(scale))
+        swatches.push_back({std::to_string(step.difference), {step.color[0], step.color[1], step.color[2]}});
     return swatches;
 }
 
@@ -33,14 +31,16 @@ report::State stateOf(const Outcome& outcome) {
 }
 
 std::string againstWords(const Pair& pair) {
-    return fmt::format("{} against {}", rowOf(pair.subject).label, rowOf(pair.against).label);
+    std::string against(rowOf(pair.against).label);
+    against.front() = static_cast<char>(std::tolower(against.front()));
+    return fmt::format("{} against {}", rowOf(pair.subject).label, against);
 }
 
 std::vector<report::Fact> factsOf(const Outcome& outcome) {
     const Tally& all = outcome.all;
     const Rule& rule = *outcome.rule;
     std::vector<report::Fact> facts{{"Scenes", fmt::format("{}: {}", all.scenes, outcome.feature->sweeps)},
-                                    {"OpenGL 2.1", std::string(outcome.feature->section)},
+                                    {"Section of OpenGL 2.1", std::string(outcome.feature->section)},
                                     {"Pixels", std::to_string(all.pixels)},
                                     {fmt::format("Over {}", rule.bound), percent(all.shareOver())}};
     if (rule.tolerance != Tolerance::None)
@@ -65,7 +65,7 @@ Result<void> addWorst(report::Case& each, const PairReport& pair, const Outcome&
     Result<Bytes> difference = encodePng(withoutAlpha(*heat));
     if (!difference)
         return fail(difference.error());
-    each.difference = {"Difference", each.name + "-difference.png", std::move(*difference)};
+    each.difference = {"Where they differ", each.name + "-difference.png", std::move(*difference)};
     each.legend = legend(scale);
     for (const auto& [kind, image, picture] :
          {std::tuple{pair.pair.subject, &worst.subject, &each.actual},
@@ -89,8 +89,9 @@ Result<void> addWorst(report::Case& each, const PairReport& pair, const Outcome&
         each.worst = {{x, y}};
         each.message += fmt::format("; the worst by {} at {},{}, counted from the upper left",
                                     judgement.difference.max, x, y);
-        each.command =
-            fmt::format("texshot probe {}.json --size {}x{} --at {},{}", each.name, extent, extent, x, y);
+        each.commands = {
+            {"To explain its worst pixel, in the report's folder",
+             fmt::format("texshot probe {}.json --size {}x{} --at {},{}", each.name, extent, extent, x, y)}};
     }
     each.message += ".";
     return {};

@@ -24,6 +24,12 @@ struct Link {
     std::string file; ///< within the folder, as that of a picture
 };
 
+/// A line for a shell.
+struct Command {
+    std::string label; ///< what it does and where: "To draw it again, in the report's folder"
+    std::string line;
+};
+
 /// A picture of a case, a PNG in the report's folder.
 struct Picture {
     std::string label; ///< "Expected", "Fixed function"
@@ -59,7 +65,7 @@ struct Case {
     std::vector<Fact> facts{};
     std::string explanation{}; ///< several lines, shown as they are
     std::vector<Link> links{};
-    std::string command{};   ///< that repeats it
+    std::vector<Command> commands{};
     bool acceptable = false; ///< whether its name may go to the list for `--accept`
 };
 

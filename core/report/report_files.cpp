@@ -181,7 +181,6 @@ Result<Json> FolderWriter::asJson(const Case& each, std::size_t index) {
     text("group", each.group);
     text("message", each.message);
     text("explanation", each.explanation);
-    text("command", each.command);
     if (each.size[0] > 0 && each.size[1] > 0)
         json["size"] = each.size;
     if (each.worst)
@@ -192,6 +191,8 @@ Result<Json> FolderWriter::asJson(const Case& each, std::size_t index) {
         json["seconds"] = number(*each.seconds);
     if (!each.facts.empty())
         json["facts"] = report::asJson(each.facts);
+    for (const Command& command : each.commands)
+        json["commands"].push_back({{"label", shown(command.label)}, {"line", shown(command.line)}});
     if (!links.empty())
         json["links"] = std::move(links);
     if (!each.legend.empty()) {

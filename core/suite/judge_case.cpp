@@ -1,5 +1,6 @@
 #include "core/suite/judge_case.h"
 
+#include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/percent.h"
 #include "core/codec/registry.h"
@@ -114,17 +115,19 @@ std::array<std::uint8_t, 4> colorAt(const Image& image, int x, int y) {
 
 /// What a comparison of two pictures says.
 JudgedCase judgedBy(CaseRecord record, const Criterion& criterion, const Comparison& comparison) {
-    record.metric = texplorer::rowOf(criterion.metric).name;
-    record.tolerance = criterion.tolerance;
-    record.share = criterion.share;
     record.sentence = comparison.sentence;
     if (!comparison.sameSize()) {
         record.state = State::Resized;
         return {std::move(record), {}, {}};
     }
+    record.metric = texplorer::rowOf(criterion.metric).name;
+    record.tolerance = criterion.tolerance;
+    record.share = criterion.share;
     record.state = comparison.alike ? State::Passed : State::Failed;
     record.score = comparison.score;
     record.shareOver = comparison.shareOver();
+    record.pixels = comparison.pixels;
+    record.over = comparison.over;
     const ComparedPixel& worst = comparison.worst;
     if (worst.value > 0)
         record.worst = {worst.at.x, worst.at.y, worst.expected, worst.actual};
@@ -145,19 +148,28 @@ JudgedCase judgeStored(CaseRecord record, const Criterion& criterion, Image expe
     return judged;
 }
 
-std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& judgement,
-                         double shareUnexplained) {
+std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& judgement) {
     const Difference& difference = judgement.difference;
+    const auto share = [&difference](std::size_t pixels) {
+        return percentText(static_cast<double>(pixels) / static_cast<double>(difference.pixels));
+    };
     if (difference.max == 0)
         return "it is the reference's picture, byte for byte";
     if (difference.over == 0)
         return fmt::format("no pixel differs by more than {}/255 from the reference, as the rule {} has it",
                            rule.bound, rule.name);
-    return fmt::format(
-        "{} of {} pixels differ by more than {}/255 from the reference; the rule {} doesn't explain {} "
-        "({}), and allows {}",
-        difference.over, difference.pixels, rule.bound, rule.name, judgement.unexplained,
-        percentText(shareUnexplained), percentText(1 - rule.explainedScene));
+    const std::string over =
+        fmt::format("{} ({}) {} by more than {}/255 from the reference", countOf(difference.over, "pixel"),
+                    share(difference.over), difference.over == 1 ? "differs" : "differ", rule.bound);
+    const std::string allowed =
+        rule.explainedScene < 1 ? "up to " + percentText(1 - rule.explainedScene) : std::string("none");
+    if (rule.tolerance == conform::Tolerance::None)
+        return fmt::format("{}; the rule {} allows {}", over, rule.name, allowed);
+    if (judgement.unexplained == 0)
+        return fmt::format("{}; the rule {} explains {}", over, rule.name,
+                           difference.over == 1 ? "it" : "all of them");
+    return fmt::format("{}; the rule {} explains all but {} of them ({}), and allows {}", over, rule.name,
+                       judgement.unexplained, share(judgement.unexplained), allowed);
 }
 
 JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene& scene, Image expected,
@@ -170,11 +182,12 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
     record.score = difference.mean;
     record.tolerance = rule.bound;
     record.share = 1 - rule.explainedScene;
-    record.shareOver = difference.pixels == 0 ? 0
-                                              : static_cast<double>(judgement->unexplained) /
-                                                    static_cast<double>(difference.pixels);
-    record.state = record.shareOver <= record.share ? State::Passed : State::Failed;
-    record.sentence = ruleSentence(rule, *judgement, record.shareOver);
+    record.shareOver = difference.shareOver();
+    record.pixels = difference.pixels;
+    record.over = difference.over;
+    record.unexplained = judgement->unexplained;
+    record.state = record.shareThatCounts() <= record.share ? State::Passed : State::Failed;
+    record.sentence = ruleSentence(rule, *judgement);
     if (difference.max > 0) {
         const auto [x, y] = std::array{difference.worst.x, difference.worst.y};
         record.worst = {x, expected.height - 1 - y, colorAt(expected, x, y), colorAt(actual, x, y)};

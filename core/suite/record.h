@@ -73,12 +73,15 @@ struct CaseRecord {
     int width = 0;
     int height = 0;
     double time = 0;
-    std::string
-        metric{};     ///< empty: nothing was compared. "rule level-blend" where the reference is the golden
-    double score = 0; ///< what the metric says of the pictures
-    double tolerance = 0;
-    double share = 0;     ///< that may be over the tolerance, 0 to 1
-    double shareOver = 0; ///< that is
+    std::string metric{};   ///< empty: nothing was compared, and the next are 0. "rule level-blend" where the
+                            ///< reference is the golden
+    double score = 0;       ///< what the metric says of the pictures
+    double tolerance = 0;   ///< of a rule: its bound, in 255ths
+    double share = 0;       ///< of the pixels, that may be over the tolerance, 0 to 1; of a rule: unexplained
+    double shareOver = 0;   ///< that are over the tolerance, whatever a rule says of them
+    std::size_t pixels = 0; ///< that count
+    std::size_t over = 0;   ///< of these, over the tolerance
+    std::optional<std::size_t> unexplained = {}; ///< of a rule: of those over, what it doesn't explain
     std::optional<WorstPixel> worst{};
     std::string golden{}; ///< which it was held against, relative to its suite; "reference"; empty: none
     std::string expectedPicture{}; ///< files of the report's folder, by their names; empty: none
@@ -87,6 +90,12 @@ struct CaseRecord {
     std::string fingerprint{}; ///< Fingerprints::of: another one has to be run again
 
     bool operator==(const CaseRecord&) const = default;
+
+    /// Of its pixels, what `share` is about.
+    [[nodiscard]] double shareThatCounts() const {
+        return unexplained && pixels > 0 ? static_cast<double>(*unexplained) / static_cast<double>(pixels)
+                                         : shareOver;
+    }
 };
 
 /// Which of how many parts of a run, from 1.

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t maxRecordText = std::size_t{1} << 20; ///< of a sentence, an explanation
 constexpr std::size_t maxRecordCases = 1'000'000;
 constexpr double maxSeconds = 1e9;
+constexpr std::size_t largestCount = std::size_t{1} << 48; ///< of pixels
 
 void writeText(OrderedJson& json, const char* key, const std::string& text) {
     if (!text.empty())
@@ -32,7 +33,7 @@ OrderedJson pixelJson(const std::array<std::uint8_t, 4>& pixel) {
 /// Without it, its numbers are 0 and left out.
 bool wasCompared(const CaseRecord& record) {
     return !record.metric.empty() || record.score != 0 || record.tolerance != 0 || record.share != 0 ||
-           record.shareOver != 0;
+           record.shareOver != 0 || record.pixels != 0 || record.over != 0 || record.unexplained;
 }
 
 OrderedJson caseJson(const CaseRecord& record) {
@@ -53,6 +54,10 @@ OrderedJson caseJson(const CaseRecord& record) {
         json["tolerance"] = record.tolerance;
         json["share"] = record.share;
         json["shareOver"] = record.shareOver;
+        json["pixels"] = record.pixels;
+        json["over"] = record.over;
+        if (record.unexplained)
+            json["unexplained"] = *record.unexplained;
     }
     if (record.worst)
         json["worst"] = {{"x", record.worst->x},
@@ -157,6 +162,10 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.number("tolerance", record.tolerance, 0, maxSeconds);
     object.number("share", record.share, 0, 1);
     object.number("shareOver", record.shareOver, 0, 1);
+    object.whole("pixels", record.pixels, 0, largestCount);
+    object.whole("over", record.over, 0, largestCount);
+    if (object.find("unexplained"))
+        object.whole("unexplained", record.unexplained.emplace(), 0, largestCount);
     if (const Json* worst = object.find("worst"))
         readWorst(*worst, object.placeOf("worst"), problem, record.worst.emplace());
     object.text("golden", record.golden, maxRecordText);

@@ -1,10 +1,17 @@
 #include "core/suite/run_page.h"
 
 #include "core/base/percent.h"
+#include "core/base/shell_word.h"
+#include "core/compare/comparison.h"
+#include "core/compare/metric.h"
+#include "core/scene/renderer.h"
+#include "core/suite/case_command.h"
+#include "core/suite/judge_case.h"
 
 #include <fmt/core.h>
 
-#include <unordered_map>
+#include <algorithm>
+#include <cctype>
 
 namespace texplorer::suite {
 namespace {
@@ -46,6 +53,54 @@ std::string colorText(const std::array<std::uint8_t, 4>& color) {
     return fmt::format("{} {} {} {}", color[0], color[1], color[2], color[3]);
 }
 
+/// The metric's row; a rule has that of the absolute difference.
+const MetricRow& metricOf(const CaseRecord& record) {
+    const auto found = std::ranges::find(metricNameRows, std::string_view(record.metric), &EnumRow::name);
+    return found == metricNameRows.end() ? metricRows.front() : metricRows.at(found->value);
+}
+
+/// "270 (0.351 %)"
+std::string countText(std::size_t count, double share) {
+    return fmt::format("{} ({})", count, percentText(share));
+}
+
+void addComparison(std::vector<report::Fact>& facts, const CaseRecord& record) {
+    if (record.metric.empty())
+        return;
+    const MetricRow& metric = metricOf(record);
+    facts.push_back({"Metric", record.metric});
+    std::string score(metric.score);
+    score.front() = static_cast<char>(std::toupper(score.front()));
+    facts.push_back({score, fmt::format("{:.6g}{}", record.score, metric.unit)});
+    const std::string allowed = "allowed " + percentText(record.share);
+    const std::string over = fmt::format("Over {:.6g}{}", record.tolerance, metric.unit);
+    if (record.unexplained) {
+        facts.push_back({over, countText(record.over, record.shareOver)});
+        facts.push_back(
+            {"Unexplained",
+             fmt::format("{}, {}",
+                         *record.unexplained == 0 ? std::string("0")
+                                                  : countText(*record.unexplained, record.shareThatCounts()),
+                         allowed)});
+    } else {
+        facts.push_back({over, fmt::format("{}, {}", countText(record.over, record.shareOver), allowed)});
+    }
+}
+
+/// What the colours of the difference mean: the values of the metric, which the map has in 255ths of its 1.
+std::vector<report::Swatch> legendOf(const CaseRecord& record) {
+    const MetricRow& metric = metricOf(record);
+    const bool isAbsolute = metric.metric == Metric::Absolute;
+    std::vector<report::Swatch> legend;
+    for (const HeatStep& step : heatSteps(mapScale(metric.metric, record.tolerance))) {
+        const auto& [red, green, blue, alpha] = step.color;
+        const std::string label =
+            isAbsolute ? std::to_string(step.difference) : fmt::format("{:.2g}", step.difference / 255.0);
+        legend.push_back({label, {red, green, blue}});
+    }
+    return legend;
+}
+
 std::vector<report::Fact> factsOf(const CaseRecord& record) {
     std::vector<report::Fact> facts;
     if (!record.renderer.empty())
@@ -54,13 +109,7 @@ std::vector<report::Fact> factsOf(const CaseRecord& record) {
         facts.push_back({"Driver", record.driver});
     if (!record.golden.empty())
         facts.push_back({"Held against", record.golden});
-    if (!record.metric.empty()) {
-        facts.push_back({"Metric", record.metric});
-        facts.push_back({"Score", fmt::format("{:.6g}", record.score)});
-        facts.push_back({"Tolerance", fmt::format("{:.6g}", record.tolerance)});
-        facts.push_back({"Over it", fmt::format("{}, allowed {}", percentText(record.shareOver),
-                                                percentText(record.share))});
-    }
+    addComparison(facts, record);
     if (record.worst) {
         facts.push_back({"Worst pixel", fmt::format("{}, {}", record.worst->x, record.worst->y)});
         facts.push_back({"Expected there", colorText(record.worst->expected)});
@@ -75,24 +124,58 @@ std::vector<report::Fact> factsOf(const CaseRecord& record) {
     return facts;
 }
 
-/// What stands before the first "/" of its name.
+/// What stands before the first "/" of its name; without one it is in none.
 std::string groupOf(std::string_view name) {
-    return std::string(name.substr(0, name.find('/')));
+    const std::size_t slash = name.find('/');
+    return slash == std::string_view::npos ? std::string() : std::string(name.substr(0, slash));
 }
 
-report::Case pageCase(const CaseRecord& record, const RunPageOptions& options) {
+/// What draws the scene again that its actual picture holds; empty where it holds none.
+std::string drawingCommand(const CaseRecord& record) {
+    if (record.renderer.empty() || record.actualPicture.empty())
+        return {};
+    std::string command =
+        fmt::format("texshot shot {} --renderer {} --size {}x{}", shellWord(record.actualPicture),
+                    shellWord(record.renderer), record.width, record.height);
+    if (record.time != 0)
+        command += fmt::format(" --time {}", record.time);
+    if (record.renderer == rowOf(RendererKind::Reference).name)
+        command += fmt::format(" --anisotropy {}", texplorer::rowOf(referenceAnisotropy).name);
+    return command + " -o again.png";
+}
+
+void addCommands(report::Case& shown, const CaseRecord& record, const std::string& runCommand) {
+    if (const std::string test = commandOfCase(runCommand, record.name); !test.empty())
+        shown.commands.push_back({"To repeat it, where the run was made", test});
+    if (const std::string drawing = drawingCommand(record); !drawing.empty()) {
+        shown.commands.push_back({"To draw it again, in the report's folder", drawing});
+        shown.links.push_back({"The actual picture, which holds the scene", record.actualPicture});
+    }
+}
+
+/// "2026-11-22 02:30 UTC" of "2026-11-22T02:30:00Z"; another text as it is.
+std::string timeText(const std::string& text) {
+    const bool isStandard = text.size() == 20 && text[10] == 'T' && text[16] == ':' && text[19] == 'Z';
+    return isStandard ? fmt::format("{} {} UTC", text.substr(0, 10), text.substr(11, 5)) : text;
+}
+
+report::Case pageCase(const CaseRecord& record, const std::string& runCommand,
+                      const RunPageOptions& options) {
     report::Case shown{.name = record.name, .group = groupOf(record.name), .state = pageState(record.state)};
     shown.message = record.sentence;
     shown.expected = pictureOf("Expected", record.expectedPicture, options.pixels);
     shown.actual = pictureOf("Actual", record.actualPicture, options.pixels);
-    shown.difference = pictureOf("Difference", record.differencePicture, options.pixels);
+    shown.difference = pictureOf("Where it differs", record.differencePicture, options.pixels);
+    if (shown.difference)
+        shown.legend = legendOf(record);
     shown.size = {record.width, record.height};
     if (record.worst)
         shown.worst = {record.worst->x, record.worst->y};
-    shown.distance = record.shareOver;
+    shown.distance = record.shareThatCounts();
     shown.seconds = record.seconds;
     shown.facts = factsOf(record);
     shown.explanation = record.explanation;
+    addCommands(shown, record, runCommand);
     shown.acceptable = !options.acceptCommand.empty() && isAcceptable(record);
     return shown;
 }
@@ -128,7 +211,7 @@ report::Page pageOf(const RunRecord& run, const RunPageOptions& options) {
     page.verdict = summary(run);
     page.tone = toneOf(run);
     page.madeBy = fmt::format("{}{}{} in {:.1f} s", run.program, run.started.empty() ? "" : " on ",
-                              run.started, run.seconds);
+                              timeText(run.started), run.seconds);
     page.command = run.command;
     addFact(page.environment, "Driver", run.driver);
     addFact(page.environment, "Version", run.version);
@@ -138,7 +221,7 @@ report::Page pageOf(const RunRecord& run, const RunPageOptions& options) {
     page.acceptCommand = options.acceptCommand;
     page.cases.reserve(run.cases.size());
     for (const CaseRecord& each : run.cases)
-        page.cases.push_back(pageCase(each, options));
+        page.cases.push_back(pageCase(each, run.command, options));
     for (const std::string& name : run.missing())
         page.cases.push_back(notRun(name));
     return page;

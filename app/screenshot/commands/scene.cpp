@@ -8,7 +8,7 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
-#include "app/screenshot/output/shell_word.h"
+#include "core/base/shell_word.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_diff.h"

@@ -7,12 +7,12 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
-#include "app/screenshot/output/shell_word.h"
 #include "app/screenshot/runs/run_plan.h"
 #include "app/view/pretence.h"
 #include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
+#include "core/base/shell_word.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/accept_list.h"
 #include "core/suite/junit.h"
@@ -368,13 +368,18 @@ void declareRunning(Command& command, TestOptions& options) {
     const Option& report = command.option(
         "--report", options.report,
         "A folder for the report: index.html, to be opened as a file, with the pictures of every failure, and "
-        "run.json. While the run lasts it has its journal.",
+        "run.json. The actual picture of a case holds its scene, as those of \"texshot shot\" do. While the run "
+        "lasts the folder has its journal.",
         {.value = "DIR"});
     running(report);
     running(command.option("--junit", options.junit, "The result as JUnit's XML; - for standard output.",
                            {.value = "FILE"}));
-    running(command.option("--json", options.json, "The result as JSON; - for standard output.",
-                           {.value = "FILE"}));
+    running(command.option(
+        "--json", options.json,
+        "The result as JSON; - for standard output. Of a case that was compared: \"pixels\", of "
+        "these \"over\" the tolerance, of these \"unexplained\" by its rule, if it has one; "
+        "\"share\" is what may be over, or of a rule unexplained.",
+        {.value = "FILE"}));
     const Option& resume = command.option(
         "--resume", options.resume,
         "Go on with a run that was interrupted or killed, whose report is in this folder: what its journal has "

@@ -47,11 +47,16 @@ Result<void> place(const fs::path& file, ByteView bytes) {
     return writeFileAtomically(file, bytes);
 }
 
-Result<void> writeOne(const fs::path& folder, const std::string& name, const Image& image) {
+/// The pixels for the page are without the texts, which may be longer than they are.
+Result<void> writeOne(const fs::path& folder, const std::string& name, const Image& image,
+                      const std::vector<PictureText>& texts) {
     const Result<Bytes> png = encodePng(image);
     if (!png)
         return fail(png.error());
-    if (const Result<void> written = place(folder / name, *png); !written)
+    const Result<Bytes> file = texts.empty() ? png : encodePng(image, {.texts = texts});
+    if (!file)
+        return fail(file.error());
+    if (const Result<void> written = place(folder / name, *file); !written)
         return written;
     const report::File pixels = report::pixelsOf(name, *png);
     return place(folder / pixels.name, pixels.bytes);
@@ -61,12 +66,16 @@ Result<void> writeOne(const fs::path& folder, const std::string& name, const Ima
 
 Result<void> writePictures(const fs::path& folder, const std::string& file, const CasePictures& pictures,
                            suite::CaseRecord& record) {
+    const std::vector<PictureText> none;
     for (const Kind& kind : kinds) {
         const Image* image = pictures.*kind.image;
         if (image == nullptr)
             continue;
+        const bool isActual = kind.image == &CasePictures::actual;
         const std::string name = fmt::format("{}/{}{}", picturesFolder, file, kind.ending);
-        if (const Result<void> written = writeOne(folder, name, *image); !written)
+        if (const Result<void> written =
+                writeOne(folder, name, *image, isActual ? pictures.actualTexts : none);
+            !written)
             return written;
         record.*kind.name = name;
     }

@@ -3,12 +3,14 @@
 // The pictures of a case in the folder of a report.
 
 #include "core/base/result.h"
+#include "core/codec/common/write_options.h"
 #include "core/image/image.h"
 #include "core/suite/record.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace texplorer::screenshot {
 
@@ -19,6 +21,7 @@ struct CasePictures {
     const Image* expected = nullptr; ///< nullptr: there is none
     const Image* actual = nullptr;
     const Image* difference = nullptr;
+    std::vector<PictureText> actualTexts{}; ///< within the actual picture's file
 };
 
 /// Writes them as "pictures/<file>-actual.png" and so on, each with its pixels for the page

@@ -5,6 +5,7 @@
 #include "app/screenshot/runs/golden_file.h"
 #include "app/screenshot/runs/pair_worker.h"
 #include "app/screenshot/runs/run_plan.h"
+#include "app/screenshot/shots/picture_texts.h"
 #include "core/image/convert.h"
 #include "core/reference/probe.h"
 #include "core/suite/judge_case.h"
@@ -17,6 +18,7 @@
 namespace texplorer::screenshot {
 namespace {
 
+namespace fs = std::filesystem;
 using suite::CaseRecord;
 using suite::State;
 
@@ -30,14 +32,21 @@ LevelWork levelWork() {
     return work;
 }
 
-/// What `texshot probe` says of the worst pixel. Empty where it can't be said: the pictures say enough.
+/// What `texshot probe` says of the worst pixel, whose alpha is as in the picture that one sees. Empty where
+/// it can't be said: the pictures say enough.
 std::string explanationOf(const suite::Case& of, const suite::CaseScene& scene,
-                          const suite::WorstPixel& worst, const Image& actual) {
+                          const suite::WorstPixel& worst, const Image& actual, bool isOpaque) {
     const reference::PixelPlace place{worst.x, of.size.height - 1 - worst.y};
-    const Result<reference::Explanation> explanation =
+    Result<reference::Explanation> explanation =
         reference::probe(requestFor(of, scene), place, {.levels = levelWork()});
     if (!explanation)
         return {};
+    std::string note;
+    if (isOpaque && explanation->bytes[3] != 255) {
+        note = fmt::format("\nThe picture is opaque: of the framebuffer's alpha, {}, it shows nothing.\n",
+                           explanation->bytes[3]);
+        explanation->bytes[3] = 255;
+    }
     std::vector<ReadBack> readBacks;
     if (of.renderer != RendererKind::Reference) {
         reference::PixelBytes bytes{};
@@ -45,18 +54,39 @@ std::string explanationOf(const suite::Case& of, const suite::CaseScene& scene,
             bytes[i] = std::to_integer<std::uint8_t>(actual.at(place.x, place.y)[i]);
         readBacks.push_back({of.renderer, bytes});
     }
-    return asText(*explanation, readBacks);
+    return asText(*explanation, readBacks) + note;
+}
+
+bool isSeenOpaque(const suite::Settings& settings) {
+    return !std::holds_alternative<suite::GoldenReference>(settings.golden);
 }
 
 /// As what it is held against: the picture that one sees, as `texshot shot` writes it, or what is in the
 /// framebuffer.
 Image seenAs(const suite::Settings& settings, const Image& image) {
-    if (std::holds_alternative<suite::GoldenReference>(settings.golden))
+    if (!isSeenOpaque(settings))
         return image;
     Image seen = image;
     for (std::size_t i = 3; i < seen.pixels.size(); i += 4)
         seen.pixels[i] = std::byte{255};
     return seen;
+}
+
+/// The scene with its images named from the folder of the report's pictures, so that it can be opened there.
+/// By a relative name: a report that is moved together with its suite stays whole, and says nothing of the
+/// machine.
+Scene sceneBesidePictures(const suite::CaseScene& of, const fs::path& report) {
+    std::error_code ignored; // where the current folder was removed, a relative name stays one
+    const fs::path base = fs::current_path(ignored);
+    const fs::path here = (base / of.images.directory()).lexically_normal() / "";
+    const fs::path there = (base / report / picturesFolder).lexically_normal() / "";
+    Scene scene = of.scene;
+    renameFiles(scene, [&](const std::string& file) {
+        if (of.images.fileInMemory(file) || fs::path(file).is_absolute())
+            return file;
+        return (here / file).lexically_normal().lexically_relative(there).generic_string();
+    });
+    return scene;
 }
 
 CaseRecord problemOf(CaseRecord record, const Error& error) {
@@ -218,15 +248,23 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
     for (const std::string& problem : frame.problems)
         record.explanation += problem + "\n";
     if (record.state == State::Failed && record.worst)
-        record.explanation += explanationOf(of, scene, *record.worst, frame.image);
+        record.explanation +=
+            explanationOf(of, scene, *record.worst, actual, isSeenOpaque(plan_->settingsOf(of)));
     if (order.update && isUpdatable(record)) {
         // The nearest of several, which it was held against; of none that is there, the first.
         if (const std::string golden = record.golden; !golden.empty())
             return writeGolden(plan_->suiteOf(of).folder, golden, actual, std::move(record));
     }
     if (!order.setup.report.empty()) {
+        const bool drawn = of.renderer != RendererKind::Reference;
+        const PictureFacts facts{sceneBesidePictures(scene, order.setup.report),
+                                 of.time,
+                                 {of.size.width, of.size.height},
+                                 std::string(texplorer::rowOf(of.renderer).name),
+                                 driver,
+                                 drawn && studio_ ? studio_->context() : std::string()};
         const CasePictures pictures{judged.expected ? &*judged.expected : nullptr, &actual,
-                                    judged.difference ? &*judged.difference : nullptr};
+                                    judged.difference ? &*judged.difference : nullptr, textsOf(facts)};
         if (const Result<void> written = writePictures(order.setup.report, of.file, pictures, record);
             !written)
             return {.record = problemOf(std::move(record), written.error())};

@@ -1,12 +1,12 @@
 #include "app/screenshot/runs/test_run.h"
 
 #include "app/screenshot/gl/mesa_settings.h"
-#include "app/screenshot/output/shell_word.h"
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/workers/pool.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
+#include "core/base/shell_word.h"
 #include "core/suite/judge_case.h"
 
 #include <fmt/core.h>

@@ -118,7 +118,7 @@ TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     EXPECT_EQ(page.command, "A=b texshot conform --seed 1");
     EXPECT_THAT(page.environment, ElementsAre(IsFact("Driver", "llvmpipe <&>"), IsFact("Version", "4.5"),
                                               IsFact("Settings", "A=b")));
-    EXPECT_EQ(page.tables[0].title, "Reference against Fixed function");
+    EXPECT_EQ(page.tables[0].title, "Reference against fixed function");
     std::vector<std::string> cells;
     for (const report::Cell& cell : page.tables[0].rows[0])
         cells.push_back(cell.text);
@@ -127,10 +127,11 @@ TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     EXPECT_EQ(page.tables[0].rows[0][0].leadsTo, 0U);
     const report::Case& each = page.cases[0];
     EXPECT_EQ(each.name, "trilinear-reference-fixed");
-    EXPECT_EQ(each.group, "Reference against Fixed function");
+    EXPECT_EQ(each.group, "Reference against fixed function");
     EXPECT_THAT(each.message, HasSubstr("; the worst by 7 at 3,63, counted from the upper left."));
     EXPECT_EQ(each.worst, (std::array{3, 63}));
-    EXPECT_EQ(each.command, "texshot probe trilinear-reference-fixed.json --size 64x64 --at 3,63");
+    ASSERT_EQ(each.commands.size(), 1U);
+    EXPECT_EQ(each.commands[0].line, "texshot probe trilinear-reference-fixed.json --size 64x64 --at 3,63");
     EXPECT_THAT(each.facts, Contains(IsFact("Over 2", "<0.01 %")));
     EXPECT_THAT(each.facts, Contains(IsFact("Rule level-blend", std::string(rules::levelBlend.reason))));
     const std::string text = asText(report);

@@ -1,12 +1,15 @@
 #include "core/base/file_io.h"
+#include "core/base/percent.h"
 #include "core/codec/registry.h"
 #include "core/conform/judge.h"
 #include "core/reference/draw.h"
 #include "core/suite/judge_case.h"
+#include "core/suite/record_json.h"
 #include "tests/support/temp_dir.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 namespace texplorer::suite::judge_case_test {
 namespace {
@@ -130,6 +133,8 @@ TEST_F(JudgeCase, AnotherSizeIsSaid) {
     ASSERT_TRUE(judged.expected);
     EXPECT_EQ(judged.expected->width, 3);
     EXPECT_FALSE(judged.difference);
+    EXPECT_EQ(judged.record.metric, "") << "nothing was compared";
+    EXPECT_FALSE(nlohmann::json::parse(journalLine(judged.record)).contains("score"));
 }
 
 TEST_F(JudgeCase, AGoldenThatIsNoPictureIsAnError) {
@@ -169,7 +174,12 @@ TEST_F(JudgeCase, TheReferenceIsAGoldenThatNobodyHasToStore) {
     setPixel(actual, 7, 13, {255, 0, 255, 255});
     const JudgedCase failed = judged(actual);
     EXPECT_EQ(failed.record.state, State::Failed) << failed.record.sentence;
-    EXPECT_GT(failed.record.shareOver, 0.01);
+    EXPECT_GT(failed.record.shareThatCounts(), 0.01);
+    ASSERT_TRUE(failed.record.unexplained);
+    EXPECT_GE(failed.record.over, *failed.record.unexplained);
+    EXPECT_EQ(failed.record.pixels, 40U * 30);
+    EXPECT_DOUBLE_EQ(failed.record.shareOver, static_cast<double>(failed.record.over) / (40 * 30));
+    EXPECT_THAT(failed.record.sentence, HasSubstr(", and allows up to 1 %"));
     ASSERT_TRUE(failed.record.worst);
     EXPECT_THAT(failed.record.worst->actual, ElementsAre(255, 0, 255, 255));
     EXPECT_TRUE(failed.record.worst->y == 30 - 1 - 12 || failed.record.worst->y == 30 - 1 - 13);
@@ -192,7 +202,12 @@ TEST_F(JudgeCase, ARuleGrantsWhatADriverMayDo) {
     const JudgedCase granted = judged(actual);
     EXPECT_EQ(granted.record.state, State::Passed) << granted.record.sentence;
     EXPECT_EQ(granted.record.metric, "rule texel-edge");
-    EXPECT_EQ(granted.record.shareOver, 0);
+    EXPECT_EQ(granted.record.unexplained, 0U);
+    EXPECT_GT(granted.record.over, 0U);
+    EXPECT_EQ(granted.record.sentence,
+              fmt::format("{} pixels ({}) differ by more than 2/255 from the reference; the rule texel-edge "
+                          "explains all of them",
+                          granted.record.over, percentText(granted.record.shareOver)));
     plan(entryWith("exact"));
     EXPECT_EQ(judged(actual).record.state, State::Failed);
 }

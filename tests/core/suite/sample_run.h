@@ -34,6 +34,8 @@ inline RunRecord sampleRun() {
     failed.tolerance = 2;
     failed.share = 0.125;
     failed.shareOver = 0.5;
+    failed.pixels = 64;
+    failed.over = 32;
     failed.worst = WorstPixel{3, 4, {1, 2, 3, 255}, {5, 6, 7, 128}};
     failed.golden = "golden/failed.png";
     failed.expectedPicture = "failed-expected.png";

@@ -83,11 +83,11 @@ void addPictures(report::Case& each, std::size_t number, Size size) {
         each.explanation =
             "fragment 12,40 of pass 0\n  unit 0: GL_LINEAR, lambda = -0.41, level 0\n    texel 3,2  0.25  (255, 0, "
             "0)\n    texel 4,2  0.75  (  0, 0, 255)\n  environment: GL_MODULATE\n";
-        each.command =
-            fmt::format("texshot test suite.json --only {}", "'case-" + std::to_string(number) + "'");
+        each.commands = {{"To repeat it", fmt::format("texshot test suite.json --only {}",
+                                                      "'case-" + std::to_string(number) + "'")}};
         each.links = {{"Scene", "scene.json"}};
         each.legend = {{"0", {0, 0, 0}}, {"4", {40, 80, 200}}, {"255", {255, 255, 200}}};
-        each.difference = {.label = "Difference", .png = pngOf(differenceOf(expected, actual))};
+        each.difference = {.label = "Where it differs", .png = pngOf(differenceOf(expected, actual))};
     }
     if (each.state == State::Resized)
         actual = pictureOf(number, {size.width * 3 / 4, size.height}, 0);

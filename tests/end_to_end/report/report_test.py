@@ -14,8 +14,8 @@ from PIL import Image
 from browser import Browser, Keys
 
 SAMPLE = sys.argv.pop(1)
-STATES = ["crashed", "timed-out", "error", "failed", "differ", "resized", "missing", "extra", "new", "not-run", "skipped",
-          "passed", "agree"]
+STATES = ["crashed", "timed-out", "error", "failed", "differ", "resized", "missing", "extra", "new", "not-run", "passed",
+          "agree", "skipped"]
 # What the sample calls its fourth, ninth, twelfth and thirteenth case, as far as it can be printed.
 HOSTILE = {
     3: "<script>document.title='owned'</script><img src=x onerror=\"document.title='owned'\">",
@@ -157,7 +157,7 @@ class Opening(Page):
         self.look_at(FAILED)
         case = self.data["cases"][FAILED]
         text = self.browser.text(".detail")
-        for expected in ("Failed", "filter", case["message"], "absolute", "64 × 48", "16, 9", "Scene", case["command"]):
+        for expected in ("Failed", "filter", case["message"], "absolute", "64 × 48", "16, 9", "Scene", *case["commands"][0].values()):
             self.assertIn(expected, text)
         self.assertEqual(self.browser.script("return document.querySelector('pre').textContent"), case["explanation"])
         self.assertEqual([each.text for each in self.browser.all(".legend span")], ["0", "4", "255"])
@@ -240,6 +240,51 @@ class Choosing(Page):
         self.browser.driver.back()
         self.looks_at(names[3])
 
+    def test_the_list_is_one_stop_of_the_tab_key(self):
+        names = self.names()
+        self.browser.click("#sort option[value=run]")
+        stops = lambda: [each.get_attribute("title") for each in self.browser.all(".row a[tabindex='0']")]
+        run = [each["name"] for each in self.data["cases"]]
+        self.assertEqual(stops(), run[:1])
+        self.browser.script("document.querySelector(\".row a[tabindex='0']\").focus()")
+        focused = lambda: self.browser.script("return document.activeElement.title")
+        for key, place in ((Keys.ARROW_DOWN, 0), (Keys.ARROW_DOWN, 1), ("j", 2), ("k", 1)):
+            self.browser.keys(key)
+            self.looks_at(run[place])
+            self.assertEqual((focused(), stops()), (run[place], [run[place]]))
+        self.browser.script("document.getElementById('skip').focus()")
+        self.browser.keys(Keys.ENTER)
+        self.assertEqual(self.browser.script("return document.activeElement.id"), "main")
+        self.looks_at(run[1])
+        self.assertEqual(self.browser.script("return document.querySelector('#to-overview').getAttribute('aria-current')"), None)
+        self.browser.keys("o")
+        self.browser.wait(lambda: self.browser.all(".overview"), "the overview")
+        self.assertEqual(self.browser.script("return document.querySelector('#to-overview').getAttribute('aria-current')"), "page")
+        self.assertEqual([each.get_attribute("title") for each in self.browser.all(".row.last a")], [run[1]])
+        self.assertEqual(len(names), len(run))
+
+    def test_rows_show_the_end_of_long_names_and_no_group_twice(self):
+        long = self.path / "long"
+        shutil.copytree(self.report, long)
+        text = (long / "report-data.js").read_text()
+        data = json.loads(text[len("texplorerReport = "):-2])
+        names = [f"filters/{'textures[0].minFilter=GL_LINEAR_MIPMAP_LINEAR/' * 4}renderer-{i}@512x512" for i in range(len(data["cases"]))]
+        for name, case in zip(names, data["cases"]):
+            case.update(name=name, group="filters")
+        (long / "report-data.js").write_text(f"texplorerReport = {json.dumps(data)};\n")
+        self.open(long)
+        self.browser.click("#sort option[value=run]")
+        self.assertEqual(self.names(), names)  # for who listens, and who searches
+        row = self.browser.one(".row:nth-child(8)")
+        tail, name = (row.find_element("css selector", f".name{part}") for part in (" .tail", ""))
+        self.assertTrue(tail.text.replace("\n", "").endswith("renderer-7@512x512"), tail.text)
+        cut = self.browser.script("return arguments[0].scrollHeight > arguments[0].clientHeight + 1", tail)
+        self.assertFalse(cut, "nothing of it is left out")
+        line = float(name.value_of_css_property("line-height")[:-2])
+        self.assertLessEqual(name.size["height"], 3 * line + 1)
+        hidden = self.browser.script("return arguments[0].querySelector('.unseen').textContent", name)
+        self.assertEqual(hidden, "filters/")
+
     def test_the_keys_are_listed(self):
         self.browser.keys("?")
         self.assertTrue(self.browser.one("dialog").is_displayed())
@@ -265,7 +310,7 @@ class Looking(Page):
         self.assertLessEqual(apart.max(), 1, numpy.argwhere(apart > 1)[:3])
 
     def test_side_by_side(self):
-        self.assertEqual(self.browser.texts("figcaption .caption"), ["Expected", "Actual", "Difference"])
+        self.assertEqual(self.browser.texts("figcaption .caption"), ["Expected", "Actual", "Where it differs"])
         for i, picture in enumerate((self.expected, self.actual)):
             self.assert_shows(self.seen(64, 48, f".figure:nth-child({i + 1}) .pane"), picture, self.opaque)
 
@@ -335,6 +380,7 @@ class Looking(Page):
         apart = numpy.maximum(apart[..., :3], apart[..., 3:])  # alpha shows in all channels
         for gain in (8, 16, 32, 64, 1, 2, 4):
             self.assertEqual(self.browser.text(".gain"), f"Gain × {gain}")
+            self.assertEqual(self.browser.text("[data-tool=difference]"), f"Difference × {gain}")
             numbers = self.browser.script("""const canvas = document.querySelector('.pane canvas');
                 return [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data]""")
             shown = numpy.array(numbers).reshape(48, 64, 4)[..., :3]
@@ -446,6 +492,10 @@ class Looking(Page):
         self.look_at(case)
         expected, actual = self.picture(case, "expected"), self.picture(case, "actual")
         self.assertEqual((expected.shape[1], actual.shape[1]), (64, 48))
+        self.assertEqual(self.browser.texts("figcaption .extent"), ["64 × 48", "48 × 48"])
+        corner = self.browser.script("""const a = { width: 1, height: 2, max: 255, rgba: new Array(8).fill(9) };
+            return [...differenceOf(a, { ...a, width: 2, height: 1 }, 1).rgba]""")
+        self.assertEqual(corner, [0, 0, 0, 255, *[255] * 8, 0, 0, 0, 0])  # what neither has shows nothing
         self.browser.keys("4", "g", "g", "g", "g")
         shown = self.browser.script("const canvas = document.querySelector('.pane canvas');"
                                     "return [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data]")
@@ -543,7 +593,7 @@ class Accepting(Page):
         self.browser.tool("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
         self.browser.click("#accept-all")
         self.browser.click("#copy")
-        self.browser.wait(lambda: self.browser.texts("#said") == ["Copied"], "the copy")
+        self.browser.wait(lambda: self.browser.texts("#said") == ["Copied"] and self.browser.text("#copy") == "Copied", "the copy")
         self.assertEqual(self.browser.driver.execute_async_script("navigator.clipboard.readText().then(arguments[0])").splitlines(), self.acceptable)
 
     def test_the_browser_keeps_it_for_this_run_alone(self):
@@ -563,6 +613,13 @@ class Accepting(Page):
             self.assertEqual(self.browser.all("#accept"), [], state)
             self.browser.keys("a")
         self.assertEqual(self.accepted(), [])
+
+
+def contrast(*colors):
+    """WCAG 2.2, of two colours of 0 to 255."""
+    linear = lambda each: each / 12.92 if each <= 0.04045 else ((each + 0.055) / 1.055) ** 2.4
+    dark, light = sorted(sum(weight * linear(each / 255) for weight, each in zip((0.2126, 0.7152, 0.0722), color)) for color in colors)
+    return (light + 0.05) / (dark + 0.05)
 
 
 LIGHT = "rgb(246, 246, 244)"
@@ -620,6 +677,10 @@ class Seeing(Page):
                 found = self.browser.script(CONTRASTS)
                 self.assertGreater(len(found), 40)
                 self.assertEqual([each for each in found if each[0] < 4.5], [], scheme)
+            placeholder, behind = self.browser.script("""const parse = (text) => text.match(/[\\d.]+/g).map(Number);
+                const search = document.getElementById('search');
+                return [parse(getComputedStyle(search, '::placeholder').color), parse(getComputedStyle(search).backgroundColor)]""")
+            self.assertGreaterEqual(contrast(placeholder, behind), 4.5, scheme)
             self.browser.script("localStorage.clear()")
 
     def test_every_control_has_a_name_and_shows_its_focus(self):
@@ -653,6 +714,46 @@ class Seeing(Page):
         self.browser.click("#to-list")
         self.browser.wait(lambda: self.browser.one(".row").is_displayed(), "the list")
         self.assertEqual(widths(), [360, 360, 360])
+
+    def test_a_phones_list_comes_back_as_it_was_left(self):
+        self.browser.size(360, 740, phone=True)
+        self.open()
+        names = self.names()
+        self.browser.script("document.querySelectorAll('.row a')[40].scrollIntoView({ block: 'center' })")
+        left = self.browser.script("return scrollY")
+        self.assertGreater(left, 1000)
+        self.browser.script("document.querySelectorAll('.row a')[40].click()")
+        self.looks_at(names[40])
+        self.browser.wait(lambda: self.browser.script("return scrollY") == 0, "its top")
+        for back in ("document.getElementById('to-list').click()", "history.back()"):
+            self.browser.script(back)
+            self.browser.wait(lambda: self.browser.script("return document.body.dataset.show") == "list", "the list")
+            self.browser.wait(lambda: abs(self.browser.script("return scrollY") - left) < 200, "where it was")
+            self.assertTrue(self.browser.script("""const box = document.querySelector('.row.last').getBoundingClientRect();
+                return box.top >= 0 && box.bottom <= innerHeight"""))
+            self.assertEqual(self.browser.texts(".row.last .name"), [names[40]])
+            if back.startswith("document"):
+                self.browser.script("document.querySelectorAll('.row a')[40].click()")
+                self.looks_at(names[40])
+
+    def test_what_is_said_of_a_case_has_room(self):
+        self.look_at(FAILED)
+        width = lambda selector: self.browser.box(selector)[2]
+        self.assertGreater(width("pre"), 0.95 * width(".said-of-it"))
+        self.browser.size(1920, 1080)
+        self.assertGreater(width("pre"), 0.6 * width(".said-of-it"))
+        left, top, _, _ = self.browser.box("pre")
+        facts_left, facts_top, facts_width, _ = self.browser.box(".facts")
+        self.assertGreater(left, facts_left + facts_width)
+        self.assertLess(abs(top - facts_top), 40)
+
+    def test_a_command_breaks_between_words(self):
+        self.browser.size(360, 740, phone=True)
+        self.look_at(FAILED)
+        for word in self.browser.all(".command .word"):
+            lines = self.browser.script("return arguments[0].getClientRects().length", word)
+            self.assertEqual(lines, 1, word.text)
+            self.assertLess(word.size["height"], 30, word.text)
 
     def test_paper_has_what_is_looked_at_and_no_controls(self):
         self.look_at(FAILED)

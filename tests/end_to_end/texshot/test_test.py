@@ -1,10 +1,13 @@
 """texshot test: suites of pictures, drawn by worker processes that may crash, hang or be killed."""
 
+import base64
 import contextlib
 import json
 import os
 import random
+import re
 import resource
+import shlex
 import shutil
 import signal
 import subprocess
@@ -72,6 +75,71 @@ class Test(Suites):
         self.assertTrue((report / "index.html").is_file())
         self.assertEqual(json.loads((report / "run.json").read_text())["status"], 1)
         self.assertNotIn(str(self.path), (report / "run.json").read_text().replace(str(suite), ""))
+
+    def test_a_failed_case_can_be_drawn_again_and_opened_from_its_report(self):
+        texture = self.path / "scenes" / "brick.png"
+        texture.parent.mkdir()
+        Image.effect_noise((16, 16), 80).convert("RGB").save(texture)
+        scene = self.path / "scenes" / "brick.json"
+        self.succeeds("scene", "--set", "textures[0].source=file", "--set", "textures[0].file=brick.png", "-o", scene)
+        entry = {"name": "it's [new]", "scene": "scenes/brick.json", "axis": "textures[0].wrapS=GL_REPEAT,GL_CLAMP", "renderer": ["shader", "reference"],
+                 "time": 0.5, "size": "64x48"}
+        suite = self.suite([entry, *self.backgrounds("grey")])
+        report = self.path / "out" / "report"
+        record = json.loads(self.run_of(suite, "--report", report, "--json", "-").stdout)
+        self.assertEqual({case["state"] for case in record["cases"]}, {"new"})
+        text = (report / "report-data.js").read_text()
+        cases = json.loads(text[len("texplorerReport = "):-2])["cases"]
+        self.assertEqual(len(cases), 5)
+        for case, of in zip(cases, record["cases"]):
+            repeat, draw = (command["line"] for command in case["commands"])
+            words = shlex.split(repeat)
+            self.assertEqual(words[0], "texshot")
+            self.assertEqual(texshot(*words[1:], "--list").stdout.decode().splitlines(), [of["name"]])
+            words = shlex.split(draw)
+            again = self.path / "again.png"
+            drawn = texshot(*words[1:-1], again, cwd=report)
+            self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
+            actual = report / of["actualPicture"]
+            with Image.open(actual) as one, Image.open(again) as other:
+                self.assertEqual(one.convert("RGB").tobytes(), other.convert("RGB").tobytes())
+                texts = one.text
+            self.assertEqual(texts["Texplorer renderer"], of["renderer"])
+            self.assertEqual(texts["Texplorer size"], "x".join(map(str, of["size"])))
+            self.assertNotIn(str(self.path), "".join(texts.values()))
+            self.assertEqual("Texplorer driver" in texts, of["renderer"] != "reference")
+            self.succeeds("scene", actual)
+            self.assertEqual([link["file"] for link in case["links"]], [of["actualPicture"]])
+            self.assertNotIn(b"Texplorer", base64.b64decode(re.search(r'"([^"]*)"\);', (report / f"{of['actualPicture']}.js").read_text())[1]))
+        self.passes(suite, "--update")
+        for golden in (self.path / "golden").iterdir():
+            with Image.open(golden) as picture:
+                self.assertEqual(picture.info, {}, "the same bytes on every machine")
+
+    def test_a_rule_says_how_much_it_explains(self):
+        suite = self.suite([{"name": "all", "golden": "reference", "renderer": "fixed", "size": "64x48", "set": ["textures[0].minFilter=GL_LINEAR_MIPMAP_LINEAR"]}])
+        case = self.record(suite)["all"]
+        self.assertTrue(case["metric"].startswith("rule "), case)
+        self.assertEqual(case["pixels"], 64 * 48)
+        self.assertAlmostEqual(case["shareOver"], case["over"] / (64 * 48))
+        self.assertLessEqual(case["unexplained"], case["over"])
+        self.assertEqual(case["state"] == "passed", case["unexplained"] / case["pixels"] <= case["share"])
+
+    def test_sizes_are_not_compared_and_the_explanation_shows_the_picture_that_one_sees(self):
+        suite = self.suite([{"name": "clear", "set": "view.background=0.2,0.2,0.2,0"}, *self.backgrounds("grey")])
+        self.passes(suite, "--update")
+        golden = self.path / "golden"
+        Image.new("RGB", (24, 16), (255, 0, 0)).save(golden / "clear__fixed@24x16.png")
+        Image.new("RGB", (8, 4)).save(golden / "grey__fixed@24x16.png")
+        cases = self.record(suite, code=1)
+        self.assertEqual(cases["grey"]["state"], "resized")
+        for number in ("metric", "score", "tolerance", "share", "shareOver", "pixels", "over"):
+            self.assertNotIn(number, cases["grey"])
+        found = " ".join(map(str, cases["clear"]["worst"]["actual"]))
+        self.assertIn(f"{found} found", cases["clear"]["sentence"])
+        reference, drawn = cases["clear"]["explanation"].splitlines()[1:3]
+        self.assertEqual(reference.split()[1:5], found.split())
+        self.assertEqual(drawn.split()[1:5], found.split())
 
     def test_update_writes_what_differs_and_accept_what_is_named(self):
         suite = self.suite(self.backgrounds("grey", "dark", "blue"))

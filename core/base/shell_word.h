@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace texplorer::screenshot {
+namespace texplorer {
 
 /// A word as a shell reads it back.
 [[nodiscard]] inline std::string shellWord(const std::string& word) {
@@ -17,4 +17,4 @@ namespace texplorer::screenshot {
     return text + "'";
 }
 
-} // namespace texplorer::screenshot
+} // namespace texplorer
