@@ -230,7 +230,7 @@ class Choosing(Page):
         for key, place in (("j", 3), (Keys.ARROW_RIGHT, 4), (Keys.ARROW_DOWN, 5), ("k", 4), (Keys.ARROW_LEFT, 3), (Keys.ARROW_UP, 2)):
             self.browser.keys(key)
             self.looks_at(names[place])
-        self.assertEqual([each.text for each in self.browser.all(".row a[aria-current] .name")], [names[2]])
+        self.assertEqual(self.browser.texts(".row a[aria-current] .name"), [names[2]])
         self.browser.click("#next")
         self.looks_at(names[3])
         self.browser.driver.refresh()  # the address says which case it is

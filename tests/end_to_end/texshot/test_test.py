@@ -81,13 +81,13 @@ class Test(Suites):
         texture.parent.mkdir()
         Image.effect_noise((16, 16), 80).convert("RGB").save(texture)
         scene = self.path / "scenes" / "brick.json"
-        self.succeeds("scene", "--set", "textures[0].source=file", "--set", "textures[0].file=brick.png", "-o", scene)
+        self.succeeds("scene", "--set", "textures[0].source=file", "--set", f"textures[0].file={texture}", "-o", scene)
         entry = {"name": "it's [new]", "scene": "scenes/brick.json", "axis": "textures[0].wrapS=GL_REPEAT,GL_CLAMP", "renderer": ["shader", "reference"],
                  "time": 0.5, "size": "64x48"}
         suite = self.suite([entry, *self.backgrounds("grey")])
         report = self.path / "out" / "report"
         record = json.loads(self.run_of(suite, "--report", report, "--json", "-").stdout)
-        self.assertEqual({case["state"] for case in record["cases"]}, {"new"})
+        self.assertEqual({case["state"] for case in record["cases"]}, {"new"}, record["cases"])
         text = (report / "report-data.js").read_text()
         cases = json.loads(text[len("texplorerReport = "):-2])["cases"]
         self.assertEqual(len(cases), 5)
