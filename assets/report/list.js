@@ -65,9 +65,9 @@ function stateLabel(state) {
 const shortName = 60; // letters, which three lines of a row hold for certain
 const nameTail = 44;  // and two
 
-/** A name without what its group says. Of a long one the end can be seen: that is where names differ. */
+/** A name without what its group says, unless it is alone there. Of a long one the end can be seen: that is where names differ. */
 function nameInRow(each) {
-  const prefix = each.group && each.name.startsWith(`${each.group}/`) ? `${each.group}/` : "";
+  const prefix = each.hasNeighbours && each.name.startsWith(`${each.group}/`) ? `${each.group}/` : "";
   const name = each.name.slice(prefix.length);
   const head = name.length > shortName ? name.slice(0, -nameTail) : "";
   return make("span", { class: "name" }, prefix && make("span", { class: "unseen" }, prefix),

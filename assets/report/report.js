@@ -4,10 +4,13 @@
 function preparedReport(data) {
   const looks = new Map(data.states.map((state, rank) => [state.name, { ...state, rank }]));
   const taken = new Set();
+  const members = new Map(); // of each group
+  for (const { group } of data.cases) members.set(group, (members.get(group) ?? 0) + 1);
   data.cases.forEach((each, index) => {
     each.index = index;
     each.look = looks.get(each.state);
     each.rank = each.look.rank;
+    each.hasNeighbours = Boolean(each.group) && members.get(each.group) > 1;
     each.wrong = each.look.tone === "bad" || each.look.tone === "look";
     each.words = `${each.name} ${each.group ?? ""} ${each.message ?? ""}`.toLowerCase();
     // Its name, by which a link finds it in the next run, too.

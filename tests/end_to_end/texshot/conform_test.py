@@ -88,7 +88,7 @@ class Conform(Texshot):
         browser.wait(lambda: browser.script("return performance.getEntriesByName('texplorer-shown').length"), "the page")
         self.assertEqual(browser.driver.title, "Do the renderers agree?")
         browser.wait(lambda: browser.texts(".overview h2") == ["All agree"], "the overview")
-        self.assertEqual(browser.texts("section h3")[:2], ["Shader against Fixed function", "Reference against Fixed function"])
+        self.assertEqual(browser.texts("section h3")[:2], ["Shader against fixed function", "Reference against fixed function"])
         self.assertEqual(browser.texts("tbody th"), ["wrap", "environment"] * 2)
         browser.script("document.querySelectorAll('tbody th a')[2].click()")
         browser.wait(lambda: browser.all("#case-name") and browser.text("#case-name") == "wrap-reference-fixed", "the case")
