@@ -549,7 +549,7 @@ class Accepting(Page):
     def downloaded(self):
         self.browser.click("#download")
         file = downloads / "accept.txt"
-        self.browser.wait(file.exists, "the list")
+        self.browser.wait(lambda: file.exists() and file.read_text(), "the list")
         return file.read_text()
 
     def accepted(self):
@@ -770,6 +770,7 @@ class Opened(Page):
 
     # How long it takes is printed, and depends on the machine; that the list goes on to its end does not.
     def test_two_thousand_cases(self):
+        self.browser.wait(lambda: self.browser.script("return performance.getEntriesByName('first-contentful-paint').length"), "the first picture")
         times = self.browser.script("""const [page] = performance.getEntriesByType('navigation');
             return { loaded: page.loadEventEnd, painted: performance.getEntriesByName('first-contentful-paint')[0].startTime,
                      shown: performance.getEntriesByName('texplorer-shown')[0].startTime }""")

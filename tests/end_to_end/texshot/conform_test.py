@@ -92,7 +92,7 @@ class Conform(Texshot):
         self.assertEqual(browser.texts("tbody th"), ["wrap", "environment"] * 2)
         browser.script("document.querySelectorAll('tbody th a')[2].click()")
         browser.wait(lambda: browser.all("#case-name") and browser.text("#case-name") == "wrap-reference-fixed", "the case")
-        self.assertEqual(browser.texts("figcaption .caption"), ["Fixed function", "Reference", "Difference"])
+        self.assertEqual(browser.texts("figcaption .caption"), ["Fixed function", "Reference", "Where they differ"])
         browser.wait(lambda: len(browser.all(".magnified canvas")) == 2, "the pixels")
         self.assertIn("Rule", browser.text(".facts"))
         self.assertEqual(browser.complaints(), [])
