@@ -76,7 +76,7 @@ class Outputs(Texshot):
         scene = self.path / "broken.json"
         scene.write_text('{"version": 1, "textures": [{"mipmaps": "none"}], "passes": [{"units": [{"enabled": true}]}]}')
         calls = [["--help"], ["--version"], ["shot", "--help"], ["conform", "--help"], ["params"], ["params", "--json"],
-                 ["info", self.bmp], ["info", self.bmp, "--json"], ["check", "--json"], ["conform", "--list"],
+                 ["info", self.bmp], ["info", self.bmp, "--json"], ["check", "--json"], ["conform", "--list"], ["conform", "--list", "--json"],
                  ["check", "--set", "textures[0].mipmaps=none"],
                  ["probe", "--no-gl", "--size", "8x8", "--at", "4,4"], ["probe", "--size", "8x8", "--texel", "0,0,0,0", "--json"],
                  ["compress", self.bmp, self.path / "out.dds", "--format", "dxt1", "--report"]]
@@ -140,7 +140,6 @@ class Outputs(Texshot):
             ("--pass: has no effect here", "probe", "--at", "1,1", "--pass", "0"),
             ("--no-gl: has no effect here", "probe", "--texel", "0,0,0,0", "--no-gl"),
             ("--seed: has no effect here: --list compares nothing", "conform", "--list", "--seed", "1"),
-            ("--json: has no effect here: --list compares nothing", "conform", "--list", "--json"),
             ("--out: has no effect here: --list compares nothing", "conform", "--list", "-o", self.path / "report"),
             ("--shaders: has no effect here", "conform", "--renderer", "reference", "--shaders", self.path),
         ]:
