@@ -31,6 +31,7 @@ struct TextureImage {
     bool srgb = false;
     AlphaMeaning alpha = AlphaMeaning::None;
     std::vector<std::string> notes; ///< sentences: what was odd about the file and was survived
+    int componentBits = 8; ///< of the file's widest component, where that is more than the 8 that are kept
 
     [[nodiscard]] const Surface& surface(int face, int level) const {
         return surfaces[static_cast<std::size_t>(face) * static_cast<std::size_t>(levels) +

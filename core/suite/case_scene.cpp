@@ -162,10 +162,11 @@ std::string Fingerprints::of(const Plan& plan, const Case& each, std::string_vie
     const Settings& settings = plan.settingsOf(each);
     const fs::path& folder = plan.suiteOf(each).folder;
     const auto* reference = std::get_if<GoldenReference>(&settings.golden);
-    text.add(fmt::format("{} {}x{} {} {} {} {} {}", rowOf(each.renderer).name, each.size.width,
-                         each.size.height, each.time, rowOf(settings.criterion.metric).name,
-                         settings.criterion.tolerance, settings.criterion.share,
-                         reference ? reference->rule : ""));
+    const Criterion& criterion = settings.criterion;
+    text.add(fmt::format("{} {}x{} {} {} {} {} {} {} {}", rowOf(each.renderer).name, each.size.width,
+                         each.size.height, each.time, rowOf(criterion.metric).name, criterion.tolerance,
+                         criterion.share, criterion.compared == Compared::Rgb ? "rgb" : "rgba",
+                         criterion.pixelsPerDegree, reference ? reference->rule : ""));
     text.add(settings.mask.empty() ? "" : cache_->of(folder / settings.mask));
     for (const std::string& golden : goldensOf(plan, each, rendererString)) {
         text.add(golden);

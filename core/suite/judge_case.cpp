@@ -3,7 +3,6 @@
 #include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/percent.h"
-#include "core/codec/registry.h"
 #include "core/compare/comparison.h"
 #include "core/compare/heat_map.h"
 #include "core/conform/judge.h"
@@ -13,6 +12,7 @@
 #include "core/reference/draw.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/rule_choice.h"
+#include "core/suite/stored_picture.h"
 #include "core/suite/suite_folder.h"
 
 #include <fmt/core.h>
@@ -66,31 +66,38 @@ Result<Image> readPicture(const fs::path& folder, const std::string& name) {
     const Result<fs::path> path = pathInside(folder, name);
     if (!path)
         return fail(path.error());
-    const Result<Bytes> bytes = readFile(*path);
-    if (!bytes)
-        return fail(bytes.error());
-    const Result<Image> image = decodeImage(*bytes);
-    if (!image)
-        return fail(image.error().code == ErrorCode::NotFound ? ErrorCode::Malformed : image.error().code,
-                    image.error().message, path->string());
-    return rgba8(*image);
+    const Result<StoredPicture> picture = readStoredPicture(*path);
+    if (!picture)
+        return fail(picture.error());
+    return rgba8(picture->image);
 }
 
-/// None where a case has no mask.
+/// Whether the mask, Rgba8, hides the pixel whose first byte is there.
+bool isMasked(const Image& mask, std::size_t at) {
+    const bool isBlack = std::ranges::all_of(ByteView(mask.pixels).subspan(at, 3),
+                                             [](std::byte each) { return each == std::byte{0}; });
+    return isBlack || mask.pixels[at + 3] == std::byte{0};
+}
+
+/// None where a case has no mask. One that hides all would let any picture pass, and any become a golden.
 Result<std::optional<Image>> readMask(const fs::path& folder, const Settings& settings) {
     if (settings.mask.empty())
         return std::optional<Image>();
-    return readPicture(folder, settings.mask).map([](Image image) {
-        return std::optional<Image>(std::move(image));
-    });
+    Result<Image> mask = readPicture(folder, settings.mask);
+    if (!mask)
+        return fail(mask.error());
+    std::size_t at = 0;
+    while (at < mask->pixels.size() && isMasked(*mask, at))
+        at += 4;
+    if (at == mask->pixels.size())
+        return fail(ErrorCode::OutOfRange, "the mask leaves no pixel to compare", settings.mask);
+    return std::optional<Image>(*std::move(mask));
 }
 
 /// What doesn't count is as it was expected.
 void takeMasked(Image& actual, const Image& expected, const Image& mask) {
     for (std::size_t i = 0; i < actual.pixels.size(); i += 4) {
-        const bool isBlack = std::ranges::all_of(ByteView(mask.pixels).subspan(i, 3),
-                                                 [](std::byte each) { return each == std::byte{0}; });
-        if (isBlack || mask.pixels[i + 3] == std::byte{0})
+        if (isMasked(mask, i))
             std::ranges::copy(ByteView(expected.pixels).subspan(i, 4),
                               actual.pixels.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -250,6 +257,7 @@ JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, c
         JudgedCase judged = expected ? judgeStored(std::move(own), settings.criterion, *std::move(expected),
                                                    actual, mask ? &*mask : nullptr, threads)
                                      : problemOf(std::move(own), expected.error());
+        judged.goldenIsBroken = !expected && isNoPicture(expected.error());
         if (judged.record.state == State::Passed)
             return judged;
         if (!nearest || isNearer(judged, *nearest))

@@ -15,6 +15,7 @@ struct JudgedCase {
     std::optional<Image> expected;   ///< Rgba8, bottom row first, as all images; none: there is no golden, or
                                      ///< it can't be read
     std::optional<Image> difference; ///< where it failed and the sizes are the same: Rgba8, opaque
+    bool goldenIsBroken = false; ///< Error, for its golden is read and holds no picture: a new one mends it
 };
 
 /// How the reference filters where it is what a case is held against, and is best drawn where it is what is

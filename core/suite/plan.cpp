@@ -258,9 +258,27 @@ Result<void> keepWanted(Plan& plan, const std::vector<std::string>& only) {
     return fail(ErrorCode::NotFound, fmt::format("no case is called {}", globs));
 }
 
+/// An entry's own were looked at when it was read: the reference against itself always passes.
+Result<void> checkRenderers(const std::vector<Suite>& suites, const PlanOptions& options) {
+    if (std::ranges::find(options.renderers, RendererKind::Reference) == options.renderers.end())
+        return {};
+    for (const Suite& suite : suites) {
+        for (std::size_t i = 0; i < suite.entries.size(); ++i) {
+            if (std::holds_alternative<GoldenReference>(suite.entries[i].settings.golden))
+                return fail(ErrorCode::OutOfRange,
+                            "the renderer \"reference\" has no effect where it is the golden: it is held "
+                            "against itself",
+                            placeOfEntry(suite, i));
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 Result<Plan> planOf(std::vector<Suite> suites, const PlanOptions& options) {
+    if (const Result<void> renderers = checkRenderers(suites, options); !renderers)
+        return fail(renderers.error());
     const Result<std::vector<Row>> rows = rowsOf(suites, options);
     if (!rows)
         return fail(rows.error());

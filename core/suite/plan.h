@@ -45,7 +45,8 @@ struct PlanOptions {
 /// suites, each name begins with that of its suite. Scenes are read, for what "*" means in an axis. An entry
 /// whose scene can't be read has a case for each renderer, size and time, with the problem. Errors, with the
 /// suite and the JSON pointer in `where`: TooLarge, with both numbers, before any case is made; edits and
-/// axes that can't be; two cases of one name; NotFound where `only` fits no case.
+/// axes that can't be; the reference in `renderers` where it is the golden; two cases of one name; NotFound
+/// where `only` fits no case.
 [[nodiscard]] Result<Plan> planOf(std::vector<Suite> suites, const PlanOptions& options = {});
 
 /// 32 hex digits that are the same for the same cases, in whatever order: for records of one run.

@@ -88,7 +88,7 @@ struct Settings {
     std::vector<double> times{0}; ///< seconds
     std::vector<RendererKind> renderers{RendererKind::Fixed};
     Golden golden = GoldenFiles{{{"*", {"golden/{case}.png"}}}};
-    Criterion criterion{}; ///< "metric", "tolerance", "share": of stored pictures
+    Criterion criterion{}; ///< "metric", "tolerance", "share", "rgb", "pixelsPerDegree": of stored pictures
     std::string mask;      ///< a picture, relative to the folder, whose black pixels don't count; empty: none
     double seconds = 60;   ///< after which a case has hung
     bool operator==(const Settings&) const = default;

@@ -9,8 +9,9 @@ inline constexpr std::size_t maxListedFiles = 200'000;
 
 /// The suites of what `texshot test` is given: a suite's file; or every *.suite.json below a folder, in the
 /// order of their names, called by their paths ("ci/textures"); or, where there is none, one suite of every
-/// scene X.json that has its golden X.png beside it, drawn as large as that. Links to folders are not
-/// followed. Errors: those of readSuite; NotFound where a folder has neither; TooLarge.
+/// scene X.json, whose golden is X.png beside it: drawn as large as that, or, where it isn't there yet, as
+/// PictureSize has it. Other JSON is a scene if it has such a picture. Links to folders are not followed.
+/// Errors: those of readSuite; NotFound where a folder has neither; TooLarge.
 [[nodiscard]] Result<std::vector<Suite>> suitesAt(const std::filesystem::path& fileOrFolder);
 
 /// Whether a name is relative and stays in its folder as it is spelled: OutOfRange, with the name.

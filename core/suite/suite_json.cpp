@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::string_view pictureExtension = ".png";
 constexpr std::array<std::string_view, 3> placeholders{"case", "picture", "driver"};
+/// What a rule of the reference takes the place of.
+constexpr std::array boundKeys{"metric", "tolerance", "share", "rgb", "pixelsPerDegree"};
 
 template<Enumerated E>
 std::vector<std::string_view> namesOfRows() {
@@ -162,19 +164,43 @@ void readGolden(const Json& json, const std::string& where, Problem& problem, Go
     golden = std::move(files);
 }
 
-/// "rule" and what else is said of how alike two pictures have to be.
-void readBounds(JsonObject& object, Settings& settings) {
-    Criterion& criterion = settings.criterion;
+/// 0.001, or "0.1%", as --share has it.
+void readShare(JsonObject& object, double& share) {
+    const Json* value = object.find("share");
+    if (!value || !value->is_string())
+        return object.number("share", share, 0, 1);
+    const auto& text = value->get_ref<const std::string&>();
+    if (!text.ends_with('%'))
+        return refuseValue(object.problem(), object.placeOf("share"), "a number, or a text in percent",
+                           *value);
+    const Result<double> parsed = parseShare(text);
+    if (parsed)
+        share = *parsed;
+    else
+        object.say(parsed.error().code, "share", parsed.error().message);
+}
+
+/// "metric", "tolerance" and so on.
+void readCriterion(JsonObject& object, Criterion& criterion) {
     if (const Json* metric = object.find("metric")) {
-        const double share = criterion.share;
         Metric chosen = criterion.metric;
         readChoice(*metric, object.placeOf("metric"), object.problem(), chosen);
-        if (chosen != criterion.metric)
-            criterion = criterionOf(chosen); // a tolerance of before was in another unit
-        criterion.share = share;
+        if (chosen != criterion.metric) // a tolerance of before was in another unit
+            criterion.tolerance = criterionOf(chosen).tolerance;
+        criterion.metric = chosen;
     }
     object.number("tolerance", criterion.tolerance, 0, factsOf(criterion.metric).largest);
-    object.number("share", criterion.share, 0, 1);
+    readShare(object, criterion.share);
+    bool rgb = criterion.compared == Compared::Rgb;
+    object.flag("rgb", rgb);
+    criterion.compared = rgb ? Compared::Rgb : Compared::Rgba;
+    object.number("pixelsPerDegree", criterion.pixelsPerDegree, lowestPixelsPerDegree,
+                  highestPixelsPerDegree);
+}
+
+/// "rule" and what else is said of how alike two pictures have to be.
+void readBounds(JsonObject& object, Settings& settings) {
+    readCriterion(object, settings.criterion);
     const Json* rule = object.find("rule");
     if (!rule)
         return;
@@ -262,6 +288,23 @@ void readAxis(const Json& json, const std::string& where, Problem& problem, std:
     axis = text;
 }
 
+/// What an entry says itself and what can't change its outcome: who wrote it believes that it does.
+void refuseWithoutEffect(JsonObject& object, const Settings& settings) {
+    const auto* reference = std::get_if<GoldenReference>(&settings.golden);
+    if (reference &&
+        std::ranges::find(settings.renderers, RendererKind::Reference) != settings.renderers.end())
+        return object.say(ErrorCode::Malformed, "",
+                          "\"golden\": \"reference\" has no effect with \"renderer\": \"reference\": it is "
+                          "held against itself");
+    for (const char* key : boundKeys) {
+        if (reference && reference->rule != "none" && object.find(key))
+            return object.say(ErrorCode::Malformed, key,
+                              "has no effect: the rule decides; \"rule\": \"none\" takes it");
+    }
+    if (object.find("pixelsPerDegree") && settings.criterion.metric != Metric::Flip)
+        object.say(ErrorCode::Malformed, "pixelsPerDegree", "has no effect: it is for \"metric\": \"flip\"");
+}
+
 void readEntry(const Json& json, const std::string& where, Problem& problem, Entry& entry) {
     JsonObject object(json, where, problem);
     object.text("name", entry.name, maxSuiteTextBytes);
@@ -271,6 +314,20 @@ void readEntry(const Json& json, const std::string& where, Problem& problem, Ent
     });
     readSeveral(object, "axis", maxAxes, entry.axes, readAxis);
     readSettings(object, entry.settings);
+    refuseWithoutEffect(object, entry.settings);
+}
+
+/// The same of what the defaults say, where no entry takes it.
+void refuseDefaultsWithoutEffect(const Json& defaults, const std::vector<Entry>& entries, Problem& problem) {
+    const bool rulesDecide = std::ranges::all_of(entries, [](const Entry& each) {
+        const auto* reference = std::get_if<GoldenReference>(&each.settings.golden);
+        return reference && reference->rule != "none";
+    });
+    for (const char* key : boundKeys) {
+        if (rulesDecide && defaults.contains(key))
+            refuseAt(problem, fmt::format("/defaults/{}", key), ErrorCode::Malformed,
+                     "has no effect: a rule decides of every case; \"rule\": \"none\" takes it");
+    }
 }
 
 } // namespace
@@ -302,6 +359,10 @@ Result<Suite> parseSuite(std::string_view text) {
             entry.settings = defaults;
             readEntry(each, where, problem, entry);
         });
+        const Json* settings =
+            json->is_object() && json->contains("defaults") ? &(*json)["defaults"] : nullptr;
+        if (settings && settings->is_object())
+            refuseDefaultsWithoutEffect(*settings, suite.entries, problem);
     }
     if (problem)
         return fail(*problem);

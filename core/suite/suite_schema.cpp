@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace texplorer::suite {
 namespace {
 
@@ -52,9 +54,91 @@ OrderedJson described(OrderedJson schema, std::string_view description) {
     return schema;
 }
 
-constexpr const char* insideFolder = R"(^(?!/)(?!(?:.*/)?\.\.(?:/|$))[^\\]+$)";
+constexpr const char* insideFolder = R"(^(?!/)(?!(?:.*/)?\.\.(?:/|$))[^\\\x00-\x1f]+$)";
 constexpr const char* goldenPattern =
-    R"(^(?!/)(?!(?:.*/)?\.\.(?:/|$))(?:[^\\{]|\{case\}|\{picture\}|\{driver\})+\.png$)";
+    R"(^(?!/)(?!(?:.*/)?\.\.(?:/|$))(?:[^\\{\x00-\x1f]|\{case\}|\{picture\}|\{driver\})+\.png$)";
+constexpr const char* sharePattern = R"(^0*(?:100(?:\.0+)?|[0-9]{1,2}(?:\.[0-9]+)?)%$)";
+
+/// "1x1" to "16384x16384", however many zeros stand before a number.
+std::string sizePattern() {
+    static_assert(maxPictureSize == 16384);
+    const std::string extent = "0*(?:[1-9][0-9]{0,3}|1[0-5][0-9]{3}|16[0-2][0-9]{2}|163[0-7][0-9]|1638[0-4])";
+    return "^" + extent + "x" + extent + "$";
+}
+
+/// A member that is this word.
+OrderedJson isThis(const char* key, std::string_view word) {
+    return {{"properties", {{key, {{"const", word}}}}}, {"required", {key}}};
+}
+
+OrderedJson hasKey(const char* key) {
+    return {{"required", {key}}};
+}
+
+OrderedJson notThis(OrderedJson schema) {
+    return {{"not", std::move(schema)}};
+}
+
+OrderedJson ifThen(OrderedJson condition, OrderedJson then) {
+    return {{"if", std::move(condition)}, {"then", std::move(then)}};
+}
+
+OrderedJson toleranceUpTo(double largest) {
+    return {{"properties", {{"tolerance", {{"maximum", largest}}}}}};
+}
+
+/// What settings say that holds of a metric, a rule or a golden that stands beside it.
+OrderedJson settingsRules() {
+    OrderedJson rules = OrderedJson::array();
+    for (const EnumRow& each : EnumTable<Metric>::rows)
+        rules.push_back(ifThen(isThis("metric", each.name),
+                               toleranceUpTo(factsOf(static_cast<Metric>(each.value)).largest)));
+    rules.push_back(ifThen({{"required", {"rule", "golden"}}}, isThis("golden", "reference")));
+    return rules;
+}
+
+/// What the reference as golden leaves without effect.
+OrderedJson entryRules() {
+    OrderedJson rules = settingsRules();
+    OrderedJson bounds = OrderedJson::array();
+    for (const char* key : {"metric", "tolerance", "share", "rgb", "pixelsPerDegree"})
+        bounds.push_back(hasKey(key));
+    const OrderedJson takesNone = notThis(isThis("rule", "none"));
+    rules.push_back(
+        ifThen({{"allOf", {isThis("golden", "reference"), takesNone}}}, notThis({{"anyOf", bounds}})));
+    const OrderedJson isReference{{"const", "reference"}};
+    const OrderedJson drawsIt{
+        {"properties",
+         {{"renderer", {{"anyOf", {isReference, {{"contains", isReference}, {"type", "array"}}}}}}}},
+        {"required", {"renderer"}}};
+    rules.push_back(ifThen(isThis("golden", "reference"), notThis(drawsIt)));
+    return rules;
+}
+
+OrderedJson ofEachCase(OrderedJson schema) {
+    return {{"properties", {{"cases", {{"items", std::move(schema)}}}}}};
+}
+
+OrderedJson ofDefaults(OrderedJson schema) {
+    return {{"properties", {{"defaults", std::move(schema)}}}, {"required", {"defaults"}}};
+}
+
+/// What an entry takes over from the defaults decides as if it said it itself.
+OrderedJson suiteRules() {
+    OrderedJson rules = OrderedJson::array();
+    for (const EnumRow& each : EnumTable<Metric>::rows) {
+        const auto metric = static_cast<Metric>(each.value);
+        const OrderedJson said = ofDefaults(isThis("metric", each.name));
+        const OrderedJson unsaid = notThis(ofDefaults(hasKey("metric")));
+        rules.push_back(
+            ifThen(metric == Criterion{}.metric ? OrderedJson{{"anyOf", {said, unsaid}}} : said,
+                   ofEachCase(ifThen(notThis(hasKey("metric")), toleranceUpTo(factsOf(metric).largest)))));
+    }
+    const OrderedJson ownReference = ifThen(hasKey("rule"), isThis("golden", "reference"));
+    rules.push_back(ifThen(notThis(ofDefaults(isThis("golden", "reference"))),
+                           {{"allOf", {ofEachCase(ownReference), notThis(ofDefaults(hasKey("rule")))}}}));
+    return rules;
+}
 
 OrderedJson goldenSchema() {
     const OrderedJson one = textSchema(goldenPattern);
@@ -76,7 +160,10 @@ OrderedJson settingsProperties() {
     OrderedJson rules = OrderedJson::array();
     for (const std::string_view name : ruleNames())
         rules.push_back(name);
-    const OrderedJson size = textSchema("^[1-9][0-9]{0,4}x[1-9][0-9]{0,4}$");
+    const OrderedJson size = textSchema(sizePattern().c_str());
+    double largest = 0;
+    for (const EnumRow& each : EnumTable<Metric>::rows)
+        largest = std::max(largest, factsOf(static_cast<Metric>(each.value)).largest);
     return {
         {"size", oneOrMore(size, maxScenes, "\"512x512\": width and height in pixels")},
         {"time", oneOrMore(numberSchema(0, 1e6), maxScenes, "seconds of the scene's own time")},
@@ -89,9 +176,16 @@ OrderedJson settingsProperties() {
              "Of the reference as golden: how far a driver may be from it, as texshot conform lists the "
              "rules; \"auto\" finds the one for the scene, \"none\" takes tolerance and share.")},
         {"metric", described(choicesOf<Metric>(), "in what a pixel's difference is measured")},
-        {"tolerance", described(numberSchema(0, 255), "what a pixel may differ by, in the metric's unit")},
-        {"share", described(numberSchema(0, 1), "how many of the pixels may differ by more")},
-        {"mask", described(textSchema(), "a picture whose black pixels don't count")},
+        {"tolerance",
+         described(numberSchema(0, largest), "what a pixel may differ by, in the metric's unit")},
+        {"share", described(OrderedJson{{"anyOf", {numberSchema(0, 1), textSchema(sharePattern)}}},
+                            "how many of the pixels may differ by more: 0.001, or \"0.1%\"")},
+        {"rgb", described(OrderedJson{{"type", "boolean"}}, "leaves alpha out")},
+        {"pixelsPerDegree",
+         described(numberSchema(lowestPixelsPerDegree, highestPixelsPerDegree),
+                   "of flip: how many pixels lie in a degree of the viewer's field of view")},
+        {"mask", described(OrderedJson{{"anyOf", {OrderedJson{{"const", ""}}, textSchema(insideFolder)}}},
+                           "a picture whose black pixels don't count; empty: none")},
         {"seconds", described(numberSchema(0.001, maxCaseSeconds), "after which a case has hung")},
     };
 }
@@ -120,22 +214,26 @@ OrderedJson entrySchema() {
                            "PATH=VALUES: a case for each value, and of several axes for each combination")},
     };
     properties.update(settingsProperties());
-    return strictObject(std::move(properties), OrderedJson::array());
+    OrderedJson schema = strictObject(std::move(properties), OrderedJson::array());
+    schema["allOf"] = entryRules();
+    return schema;
 }
 
 } // namespace
 
 std::string suiteSchema() {
+    OrderedJson defaults = strictObject(settingsProperties(), OrderedJson::array());
+    defaults["allOf"] = settingsRules();
     OrderedJson properties{
         {"$schema", {{"type", "string"}}},
         {"suite", described(wholeSchema(1, suiteFormatVersion), "the version of the format")},
         {"name", described(textSchema(), "what reports call it; without it, the file's name")},
         {"about", textSchema()},
-        {"defaults", described(strictObject(settingsProperties(), OrderedJson::array()),
-                               "what holds for every entry that doesn't say otherwise")},
+        {"defaults", described(std::move(defaults), "what holds for every entry that doesn't say otherwise")},
         {"cases", {{"type", "array"}, {"items", entrySchema()}, {"minItems", 1}, {"maxItems", maxEntries}}},
     };
     OrderedJson schema = strictObject(std::move(properties), {"suite", "cases"});
+    schema["allOf"] = suiteRules();
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
     schema["$id"] = "file:///usr/share/texplorer/suite.schema.json"; // where the Debian package installs it
     schema["title"] = "A suite of pictures for texshot test";

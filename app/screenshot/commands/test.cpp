@@ -328,7 +328,7 @@ void declarePictures(Command& command, TestOptions& options) {
 void declareChoice(Command& command, TestOptions& options) {
     const Option& update =
         command.flag("--update", options.update,
-                     "Write the goldens that are missing or different. Others stay as they "
+                     "Write the goldens that are missing, different or no pictures. Others stay as they "
                      "are, and nothing is written outside of the suite's folder.");
     command.option(
         "--accept", options.accepted,
@@ -400,8 +400,8 @@ void addTest(CommandLine& line) {
     auto options = std::make_shared<TestOptions>();
     command.option(
         "SUITE", options->suites,
-        "A suite's file; a folder of suites, *.suite.json, or of scenes X.json with their pictures "
-        "X.png beside them. With --pictures: the pictures' folder, and that of their goldens.",
+        "A suite's file; a folder of suites, *.suite.json, or, where there is none, of scenes X.json, each held "
+        "against X.png beside it: one without a picture is new, 512x512. With --pictures: the pictures' folder, and that of their goldens.",
         {.required = true});
     declarePictures(command, *options);
     declareChoice(command, *options);

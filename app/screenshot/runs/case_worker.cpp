@@ -250,7 +250,7 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
     if (record.state == State::Failed && record.worst)
         record.explanation +=
             explanationOf(of, scene, *record.worst, actual, isSeenOpaque(plan_->settingsOf(of)));
-    if (order.update && isUpdatable(record)) {
+    if (order.update && isUpdatable(judged)) {
         // The nearest of several, which it was held against; of none that is there, the first.
         if (const std::string golden = record.golden; !golden.empty())
             return writeGolden(plan_->suiteOf(of).folder, golden, actual, std::move(record));

@@ -18,7 +18,8 @@ Result<void> placeGolden(const fs::path& folder, const std::string& golden, Byte
     if (!path)
         return fail(path.error());
     std::error_code error;
-    fs::create_directories(path->parent_path(), error);
+    if (path->has_parent_path()) // a suite that is named without a folder lies in the current one
+        fs::create_directories(path->parent_path(), error);
     if (error)
         return fail(ErrorCode::Unwritable, "the folder can't be made: " + error.message(),
                     path->parent_path().string());
@@ -27,10 +28,11 @@ Result<void> placeGolden(const fs::path& folder, const std::string& golden, Byte
 
 } // namespace
 
-bool isUpdatable(const suite::CaseRecord& record) {
+bool isUpdatable(const suite::JudgedCase& judged) {
+    const suite::CaseRecord& record = judged.record;
     const bool differs = record.state == State::Failed || record.state == State::New ||
                          record.state == State::Resized || record.state == State::Extra;
-    return differs && record.golden != "reference";
+    return (differs || judged.goldenIsBroken) && record.golden != "reference";
 }
 
 WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, ByteView png,

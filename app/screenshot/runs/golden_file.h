@@ -3,15 +3,15 @@
 // Goldens that a run writes.
 
 #include "app/screenshot/runs/work_order.h"
-#include "core/image/image.h"
+#include "core/suite/judge_case.h"
 
 #include <filesystem>
 
 namespace texplorer::screenshot {
 
-/// Whether a new golden would make the case pass: it differs, or there is none yet, and it is a stored
-/// picture.
-[[nodiscard]] bool isUpdatable(const suite::CaseRecord& record);
+/// Whether a new golden would make the case pass: it differs, holds no picture, or there is none yet, and it
+/// is a stored one.
+[[nodiscard]] bool isUpdatable(const suite::JudgedCase& judged);
 
 /// Puts the picture in the golden's place, within the suite's folder, as a whole; then the case has passed.
 /// Where that can't be done, it is in error.

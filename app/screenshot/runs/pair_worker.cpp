@@ -2,11 +2,9 @@
 
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/golden_file.h"
-#include "core/base/file_io.h"
-#include "core/codec/png/png.h"
-#include "core/codec/registry.h"
 #include "core/suite/case_name.h"
 #include "core/suite/judge_case.h"
+#include "core/suite/stored_picture.h"
 #include "core/suite/suite_folder.h"
 
 #include <fmt/core.h>
@@ -19,21 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using suite::CaseRecord;
 using suite::State;
-
-struct PictureFile {
-    Bytes bytes;
-    Image image;
-};
-
-Result<PictureFile> readPictureFile(const fs::path& path) {
-    Result<Bytes> bytes = readFile(path);
-    if (!bytes)
-        return fail(bytes.error());
-    Result<Image> image = decodeImage(*bytes);
-    if (!image)
-        return fail(image.error().code, describe(image.error()), path.string());
-    return PictureFile{*std::move(bytes), *std::move(image)};
-}
+using suite::StoredPicture;
 
 WorkAnswer problemOf(const WorkOrder& order, const Error& error) {
     return {.record = CaseRecord{.name = order.name, .state = State::Error, .sentence = describe(error)}};
@@ -53,8 +37,9 @@ WorkAnswer answerWithPictures(const WorkOrder& order, CaseRecord record, const C
 } // namespace
 
 WorkAnswer comparePair(const WorkOrder& order) {
-    std::optional<PictureFile> expected;
-    std::optional<PictureFile> actual;
+    std::optional<StoredPicture> expected;
+    std::optional<StoredPicture> actual;
+    std::optional<Error> broken; // the golden is read, and holds no picture
     for (const bool isGolden : {true, false}) {
         if (!(isGolden ? order.hasGolden : order.hasActual))
             continue;
@@ -62,15 +47,22 @@ WorkAnswer comparePair(const WorkOrder& order) {
         const Result<fs::path> path = suite::pathInside(folder, order.name);
         if (!path)
             return problemOf(order, path.error());
-        Result<PictureFile> read = readPictureFile(*path);
-        if (!read)
+        Result<StoredPicture> read = suite::readStoredPicture(*path);
+        if (!read && isGolden && order.update && order.hasActual && suite::isNoPicture(read.error()))
+            broken = read.error();
+        else if (!read)
             return problemOf(order, read.error());
-        (isGolden ? expected : actual) = *std::move(read);
+        else
+            (isGolden ? expected : actual) = *std::move(read);
     }
     CaseRecord record{.name = order.name, .state = State::Missing, .golden = order.name};
     if (!actual) {
         record.sentence = "there is a golden, and no picture";
         return answerWithPictures(order, std::move(record), {.expected = &expected->image});
+    }
+    if (broken) {
+        record.state = State::Error;
+        return writeGolden(order.setup.golden, order.name, ByteView(actual->bytes), std::move(record));
     }
     if (!expected) {
         record.state = State::Extra;
@@ -82,7 +74,7 @@ WorkAnswer comparePair(const WorkOrder& order) {
     }
     std::optional<Image> mask;
     if (!order.setup.mask.empty()) {
-        Result<PictureFile> read = readPictureFile(order.setup.mask);
+        Result<StoredPicture> read = suite::readStoredPicture(order.setup.mask);
         if (!read)
             return problemOf(order, read.error());
         mask = std::move(read->image);
@@ -92,7 +84,7 @@ WorkAnswer comparePair(const WorkOrder& order) {
                              mask ? &*mask : nullptr, order.setup.threads);
     if (judged.record.state == State::Passed)
         return {.record = judged.record};
-    if (order.update && isUpdatable(judged.record))
+    if (order.update && isUpdatable(judged))
         return writeGolden(order.setup.golden, order.name, ByteView(actual->bytes), judged.record);
     return answerWithPictures(order, judged.record,
                               {.expected = &expected->image,

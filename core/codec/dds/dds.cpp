@@ -92,6 +92,8 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
         texture.fileTopFirst = true;
         texture.srgb = layout->format.srgb;
         texture.alpha = layout->format.alpha;
+        if (const MaskedPixels* masked = std::get_if<MaskedPixels>(&layout->format.pixels))
+            texture.componentBits = std::max(texture.componentBits, masked->widest());
         for (int face = 0; face < texture.faces; ++face)
             for (int level = 0; level < texture.levels; ++level)
                 texture.surfaces.push_back(limits.pixels

@@ -17,6 +17,12 @@ struct MaskedPixels {
     PixelFormat decoded = PixelFormat::Rgba8;
 
     [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(bits) / 8; }
+    [[nodiscard]] int widest() const { ///< bits of a channel
+        int most = 0;
+        for (const std::uint32_t mask : masks)
+            most = std::max(most, std::popcount(mask));
+        return most;
+    }
     bool operator==(const MaskedPixels&) const = default;
 };
 

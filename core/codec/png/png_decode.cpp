@@ -233,6 +233,7 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     TextureImage texture = textureOf(std::move(image), "PNG");
     texture.srgb = png_get_valid(decoder.png, decoder.info, PNG_INFO_sRGB) != 0;
     texture.notes = std::move(decoder.notes);
+    texture.componentBits = std::max<int>(texture.componentBits, found.header.depth);
     if (found.animated)
         texture.notes.emplace_back("the file is an animation; its first picture is read");
     if (found.end != 0 && found.end < file.size())

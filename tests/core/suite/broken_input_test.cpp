@@ -19,7 +19,7 @@ constexpr std::string_view sampleSuite = R"({
   "cases": [
     {"scene": {"lesson": "wrap", "step": 3}, "axis": ["textures[0].wrapS=*", "textures[0].lodBias=0..2/3"]},
     {"name": "n", "scene": [{"example": "checker"}, "a.json"], "set": ["preset:seam", "view.azimuth=3"],
-     "time": [0, 1.5], "renderer": "reference", "rule": "none", "metric": "ssim", "tolerance": 0.25, "share": 0.125},
+     "time": [0, 1.5], "renderer": "fixed", "rule": "none", "metric": "ssim", "tolerance": 0.25, "share": 0.125},
     {"scene": {"inline": {"version": 1, "view": {"distance": 3}}}, "mask": "m.png", "seconds": 1,
      "golden": {"*": ["g/{case}.png", "g/{picture}@{driver}.png"], "llvmpipe*": "b.png"}}
   ]})";

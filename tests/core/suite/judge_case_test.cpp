@@ -260,5 +260,36 @@ TEST_F(JudgeCase, WithoutASceneThereIsARecordAtOnce) {
     EXPECT_THAT(record->sentence, HasSubstr("absent.json"));
 }
 
+TEST_F(JudgeCase, AMaskThatHidesEverythingIsAnErrorWhateverTheGolden) {
+    writePng(folder_ / "mask.png", plain(4, 4, {0, 0, 0, 255}));
+    for (const char* golden : {R"("reference")", R"("a.png")", R"("reference", "rule": "none")"}) {
+        plan(fmt::format(R"({{"size": "4x4", "mask": "mask.png", "golden": {}}})", golden));
+        const JudgedCase judged = this->judged(plain(4, 4, red));
+        EXPECT_EQ(judged.record.state, State::Error) << golden; // of a.png, which isn't there: nothing is new
+        EXPECT_THAT(judged.record.sentence, HasSubstr("the mask leaves no pixel to compare")) << golden;
+        EXPECT_FALSE(judged.goldenIsBroken);
+    }
+}
+
+TEST_F(JudgeCase, AGoldenThatHoldsNoPictureIsBroken) {
+    plan(R"({"size": "2x2", "golden": "a.png"})");
+    const std::filesystem::path golden = folder_ / "a.png";
+    ASSERT_TRUE(
+        writeFileAtomically(golden, viewBytes("version https://git-lfs.github.com/spec/v1\noid sha256:0\n")));
+    JudgedCase judged = this->judged(plain(2, 2, red));
+    EXPECT_EQ(judged.record.state, State::Error);
+    EXPECT_THAT(judged.record.sentence, HasSubstr("found a Git LFS pointer"));
+    EXPECT_TRUE(judged.goldenIsBroken);
+    EXPECT_EQ(judged.record.golden, "a.png");
+    ASSERT_TRUE(writeFileAtomically(golden, viewBytes("hello")));
+    EXPECT_TRUE(this->judged(plain(2, 2, red)).goldenIsBroken);
+
+    std::filesystem::remove(golden); // it can't be read: what it holds isn't known
+    std::filesystem::create_directory(golden);
+    judged = this->judged(plain(2, 2, red));
+    EXPECT_EQ(judged.record.state, State::Error);
+    EXPECT_FALSE(judged.goldenIsBroken);
+}
+
 } // namespace
 } // namespace texplorer::suite::judge_case_test

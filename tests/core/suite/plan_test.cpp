@@ -64,6 +64,14 @@ TEST(Plan, NamesComeFromScenes) {
                             "both/inline/fixed@1x1", "both/marble/fixed@1x1"));
 }
 
+TEST(Plan, TheReferenceIsNotHeldAgainstItself) {
+    const Result<Plan> plan =
+        planOf({suiteOf(R"({"golden": "reference"})")}, {.renderers = {RendererKind::Reference}});
+    ASSERT_FALSE(plan);
+    EXPECT_THAT(describe(plan.error()), testing::HasSubstr("it is held against itself"));
+    EXPECT_TRUE(planOf({suiteOf("{}")}, {.renderers = {RendererKind::Reference}}));
+}
+
 TEST(Plan, SeveralSuitesStandBeforeTheNamesOfTheirCases) {
     Suite second = suiteOf("{}");
     second.name = "sub/t";

@@ -35,13 +35,27 @@ TEST(SuiteFolder, HasEverySuiteBelowIt) {
     EXPECT_EQ((*suites)[1].folder, folder / "sub");
 }
 
+TEST(SuiteFolder, ASceneThatLostItsPictureIsNew) {
+    const test::TempDir folder;
+    write(folder / "alone.json", R"({"version": 1})");
+    write(folder / "package.json", R"({"name": "x", "version": "1.0.0"})");
+    write(folder / "half.json", R"({"version": 1)");
+    const Result<std::vector<Suite>> suites = suitesAt(folder.path());
+    ASSERT_TRUE(suites) << describe(suites.error());
+    const std::vector<Entry>& entries = suites->front().entries;
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].name, "alone");
+    EXPECT_THAT(entries[0].settings.sizes, ElementsAre(PictureSize{512, 512}));
+    EXPECT_EQ(entries[0].settings.golden, (Golden{GoldenFiles{{{"*", {"alone.png"}}}}}));
+}
+
 TEST(SuiteFolder, WithoutASuiteIsOneOfScenesAndTheirPictures) {
     const test::TempDir folder;
     write(folder / "x.json", "{}");
     write(folder / "x.png", pngStart);
     write(folder / "sub/y.json", "{}");
     write(folder / "sub/y.png", "no PNG");
-    write(folder / "alone.json", "{}");
+    write(folder / "package.json", R"({"name": "no scene"})");
     write(folder / "alone-too.png", pngStart);
     const Result<std::vector<Suite>> suites = suitesAt(folder.path());
     ASSERT_TRUE(suites) << describe(suites.error());

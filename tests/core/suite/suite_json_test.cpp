@@ -23,7 +23,7 @@ TEST(SuiteJson, IsReadAsItIsWritten) {
         "cases": [
             {"scene": "scenes/bricks.json", "set": "textures[0].wrapS=GL_CLAMP", "axis": ["a=*", "b=1,2"]},
             {"name": "n", "scene": [{"lesson": "wrap", "step": 3, "answer": 2}, {"example": "checker"}, "a.json"],
-             "set": ["preset:seam", "x=a=b"], "size": ["1x1", "2x2"], "time": [0, 1.5], "renderer": "reference",
+             "set": ["preset:seam", "x=a=b"], "size": ["1x1", "2x2"], "time": [0, 1.5], "renderer": "shader",
              "rule": "level-blend", "mask": "m.png"},
             {"scene": {"inline": {"version": 1}}, "golden": ["g/{case}.png", "g/{case}@{driver}.png"],
              "metric": "ssim", "tolerance": 0.25, "share": 0.125},
@@ -49,7 +49,7 @@ TEST(SuiteJson, IsReadAsItIsWritten) {
                             SceneSource{SceneExample{"checker"}}, SceneSource{SceneFile{"a.json"}}));
     EXPECT_THAT(second.edits, ElementsAre(lesson::Edit{"", "seam"}, lesson::Edit{"x", "a=b"}));
     EXPECT_THAT(second.settings.times, ElementsAre(0, 1.5));
-    EXPECT_THAT(second.settings.renderers, ElementsAre(RendererKind::Reference));
+    EXPECT_THAT(second.settings.renderers, ElementsAre(RendererKind::Shader));
     EXPECT_EQ(second.settings.golden, Golden{GoldenReference{"level-blend"}});
     EXPECT_EQ(second.settings.mask, "m.png");
 
@@ -98,6 +98,20 @@ TEST(SuiteJson, WhatIsWrongIsSaidWithItsPlace) {
         Wrong{suiteOf(R"({"renderer": "shaders"})"), "/cases/0/renderer", "did you mean \"shader\"?"},
         Wrong{suiteOf(R"({"metric": "ssimm"})"), "/cases/0/metric", "did you mean \"ssim\"?"},
         Wrong{suiteOf(R"({"tolerance": 256})"), "/cases/0/tolerance", "a number from 0 to 255, found 256"},
+        Wrong{suiteOf(R"({"golden": "reference", "renderer": ["fixed", "reference"]})"), "/cases/0",
+              "it is held against itself"},
+        Wrong{suiteOf(R"({"golden": "reference", "tolerance": 2})"), "/cases/0/tolerance",
+              "has no effect: the rule decides"},
+        Wrong{suiteOf(R"({"metric": "ssim"})", R"(, "defaults": {"golden": "reference"})"), "/cases/0/metric",
+              "has no effect: the rule decides"},
+        Wrong{suiteOf("{}", R"(, "defaults": {"golden": "reference", "tolerance": 2})"),
+              "/defaults/tolerance", "has no effect: a rule decides"},
+        Wrong{suiteOf(R"({"pixelsPerDegree": 60})"), "/cases/0/pixelsPerDegree", "has no effect: it is for"},
+        Wrong{suiteOf(R"({"metric": "flip", "pixelsPerDegree": 513})"), "/cases/0/pixelsPerDegree",
+              "a number from 1 to 512"},
+        Wrong{suiteOf(R"({"share": "101%"})"), "/cases/0/share", "0% to 100%, found \"101%\""},
+        Wrong{suiteOf(R"({"share": "0.1"})"), "/cases/0/share", "in percent"},
+        Wrong{suiteOf(R"({"rgb": 1})"), "/cases/0/rgb", "true or false"},
         Wrong{suiteOf(R"({"share": 1.5})"), "/cases/0/share", "a number from 0 to 1"},
         Wrong{suiteOf(R"({"rule": "exact"})"), "/cases/0/rule", "a rule is for"},
         Wrong{suiteOf(R"({"golden": "reference", "rule": "exakt"})"), "/cases/0/rule",
@@ -121,6 +135,22 @@ TEST(SuiteJson, WhatIsWrongIsSaidWithItsPlace) {
         EXPECT_EQ(suite.error().where, each.where) << each.text;
         EXPECT_THAT(suite.error().message, HasSubstr(each.message)) << each.text;
     }
+}
+
+TEST(SuiteJson, WhatTheCommandLineTakesIsTaken) {
+    const Result<Suite> suite = parseSuite(suiteOf(
+        R"({"metric": "flip", "share": "0.1%", "rgb": true, "pixelsPerDegree": 30}, {"metric": "ssim"})",
+        R"(, "defaults": {"rgb": true, "share": "50%", "tolerance": 9})"));
+    ASSERT_TRUE(suite) << describe(suite.error());
+    const Criterion& first = suite->entries[0].settings.criterion;
+    EXPECT_EQ(first.metric, Metric::Flip);
+    EXPECT_DOUBLE_EQ(first.share, 0.001);
+    EXPECT_EQ(first.compared, Compared::Rgb);
+    EXPECT_EQ(first.pixelsPerDegree, 30);
+    EXPECT_EQ(first.tolerance, criterionOf(Metric::Flip).tolerance) << "9 was in another unit";
+    const Criterion& second = suite->entries[1].settings.criterion;
+    EXPECT_EQ(second.compared, Compared::Rgb);
+    EXPECT_EQ(second.share, 0.5);
 }
 
 TEST(SuiteJson, TooMuchIsRefusedBeforeItIsRead) {

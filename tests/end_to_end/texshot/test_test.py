@@ -338,7 +338,7 @@ class Test(Suites):
         self.assertGreater(hit, 0)
 
     def test_a_worker_that_is_stopped_hangs(self):
-        suite = self.suite([{"name": "slow", "golden": "reference", "renderer": "reference", "size": "3000x3000",
+        suite = self.suite([{"name": "slow", "golden": "slow.png", "renderer": "reference", "size": "3000x3000",
                              "set": "textures[0].maxAnisotropy=16"}], seconds=600)
         run = self.begun(suite, "-j", 1, "--timeout", 2, "--json", "-")
         for child in self.workers_of(run):
@@ -568,6 +568,80 @@ class Test(Suites):
                             {"name": "fine", "golden": "reference"}])
         self.assertEqual(self.states(suite, code=2), {"scene": "missing-scene", "image": "error", "fine": "passed"})
 
+    def test_a_scene_whose_picture_got_lost_is_new(self):
+        folder = self.path / "scenes"
+        folder.mkdir()
+        for name in ("a", "b"):
+            (folder / f"{name}.json").write_text(json.dumps({"version": 1}))
+        (folder / "package.json").write_text(json.dumps({"name": "x", "version": "1.0.0"}))
+        self.assertEqual(self.states(folder, code=1), {"a": "new", "b": "new"})
+        self.passes(folder, "--update")
+        self.assertEqual(Image.open(folder / "b.png").size, (512, 512))
+        self.assertEqual(self.passes(folder), "2 cases: 2 passed\n")
+        (folder / "a.png").unlink()
+        self.assertEqual(self.states(folder, code=1), {"a": "new", "b": "passed"})
+
+    def test_a_golden_that_is_no_picture_is_written_anew(self):
+        suite = self.suite(self.backgrounds("grey", "dark"), golden="{case}.png")
+        self.passes(suite, "--update")
+        (golden,) = self.path.glob("grey*.png")
+        right = golden.read_bytes()
+        pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:" + b"0" * 64 + b"\nsize 12345\n"
+        for broken in (pointer, right[:60], b""):
+            with self.subTest(broken[:7]):
+                golden.write_bytes(broken)
+                case = self.record(suite, code=2)["grey"]
+                self.assertEqual(case["state"], "error")
+                self.assertEqual("Git LFS pointer" in case["sentence"], broken == pointer, case["sentence"])
+                self.passes(suite, "--update")
+                self.assertEqual(golden.read_bytes(), right)
+        golden.write_bytes(pointer)
+        (self.path / "accept.txt").write_text("grey/fixed@24x16\n")
+        self.passes(suite, "--accept", self.path / "accept.txt")
+        self.assertEqual(golden.read_bytes(), right)
+        golden.unlink()
+        golden.mkdir()  # it can't be read, whoever runs this
+        self.assertEqual(self.record(suite, "--update", code=2)["grey"]["state"], "error")
+
+    def test_a_suite_that_is_named_without_its_folder_has_goldens_beside_it(self):
+        self.suite(self.backgrounds("grey"), "o.suite.json", golden="one.png")
+        self.passes("o.suite.json", "--update", cwd=self.path)
+        self.assertTrue((self.path / "one.png").is_file())
+        self.passes("o.suite.json", cwd=self.path)
+
+    def test_a_mask_that_hides_everything_lets_nothing_pass(self):
+        Image.new("L", (24, 16), 0).save(self.path / "mask.png")
+        suite = self.suite([*self.backgrounds("grey", golden="reference"), *self.backgrounds("dark", golden="dark.png")],
+                           mask="mask.png")
+        for arguments in ((), ("--update",)):
+            for case in self.record(suite, *arguments, code=2).values():
+                self.assertIn("the mask leaves no pixel to compare", case["sentence"])
+        self.assertFalse((self.path / "dark.png").exists())
+
+    def test_what_passes_always_is_refused(self):
+        suite = self.suite(self.backgrounds("grey"), golden="reference", renderer="reference")
+        self.complains(2, "/cases/0: \"golden\": \"reference\" has no effect", "test", suite)
+        suite = self.suite(self.backgrounds("grey"), golden="reference")
+        self.complains(2, "it is held against itself", "test", suite, "--renderer", "reference")
+        suite = self.suite(self.backgrounds("grey", tolerance=2), golden="reference")
+        self.complains(2, "/cases/0/tolerance: has no effect: the rule decides", "test", suite)
+
+    def test_alpha_may_be_left_out(self):
+        suite = self.suite([{"name": "a", "golden": "a.png", "set": "view.background=0.2,0.2,0.2,1"}])
+        self.passes(suite, "--update")
+        golden = Image.open(self.path / "a.png").convert("RGBA")
+        golden.putalpha(77)
+        golden.save(self.path / "a.png")
+        self.assertEqual(self.states(suite, code=1), {"a": "failed"})
+        suite = self.suite([{"name": "a", "golden": "a.png", "set": "view.background=0.2,0.2,0.2,1", "rgb": True}])
+        self.passes(suite)
+        golden.putpixel((1, 1), (255, 0, 0, 77))  # one of 384: 0.26 %
+        golden.save(self.path / "a.png")
+        for share, state in (("0.2%", "failed"), ("0.3%", "passed")):
+            suite = self.suite([{"name": "a", "golden": "a.png", "set": "view.background=0.2,0.2,0.2,1", "rgb": True,
+                                 "share": share}])
+            self.assertEqual(self.states(suite), {"a": state})
+
     def test_a_folder_of_scenes_with_pictures_is_a_suite(self):
         folder = self.path / "goldens"
         folder.mkdir()
@@ -663,6 +737,13 @@ class Pictures(Suites):
         for name in ("same.png", "menus/extra.png"):
             self.assertEqual((self.golden / name).read_bytes(), (self.actual / name).read_bytes())
         self.passes("--pictures", self.actual, self.golden)
+
+    def test_update_takes_the_place_of_what_is_no_picture(self):
+        (self.golden / "same.png").write_bytes(b"version https://git-lfs.github.com/spec/v1\n")
+        case = self.record("--pictures", self.actual, self.golden, code=2)["same.png"]
+        self.assertIn("Git LFS pointer", case["sentence"])
+        self.passes("--pictures", self.actual, self.golden, "--update")
+        self.assertEqual((self.golden / "same.png").read_bytes(), (self.actual / "same.png").read_bytes())
 
     def test_what_can_not_be_read_is_an_error_of_its_own(self):
         (self.actual / "same.png").write_bytes(b"\x89PNG\r\n\x1a\n")

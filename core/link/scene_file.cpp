@@ -1,0 +1,84 @@
+#include "core/link/scene_file.h"
+
+#include "core/base/file_io.h"
+#include "core/codec/png/png_chunks.h"
+#include "core/codec/png/png_text.h"
+#include "core/scene/params/json.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace texplorer {
+namespace {
+
+constexpr std::size_t mostChunks = 100'000; // that are looked at for the one with the scene
+
+/// Fills the buffer; false: the file ends before.
+bool readAll(std::istream& file, std::span<std::byte> to) {
+    file.read(reinterpret_cast<char*>(to.data()), static_cast<std::streamsize>(to.size()));
+    return file.gcount() == static_cast<std::streamsize>(to.size());
+}
+
+} // namespace
+
+std::size_t mostSceneFileBytes(ByteView start) {
+    return hasPngSignature(start) ? defaultMaxFileBytes : maxSceneBytes;
+}
+
+Result<std::string> sceneTextIn(ByteView file) {
+    if (!hasPngSignature(file))
+        return std::string(reinterpret_cast<const char*>(file.data()), file.size());
+    Result<std::optional<std::string>> text = findPngText(file, sceneKeyword, maxSceneBytes);
+    if (!text)
+        return fail(text.error());
+    if (*text)
+        return **std::move(text);
+    return fail(
+        ErrorCode::NotFound,
+        fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword));
+}
+
+Result<std::string> readSceneText(const std::filesystem::path& file) {
+    const Result<Bytes> start = readFileStart(file, pngSignature.size());
+    if (!start)
+        return fail(start.error());
+    const Result<Bytes> bytes = readFile(file, mostSceneFileBytes(*start));
+    if (!bytes)
+        return fail(bytes.error());
+    Result<std::string> text = sceneTextIn(*bytes);
+    return text ? text : fail(text.error().code, text.error().message, file.string());
+}
+
+bool isPictureWithScene(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) // a pipe would be waited for
+        return false;
+    std::ifstream file(path, std::ios::binary);
+    std::array<std::byte, pngSignature.size()> signature{};
+    if (!readAll(file, signature) || !hasPngSignature(signature))
+        return false;
+    const std::string_view keyword(sceneKeyword);
+    std::array<std::byte, 8> head{}; // length and type
+    for (std::size_t looked = 0; looked < mostChunks && readAll(file, head); ++looked) {
+        PngChunk chunk;
+        chunk.length = bigEndian32(head, 0);
+        chunk.type.assign(reinterpret_cast<const char*>(head.data()) + 4, 4);
+        std::streamoff left = std::streamoff{chunk.length} + 4; // and its checksum
+        if (isTextChunk(chunk) && chunk.length > keyword.size()) {
+            std::string start(keyword.size() + 1, '\xFF'); // a keyword ends with 0
+            file.read(start.data(), static_cast<std::streamsize>(start.size()));
+            if (start.starts_with(keyword) && start.back() == '\0')
+                return true;
+            left -= static_cast<std::streamoff>(start.size());
+        }
+        file.seekg(left, std::ios::cur);
+    }
+    return false;
+}
+
+} // namespace texplorer
