@@ -76,7 +76,7 @@ grep -q "consumer: $work/nowhere.dds: " "$work/said" || complain "the error name
 goldens=$work/consumer/goldens
 scene=$source/tests/end_to_end/consumer/scene.json
 mkdir "$goldens"
-"$prefix/bin/texshot" shot "$scene" --renderer shader --size 64x48 --time 0.5 -o "$goldens/drawn.png"
+"$prefix/bin/texshot" shot "$scene" --renderer shader --size 64x48 --time 0.5 --set view.azimuth=30 -o "$goldens/drawn.png"
 "$prefix/bin/texshot" shot "$scene" --size 64x48 --time 0.5 -o "$goldens/different.png"
 "$python" - "$goldens" <<'EOF'
 import sys
@@ -114,6 +114,29 @@ cmp "$goldens/new/missing.png" "$work/missing.png" || complain "another golden w
 TEXPLORER_UPDATE_GOLDENS=0 screenshots 0
 [ -z "$(left)" ] || complain "these were left by tests that passed: $(left)"
 [ "$(ctest --test-dir "$work/consumer" -N -L slow | grep -c 'Test *#')" = 1 ] || complain "a label is missing"
+
+# A project without a compiler. A wrong word is said before a golden is written; a golden that is no picture is replaced.
+mkdir "$work/none"
+none() { # STATUS WORDS
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(none NONE)' \
+        'find_package(texplorer REQUIRED COMPONENTS programs)' 'enable_testing()' \
+        "texplorer_add_screenshot_test(NAME none SCENE \"$scene\" GOLDEN golden.png SIZE 16x16 $2)" >"$work/none/CMakeLists.txt"
+    cmake -S "$work/none" -B "$work/none/build" -DCMAKE_PREFIX_PATH="$prefix" >"$work/said" 2>&1 ||
+        complain "CMake wants more than the programs: $(cat "$work/said")"
+    local status=0
+    ctest --test-dir "$work/none/build" --output-on-failure &>"$work/said" || status=$?
+    [ $status = "$1" ] || complain "ctest ended with $status: $(cat "$work/said")"
+}
+export TEXPLORER_UPDATE_GOLDENS=1
+none 8 "TOLERANCE many"
+grep -q -e '--tolerance' "$work/said" || complain "the wrong tolerance isn't named: $(cat "$work/said")"
+[ ! -e "$work/none/golden.png" ] || complain "a golden was written beside a wrong tolerance"
+echo 'version https://git-lfs.github.com/spec/v1' >"$work/none/golden.png"
+none 0 "METRIC flip PIXELS_PER_DEGREE 30"
+export TEXPLORER_UPDATE_GOLDENS=0
+none 0 "RGB SET view.azimuth=24"
+none 8 "SET view.azimuth=90 view.elevation=50"
+unset TEXPLORER_UPDATE_GOLDENS
 
 # Its framebuffer, whose golden Pillow makes: red grows to the right, green upwards.
 "$python" - "$goldens/framebuffer.png" <<'EOF'
@@ -156,6 +179,8 @@ refused "(a): SCENE is missing" "NAME a GOLDEN a.png"
 refused "(a): GOLDEN is missing" "NAME a SCENE a.json"
 refused "(): NAME is missing" "SCENE a.json GOLDEN a.png"
 refused 'or LABELS, found "THRESHOLD"' "$good THRESHOLD 3"
+refused 'SET: expected path=value, found "azimuth"' "$good SET azimuth"
+refused 'TIMEOUT: expected seconds, found "long"' "$good TIMEOUT long"
 refused 'found "b.json"' "NAME a SCENE a.json b.json GOLDEN a.png"
 refused "(a): SIZE has no value" "$good SIZE"
 refused "NAME names files" "NAME ../a SCENE a.json GOLDEN a.png"
