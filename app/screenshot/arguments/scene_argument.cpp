@@ -3,12 +3,11 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/messages.h"
-#include "app/screenshot/shots/picture_texts.h"
 #include "core/base/file_io.h"
 #include "core/base/nearest_name.h"
-#include "core/codec/png/png_text.h"
 #include "core/example/example.h"
 #include "core/lesson/lesson_scene.h"
+#include "core/link/scene_file.h"
 #include "core/preset/preset.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_listing.h"
@@ -40,25 +39,17 @@ std::size_t mostBytesOf(const std::string& path) {
     std::error_code ignored;
     if (isStandardInput(path) || !std::filesystem::is_regular_file(path, ignored))
         return maxSceneBytes;
-    const Result<Bytes> start = readFileStart(path, pngSignature.size());
-    return start && hasPngSignature(*start) ? defaultMaxFileBytes : maxSceneBytes;
+    constexpr std::size_t begin = 8; // as long as the signature of a PNG
+    const Result<Bytes> start = readFileStart(path, begin);
+    return start ? mostSceneFileBytes(*start) : maxSceneBytes;
 }
 
-/// Of a PNG: what texshot has written into it. The text is bounded as a scene's file is.
-Result<std::string> readSceneText(const std::string& path) {
+Result<std::string> readSceneInput(const std::string& path) {
     const Result<Bytes> file = readInput(path, mostBytesOf(path));
     if (!file)
         return fail(file.error());
-    if (!hasPngSignature(*file))
-        return std::string(reinterpret_cast<const char*>(file->data()), file->size());
-    Result<std::optional<std::string>> text = findPngText(*file, sceneKeyword, maxSceneBytes);
-    if (!text)
-        return fail(text.error().code, text.error().message, inputName(path));
-    if (*text)
-        return **std::move(text);
-    return fail(ErrorCode::NotFound,
-                fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword),
-                inputName(path));
+    Result<std::string> text = sceneTextIn(*file);
+    return text ? text : fail(text.error().code, text.error().message, inputName(path));
 }
 
 Result<Scene> exampleNamed(const std::string& name) {
@@ -208,7 +199,7 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
         opened = *std::move(step);
     }
     if (!argument.file.empty()) {
-        const Result<std::string> text = readSceneText(argument.file);
+        const Result<std::string> text = readSceneInput(argument.file);
         if (!text)
             return tl::unexpected(SceneProblem{text.error(), failure});
         Result<Scene> scene = parseScene(*text);

@@ -1,20 +1,25 @@
 #include "app/screenshot/arguments/criterion_argument.h"
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/output.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
 #include "core/compare/comparison.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
+#include <span>
 
 namespace texplorer::screenshot {
 namespace {
@@ -35,7 +40,12 @@ struct CompareOptions {
 };
 
 /// The base level of a file that holds one picture, its bottom row first.
-Result<Image> readPicture(const std::string& path) {
+struct ReadPicture {
+    Image image;
+    int componentBits = 8; ///< as the file has them
+};
+
+Result<ReadPicture> readPicture(const std::string& path) {
     Result<TextureImage> file = readTexture(path);
     if (!file)
         return fail(file.error());
@@ -46,7 +56,11 @@ Result<Image> readPicture(const std::string& path) {
             fmt::format("expected one picture, found {}; texshot decode takes one out of it",
                         file->faces > 1 ? countOf(file->faces, "face") : countOf(depthOf(base), "slice")),
             path);
-    return uprightImage(*std::move(file));
+    const int bits = file->componentBits;
+    Result<Image> image = uprightImage(*std::move(file));
+    if (!image)
+        return fail(image.error());
+    return ReadPicture{*std::move(image), bits};
 }
 
 Json rectJson(const PixelRect& rect) {
@@ -77,7 +91,15 @@ void addNumbers(Json& document, const Comparison& comparison) {
     document["difference"] = {{"max", comparison.difference.max}, {"mean", comparison.difference.mean}};
 }
 
-std::string comparisonJson(const CompareOptions& options, const Comparison& comparison) {
+/// What is said where a file has more than is compared; empty: none has.
+std::string depthNote(int componentBits) {
+    return componentBits > 8
+               ? fmt::format("{} bits a component: they are compared rounded to 8", componentBits)
+               : std::string();
+}
+
+std::string comparisonJson(const CompareOptions& options, const Comparison& comparison,
+                           const std::string& note) {
     const Criterion& criterion = comparison.criterion;
     Json document{{"alike", comparison.alike},
                   {"sentence", comparison.sentence},
@@ -89,17 +111,19 @@ std::string comparisonJson(const CompareOptions& options, const Comparison& comp
                   {"components", criterion.compared == Compared::Rgba ? "rgba" : "rgb"},
                   {"expectedSize", {comparison.expectedSize.x, comparison.expectedSize.y}},
                   {"actualSize", {comparison.actualSize.x, comparison.actualSize.y}}};
+    if (!note.empty())
+        document["note"] = note;
     if (!options.criterion.mask.empty())
         document["mask"] = options.criterion.mask;
     if (criterion.metric == Metric::Flip)
         document["pixelsPerDegree"] = criterion.pixelsPerDegree;
     if (comparison.sameSize())
         addNumbers(document, comparison);
-    // A file's name may be no UTF-8.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return documentText(document);
 }
 
-int report(const CompareOptions& options, const std::optional<ImageOutput>& output, Comparison comparison) {
+int report(const CompareOptions& options, const std::optional<ImageOutput>& output, Comparison comparison,
+           const std::string& note) {
     if (output && comparison.sameSize())
         if (const auto written = output->write(textureOf(std::move(comparison.map), output->format->name));
             !written)
@@ -108,7 +132,8 @@ int report(const CompareOptions& options, const std::optional<ImageOutput>& outp
         comparison.sentence += "; so there is no picture of the difference";
     if (options.out != "-") {
         const Result<void> printed =
-            print(options.json ? comparisonJson(options, comparison) : comparison.sentence + "\n");
+            print(options.json ? comparisonJson(options, comparison, note)
+                               : comparison.sentence + (note.empty() ? "" : "; " + note) + "\n");
         if (!printed)
             return complain(printed.error(), picturesUnknown);
     }
@@ -118,7 +143,8 @@ int report(const CompareOptions& options, const std::optional<ImageOutput>& outp
 struct Pictures {
     Image expected;
     Image actual;
-    Image mask; ///< empty where none is named
+    Image mask;            ///< empty where none is named
+    int componentBits = 8; ///< the most that one of the two files has
 };
 
 Result<Pictures> readPictures(const CompareOptions& options) {
@@ -128,12 +154,26 @@ Result<Pictures> readPictures(const CompareOptions& options) {
           std::pair(&options.criterion.mask, &pictures.mask)}) {
         if (path == &options.criterion.mask && path->empty())
             continue;
-        Result<Image> picture = readPicture(*path);
+        Result<ReadPicture> picture = readPicture(*path);
         if (!picture)
             return fail(picture.error());
-        *to = *std::move(picture);
+        *to = std::move(picture->image);
+        if (path != &options.criterion.mask)
+            pictures.componentBits = std::max(pictures.componentBits, picture->componentBits);
     }
     return pictures;
+}
+
+/// The difference would take the place of what it is made from.
+Result<void> checkOutput(const std::string& out, std::span<const std::string> inputs) {
+    for (const std::string& input : inputs) {
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(input, ignored) &&
+            std::filesystem::equivalent(out, input, ignored))
+            return fail(ErrorCode::OutOfRange, fmt::format("expected another file than {}", inQuotes(input)),
+                        "--out");
+    }
+    return {};
 }
 
 int comparePictureFiles(const CompareOptions& options) {
@@ -145,8 +185,10 @@ int comparePictureFiles(const CompareOptions& options) {
             {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
             wrongCall);
     const std::array inputs{options.expected, options.actual, options.criterion.mask};
-    if (std::ranges::count(inputs, "-") > 1)
-        return complain({ErrorCode::OutOfRange, "standard input can be read once", "-"}, wrongCall);
+    if (const Result<void> once = checkStandardInputOnce(inputs); !once)
+        return complain(once.error(), wrongCall);
+    if (const Result<void> other = checkOutput(options.out, inputs); !other)
+        return complain(other.error(), wrongCall);
     std::optional<ImageOutput> output;
     if (!options.out.empty()) {
         auto opened = openImageOutput(options.out, "PNG");
@@ -171,7 +213,7 @@ int comparePictureFiles(const CompareOptions& options) {
         return complainInterrupted();
     if (!comparison)
         return complain(comparison.error(), picturesUnknown);
-    return report(options, output, *std::move(comparison));
+    return report(options, output, *std::move(comparison), depthNote(pictures->componentBits));
 }
 
 std::string citations() {
@@ -201,7 +243,8 @@ void addCompare(CommandLine& line) {
         {.value = "FILE"});
     command.flag("--json", options->json, "As JSON, for programs.");
     command.footer(
-        "Components are compared as they are stored, with 8 bits. Positions are counted from the upper left.\n"
+        "Components are compared as numbers from 0 to 255: what has more bits is rounded to 8, which the "
+        "sentence, or the note of the JSON, says. Positions are counted from the upper left.\n"
         "ssim: of each of red, green, blue (and alpha, unless both are opaque) with the paper's Gaussian window; the "
         "edge repeats outside. flip: where they aren't opaque, over black and over white.\n" +
         citations() +

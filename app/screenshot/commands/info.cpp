@@ -67,7 +67,10 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
     line("file", path);
     line("format", std::string(texture.format));
     line("size", extentOf(base) + " texels");
-    line("pixels", std::string(encodingOf(base)) + (texture.srgb ? ", sRGB" : ""));
+    std::string pixels = std::string(encodingOf(base)) + (texture.srgb ? ", sRGB" : "");
+    if (texture.componentBits > 8)
+        pixels += fmt::format("; the file has {} bits a component", texture.componentBits);
+    line("pixels", pixels);
     line("alpha", std::string(nameOf(texture.alpha)));
     line("first row", texture.fileTopFirst ? "at the top" : "at the bottom");
     if (texture.faces > 1)
@@ -132,6 +135,7 @@ nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t file
             {"height", heightOf(base)},
             {"depth", depthOf(base)},
             {"pixelFormat", encodingOf(base)},
+            {"componentBits", texture.componentBits},
             {"srgb", texture.srgb},
             {"alpha", nameOf(texture.alpha)},
             {"fileTopFirst", texture.fileTopFirst},
@@ -236,6 +240,7 @@ void addInfo(CommandLine& line) {
     command.flag(
         "--json", options->json,
         "As JSON, for programs: \"file\", \"format\", \"width\", \"height\", \"depth\", \"pixelFormat\", "
+        "\"componentBits\" (of the file, where it has more than the 8 that are kept), "
         "\"srgb\", \"alpha\", \"fileTopFirst\", \"faces\", \"levels\", \"fullChain\", \"fileBytes\", "
         "\"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" and \"anatomy\" "
         "(fields, damage), or \"error\". Of several files a list of these, \"files\".");

@@ -6,18 +6,27 @@
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 #include "core/scene/params/json.h"
+#include "core/suite/plan.h"
+#include "core/suite/record_json.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <utility>
 
 namespace texplorer::screenshot {
 namespace {
 
+using PlainJson = nlohmann::json;
+
+constexpr std::size_t mostFaults = 100; // of a scene
+
 /// What a file is held to be, and what is wrong with it.
 struct Validity {
     std::string file;
-    std::string kind; ///< "PNG", "scene"; empty: it couldn't be told
+    std::string kind; ///< "PNG", "scene", "suite", "run"; empty: it couldn't be told
     std::vector<std::string> faults{};
 
     [[nodiscard]] bool isValid() const { return faults.empty(); }
@@ -45,6 +54,66 @@ Validity validateImage(const std::string& in, ByteView file) {
     return validity;
 }
 
+std::string_view wholeText(ByteView file) {
+    return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
+/// Takes away the member that a JSON pointer names, or that has the number it names in its list; false: it
+/// can't be done without changing what the others mean.
+bool takeAway(PlainJson& document, const std::string& pointer) {
+    std::vector<std::string> path;
+    for (std::size_t at = 0; at < pointer.size();) {
+        const std::size_t end = std::min(pointer.find('/', at + 1), pointer.size());
+        std::string part = pointer.substr(at + 1, end - at - 1);
+        for (const auto& [escaped, plain] : {std::pair("~1", "/"), std::pair("~0", "~")})
+            for (std::size_t i = part.find(escaped); i != std::string::npos; i = part.find(escaped, i + 1))
+                part.replace(i, 2, plain);
+        path.push_back(std::move(part));
+        at = end;
+    }
+    PlainJson* owner = nullptr;
+    PlainJson* at = &document;
+    std::string key;
+    for (const std::string& part : path) {
+        if (at->is_object() && at->contains(part)) {
+            owner = at;
+            key = part;
+            at = &(*at)[part];
+            continue;
+        }
+        std::size_t index = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+        const bool isIndex = error == std::errc() && end == part.data() + part.size();
+        if (!at->is_array() || !isIndex || index >= at->size())
+            return false;
+        if (at->front().is_structured())
+            owner = nullptr; // an element less would rename the others
+        at = &(*at)[index];
+    }
+    if (!owner || pointer == "/version")
+        return false;
+    owner->erase(key);
+    return true;
+}
+
+/// Reading a scene ends with its first fault: it is read again without what was at fault, as long as that is
+/// a member, and the text isn't long.
+std::vector<std::string> sceneFaults(std::string_view text) {
+    constexpr std::size_t longest = std::size_t{1} << 20;
+    std::vector<std::string> faults;
+    PlainJson document;
+    std::string left;
+    for (Result<Scene> scene = parseScene(text); !scene; scene = parseScene(left)) {
+        faults.push_back(describe(scene.error()));
+        if (faults.size() == 1 && text.size() <= longest)
+            document = PlainJson::parse(text, nullptr, false);
+        if (!document.is_object() || faults.size() == mostFaults || !takeAway(document, scene.error().where))
+            break;
+        left = document.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
+    }
+    return faults;
+}
+
 Validity validateScene(const std::string& in, ByteView file) {
     Validity validity{in, "scene"};
     if (file.size() > maxSceneBytes) {
@@ -52,10 +121,47 @@ Validity validateScene(const std::string& in, ByteView file) {
             fmt::format("at most {} bytes of a scene are read, it has {}", maxSceneBytes, file.size()));
         return validity;
     }
-    const Result<Scene> scene = parseScene({reinterpret_cast<const char*>(file.data()), file.size()});
-    if (!scene)
-        validity.faults.push_back(describe(scene.error()));
+    validity.faults = sceneFaults(wholeText(file));
     return validity;
+}
+
+/// What `texshot test --list` would say of it. Standard input lies in the current folder.
+Validity validateSuite(const std::string& in, ByteView file) {
+    Validity validity{in, "suite"};
+    Result<suite::Suite> read = suite::parseSuite(wholeText(file));
+    if (read && !isStandardInput(in))
+        read->folder = std::filesystem::path(in).parent_path();
+    const Result<suite::Plan> plan =
+        read ? suite::planOf({*std::move(read)}) : Result<suite::Plan>(fail(read.error()));
+    if (!plan)
+        validity.faults.push_back(describe(plan.error()));
+    return validity;
+}
+
+Validity validateRun(const std::string& in, ByteView file) {
+    Validity validity{in, "run"};
+    if (const Result<suite::RunRecord> run = suite::parseRun(wholeText(file)); !run)
+        validity.faults.push_back(describe(run.error()));
+    return validity;
+}
+
+/// The keys of an object that is the whole text; what they have is passed over. None where it is no JSON. Of
+/// what is longer than a scene may be, the first key: runs are.
+std::vector<std::string> topKeys(std::string_view text) {
+    if (text.size() > maxSceneBytes) {
+        constexpr std::string_view run = "\"run\"";
+        const std::size_t first = text.find_first_not_of(" \t\r\n", text.find('{') + 1);
+        return first != std::string_view::npos && text.substr(first).starts_with(run)
+                   ? std::vector<std::string>{"run"}
+                   : std::vector<std::string>();
+    }
+    std::vector<std::string> keys;
+    const auto keep = [&keys](int depth, PlainJson::parse_event_t event, PlainJson& parsed) {
+        if (depth == 1 && event == PlainJson::parse_event_t::key)
+            keys.push_back(parsed.get<std::string>());
+        return depth == 0;
+    };
+    return PlainJson::parse(text, keep, false).is_discarded() ? std::vector<std::string>() : keys;
 }
 
 bool beginsAsJson(ByteView file) {
@@ -66,12 +172,18 @@ bool beginsAsJson(ByteView file) {
     return text.starts_with("{");
 }
 
-/// By its content: an image, a scene, or nothing that is known. A name that ends in .json promises a scene.
+/// By its content: an image, a scene, a suite, what a run wrote, or nothing that is known. A name that ends
+/// in .json promises a scene.
 Validity validate(const std::string& in, ByteView file) {
     if (recogniseImage(file) != nullptr)
         return validateImage(in, file);
-    if (beginsAsJson(file) || in.ends_with(".json"))
-        return validateScene(in, file);
+    if (beginsAsJson(file) || in.ends_with(".json")) {
+        const std::vector<std::string> keys = topKeys(wholeText(file));
+        const auto has = [&keys](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
+        if (has("suite") || in.ends_with(suite::suiteExtension))
+            return validateSuite(in, file);
+        return has("run") && !has("version") ? validateRun(in, file) : validateScene(in, file);
+    }
     const std::string why = decodeTexture(file).error().message;
     constexpr std::string_view image = "expected an image";
     return {
@@ -127,18 +239,20 @@ void addValidate(CommandLine& line) {
         std::vector<std::string> files;
         bool json = false;
     };
-    Command& command =
-        line.command("validate", "Whether image files and scenes are what they should be, to the letter.");
+    Command& command = line.command(
+        "validate", "Whether image files, scenes and suites are what they should be, to the letter.");
     auto options = std::make_shared<Options>();
     command.option("FILE", options->files,
-                   "Images and scenes, told apart by their content; - for standard input.",
+                   "Images, scenes, suites and the run.json of reports, told apart by their content; - for "
+                   "standard input.",
                    {.required = true});
     command.flag("--json", options->json,
                  "As JSON, for programs: \"valid\" and \"files\" (file, valid, kind, faults).");
     command.footer(
         "A line for each file on standard output. Of an image, what is odd and survived by who reads it is "
-        "a fault, too; of a scene, keys that there aren't and values out of their range. What a scene draws "
-        "is not looked at: \"texshot check\" does that.\n"
+        "a fault, too; of a scene, keys that there aren't and values out of their range, as many as can be told; "
+        "of a suite, the first that \"texshot test --list\" finds. What a scene draws is not looked at: "
+        "\"texshot check\" does that.\n"
         "Exit status: 0 all are valid, 1 one isn't or can't be read, 2 a wrong call.");
     command.onCall([options] { return validateAll(options->files, options->json); });
 }

@@ -1,6 +1,7 @@
 #include "app/screenshot/shots/picture_texts.h"
 
 #include "core/base/printable.h"
+#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
 
 #include <fmt/core.h>

@@ -8,9 +8,6 @@
 
 namespace texplorer::screenshot {
 
-/// The keyword of the complete scene: a picture that has it can be given as a scene.
-inline constexpr const char* sceneKeyword = "Texplorer scene";
-
 /// What a picture's file says of how it was drawn.
 struct PictureFacts {
     Scene scene;

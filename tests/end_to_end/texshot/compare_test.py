@@ -6,6 +6,7 @@ import os
 import subprocess
 import unittest
 
+import numpy
 from PIL import Image
 
 from texshot import TEXSHOT, Texshot, texshot, within_memory
@@ -63,6 +64,34 @@ class Compare(Texshot):
             "difference": {"max": 60}})
         same = self.numbers(a, a, "--metric", "flip", status=ALIKE)
         self.assertEqual((same["score"], same["worst"], same["bounds"], same["pixelsPerDegree"]), (0, None, None, 67))
+
+    def sixteen_bits(self, name, value):
+        Image.fromarray(numpy.full((8, 8), value, numpy.uint16)).save(self.path / name)
+        return self.path / name
+
+    def test_more_bits_than_are_compared_are_said(self):
+        a, b = self.sixteen_bits("a.png", 0x8001), self.sixteen_bits("b.png", 0x8002)
+        note = "16 bits a component: they are compared rounded to 8"
+        self.assertEqual(self.compare(a, b, status=ALIKE).decode(), f"alike: none of 64 pixels differs; {note}\n")
+        self.assertEqual(self.numbers(a, b, status=ALIKE)["note"], note)
+        eight = self.picture("eight.png", size=(8, 8), color=128, mode="L")
+        self.assertIn(note, self.compare(eight, a, status=ALIKE).decode())
+        self.assertNotIn("note", self.numbers(eight, eight, status=ALIKE))
+        told = json.loads(self.succeeds("info", a, "--json"))
+        self.assertEqual((told["pixelFormat"], told["componentBits"]), ("luminance, 8 bits", 16))
+        self.assertIn("luminance, 8 bits; the file has 16 bits a component", self.succeeds("info", a).decode())
+        self.assertEqual(json.loads(self.succeeds("info", eight, "--json"))["componentBits"], 8)
+
+    def test_the_difference_is_another_file(self):
+        a, b = self.picture("a.png"), self.picture("b.png", color=(1, 2, 3))
+        mask = self.picture("mask.png", color=(255, 255, 255))
+        before = b.read_bytes()
+        os.link(b, self.path / "linked.png")
+        for out, named in ((a, a), (b, b), (mask, mask), (self.path / "linked.png", b)):
+            self.complains(UNKNOWN, f'--out: expected another file than "{named}"', "compare", a, b, "--mask", mask,
+                           "-o", out)
+        self.assertEqual(b.read_bytes(), before)
+        self.complains(UNKNOWN, "standard input: can be read once, and is named twice", "compare", "-", "/dev/stdin")
 
     def test_two_sizes_are_a_difference(self):
         a, b = self.picture(), self.picture("b.png", size=(40, 31))

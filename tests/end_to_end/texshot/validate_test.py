@@ -78,6 +78,27 @@ class Validate(Texshot):
         # What a scene draws is not looked at, nor its images.
         self.valid("scene", self.make("lost.json", b'{"version": 1, "textures": [{"source": "file", "file": "no.png"}]}'))
 
+    def test_all_faults_of_a_scene_are_told(self):
+        wrong = self.make("wrong.json", json.dumps({
+            "version": 1, "view": {"distanc": 1, "target": [0, "x", 0]}, "textures": [{"wrapS": "GL_CLAMPED", "wrapT": 3}, {}],
+            "passes": [{"units": [{"textur": 0}]}]}).encode())
+        told = json.loads(texshot("validate", "--json", wrong).stdout)["files"][0]
+        self.assertEqual(sorted(fault.split(": ")[0] for fault in told["faults"]),
+                         ["/passes/0/units/0/textur", "/textures/0/wrapS", "/textures/0/wrapT", "/view/distanc",
+                          "/view/target/1"])
+
+    def test_suites_and_runs(self):
+        suite = self.make("a.suite.json", b'{"suite": 1, "cases": [{"size": "8x8"}]}')
+        self.valid("suite", suite)
+        self.valid("suite", self.make("plain", suite.read_bytes()))
+        self.succeeds("test", suite, "--update", "--json", self.path / "run.json")
+        self.valid("run", self.path / "run.json")
+        self.faulty('suite, not valid: /cases/0/sise: unknown key; did you mean "size"?',
+                    self.make("b.suite.json", b'{"suite": 1, "cases": [{"sise": "8x8"}]}'))
+        self.faulty("suite, not valid: line 1", self.make("c.suite.json", b'{"suite": 1'))
+        self.faulty("two cases are called", self.make("d.suite.json", b'{"suite": 1, "cases": [{}, {}]}'))
+        self.faulty("run, not valid: ", self.make("e.json", b'{"run": 1, "cases": 3}'))
+
     def test_all_of_them_are_told_and_one_decides(self):
         good = self.make("good.bmp", bmp(2, 2, lambda x, y: (0, 0, 0)))
         bad = self.make("bad.json", b"{}x")

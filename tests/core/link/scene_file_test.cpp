@@ -1,0 +1,74 @@
+#include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/link/scene_file.h"
+#include "core/scene/params/json.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::scene_file_test {
+namespace {
+
+using testing::HasSubstr;
+
+Bytes pngWith(const std::vector<PictureText>& texts) {
+    const Image image(PixelFormat::Rgb8, 2, 2);
+    const Result<Bytes> png = encodePng(image, {.texts = texts});
+    EXPECT_TRUE(png);
+    return png.value_or(Bytes());
+}
+
+constexpr const char* json = R"({"version": 1})";
+
+TEST(SceneFile, IsTheFileOrTheTextOfAPng) {
+    EXPECT_EQ(sceneTextIn(viewBytes(json)).value(), json);
+    EXPECT_EQ(sceneTextIn(pngWith({{"Software", "x"}, {sceneKeyword, json}})).value(), json);
+    const std::string whole = writeScene(defaultScene()); // long: packed
+    EXPECT_EQ(sceneTextIn(pngWith({{sceneKeyword, whole}})).value(), whole);
+    const Result<std::string> none = sceneTextIn(pngWith({{"Texplorer scenes", json}}));
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::NotFound);
+    EXPECT_THAT(none.error().message, HasSubstr("a PNG without one: it has no text \"Texplorer scene\""));
+}
+
+TEST(SceneFile, OfAPngAllIsRead) {
+    EXPECT_EQ(mostSceneFileBytes(viewBytes(json)), maxSceneBytes);
+    EXPECT_EQ(mostSceneFileBytes(pngWith({})), defaultMaxFileBytes);
+}
+
+TEST(SceneFile, APictureWithASceneIsToldByItsChunks) {
+    const test::TempDir folder;
+    const auto holds = [&folder](ByteView bytes) {
+        EXPECT_TRUE(writeFileAtomically(folder / "a", bytes));
+        return isPictureWithScene(folder / "a");
+    };
+    const Bytes made = pngWith({{"Software", "x"}, {sceneKeyword, json}});
+    EXPECT_TRUE(holds(made));
+    EXPECT_EQ(readSceneText(folder / "a").value(), json);
+    EXPECT_TRUE(holds(pngWith({{sceneKeyword, writeScene(defaultScene())}})));
+    EXPECT_FALSE(holds(pngWith({{"Software", sceneKeyword}, {"Texplorer scenes", json}})));
+    EXPECT_FALSE(holds(viewBytes(json)));
+    EXPECT_FALSE(holds(ByteView(made).first(30)));
+    EXPECT_FALSE(isPictureWithScene(folder / "nowhere.png"));
+    EXPECT_FALSE(isPictureWithScene(folder.path()));
+}
+
+/// As ImageMagick and others write them: behind the pixels.
+TEST(SceneFile, TheTextMayComeLast) {
+    const test::TempDir folder;
+    const Bytes plain = pngWith({});
+    const Bytes made = pngWith({{sceneKeyword, json}});
+    constexpr std::size_t start = 8 + 25; // signature, IHDR
+    constexpr std::size_t end = 12;       // IEND
+    const std::size_t textBytes = made.size() - plain.size();
+    const auto text = ByteView(made).subspan(start, textBytes);
+    Bytes late(plain.begin(), plain.end() - end);
+    late.insert(late.end(), text.begin(), text.end());
+    late.insert(late.end(), plain.end() - end, plain.end());
+    ASSERT_TRUE(writeFileAtomically(folder / "late.png", late));
+    EXPECT_TRUE(isPictureWithScene(folder / "late.png"));
+    EXPECT_EQ(readSceneText(folder / "late.png").value(), json);
+}
+
+} // namespace
+} // namespace texplorer::scene_file_test
