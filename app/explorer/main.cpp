@@ -86,9 +86,11 @@ int main(int argc, char** argv) {
     CommandLine line("texplorer", TEXPLORER_VERSION,
                      "Explore what each texture parameter of OpenGL does, on a live cube and sphere.");
     std::vector<std::string> files;
-    line.option("FILE", files,
-                "Scene files (JSON) and images. Images become textures of the scene, the first one is "
-                "shown.");
+    line.option(
+        "FILE", files,
+        "Scene files (JSON) and images. Images become textures of the scene, the first one is "
+        "shown. Of a PNG that texshot has drawn, which holds its scene, the window asks what is meant "
+        "where it is the only file.");
     line.footer(fmt::format(
         "Of several files those that can't be opened are listed, and the others are opened.\n"
         "The images of a scene may take {} together once they are decoded.\n"

@@ -2,6 +2,7 @@
 
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
+#include "core/link/scene_file.h"
 
 #include <algorithm>
 #include <utility>
@@ -47,6 +48,11 @@ void finishPending(Session& session) {
         const std::vector<std::filesystem::path> files = std::move(session.window.pendingFiles);
         session.window.pendingFiles.clear();
         report(session, openFiles(session, files), files.front());
+        break;
+    }
+    case Pending::OpenPicture: {
+        const AskedPicture asked = std::exchange(session.window.askedPicture, {});
+        report(session, openScene(session, asked.file), asked.file);
         break;
     }
     case Pending::ShowScene:
@@ -109,12 +115,21 @@ void requestQuit(Session& session) {
     askAboutChanges(session, Pending::Quit);
 }
 
+void askPictureScene(Session& session) {
+    askAboutChanges(session, Pending::OpenPicture);
+}
+
 void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
     if (files.size() == 1) {
         if (isLesson(files.front()))
             return askLesson(session, files.front().string());
         if (const Result<bool> scene = holdsScene(files.front()); !scene)
             return say(session, scene.error());
+        if (isPictureWithScene(files.front())) {
+            session.window.askedPicture = {files.front(), false};
+            session.window.dialog = Dialog::Picture;
+            return;
+        }
     }
     const bool replaces = std::ranges::any_of(
         files, [](const std::filesystem::path& file) { return holdsScene(file).value_or(false); });

@@ -26,8 +26,11 @@ void askSaveAs(Session& session);
 void requestQuit(Session& session);
 
 /// Files were dropped onto the window: a scene, images, the folder of a lesson. Asks first where a scene
-/// would replace unsaved changes.
+/// would replace unsaved changes, and, of an image alone that holds a scene, what is meant.
 void requestOpen(Session& session, std::vector<std::filesystem::path> files);
+
+/// What was asked with Dialog::Picture: its scene is opened, as far as unsaved changes let it.
+void askPictureScene(Session& session);
 
 /// The changes are saved or given up: what had to wait for that is done.
 void finishPending(Session& session);

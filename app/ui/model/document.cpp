@@ -28,7 +28,8 @@ bool isDirty(const Document& document) {
 }
 
 std::string windowTitle(const Document& document) {
-    const std::string name = document.file.empty() ? tr("Untitled") : document.file.filename().string();
+    const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
+    const std::string name = file.empty() ? tr("Untitled") : file.filename().string();
     return printable(name) + (isDirty(document) ? " • Texplorer" : " - Texplorer");
 }
 

@@ -49,6 +49,7 @@ struct Document {
     Kept kept;
     ImageSource images;
     std::filesystem::path file;        ///< empty: never saved
+    std::filesystem::path suggested;   ///< what it would be saved as, where it was never saved; may be empty
     bool isLessons = false;            ///< a lesson's: nobody misses what was tried with it
     bool needsFit = false;             ///< the camera has not yet been fitted to the view's shape
     Fit fit;                           ///< the last one

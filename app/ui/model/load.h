@@ -40,6 +40,7 @@ struct Load {
     Scene scene{};                    ///< Scene: what is to be shown
     Scene before{};                   ///< Scene: what was shown when it was asked for
     ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene
+    std::filesystem::path suggested{}; ///< Scene: of one that has no file, Document::suggested
 };
 
 } // namespace texplorer::ui

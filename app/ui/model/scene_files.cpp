@@ -4,12 +4,14 @@
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/example/example.h"
+#include "core/link/scene_file.h"
 #include "core/link/scene_link.h"
 #include "core/scene/params/json.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -38,7 +40,7 @@ std::string nameIn(const ImageSource& images, const fs::path& file) {
 }
 
 Result<Scene> readScene(const fs::path& path) {
-    const Result<std::string> text = readText(path, maxSceneBytes);
+    const Result<std::string> text = readSceneText(path);
     if (!text)
         return fail(text.error());
     Result<Scene> scene = parseScene(*text);
@@ -130,11 +132,15 @@ Result<void> openScene(Session& session, const fs::path& path) {
         return fail(scene.error());
     const fs::path file = absolutePath(path);
     rememberFile(session.window.settings, file);
+    const bool isPicture = isPictureWithScene(file);
+    fs::path suggested = file;
+    suggested.replace_extension(sceneExtension);
     start(session, {.kind = Load::Kind::Scene,
-                    .path = file,
+                    .path = isPicture ? fs::path() : file,
                     .scene = std::move(*scene),
                     .before = session.document.scene,
-                    .images = ImageSource(file.parent_path())});
+                    .images = ImageSource(file.parent_path()),
+                    .suggested = isPicture ? std::move(suggested) : fs::path()});
     return {};
 }
 
@@ -142,8 +148,13 @@ void showLoadedScene(Session& session, Load load) {
     const bool changedMeanwhile = session.document.scene != load.before && isDirty(session.document);
     if (!changedMeanwhile && load.restores)
         return replaceByUnsaved(session, std::move(load));
-    if (!changedMeanwhile)
-        return replaceDocument(session, {std::move(load.scene), std::move(load.images), load.path});
+    if (!changedMeanwhile) {
+        Document document(std::move(load.scene), std::move(load.images), load.path);
+        if (!load.suggested.empty())
+            document.needsFit = document.scene.view == defaultScene().view; // it shows what the picture does
+        document.suggested = std::move(load.suggested);
+        return replaceDocument(session, std::move(document));
+    }
     load.before = session.document.scene; // the next answer is about this one
     session.window.readyScene = std::make_shared<Load>(std::move(load));
     session.window.pending = Pending::ShowScene;
@@ -369,9 +380,9 @@ Result<void> openFiles(Session& session, const std::vector<fs::path>& files) {
     return {};
 }
 
-Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
-    if (files.empty())
-        return {};
+namespace {
+
+Result<void> beginWith(Session& session, const std::vector<fs::path>& files) {
     Load load = sorted(session, files);
     if (opensNothing(load))
         return fail(load.refused.front());
@@ -384,6 +395,24 @@ Result<void> openArguments(Session& session, const std::vector<fs::path>& files)
     }
     start(session, std::move(load));
     return {};
+}
+
+} // namespace
+
+Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
+    if (files.empty())
+        return {};
+    if (files.size() != 1 || !isPictureWithScene(files.front()))
+        return beginWith(session, files);
+    session.window.askedPicture = {files.front(), true};
+    session.window.dialog = Dialog::Picture;
+    return {};
+}
+
+void usePicture(Session& session) {
+    const AskedPicture asked = std::exchange(session.window.askedPicture, {});
+    report(session, asked.begins ? beginWith(session, {asked.file}) : openFile(session, asked.file),
+           asked.file);
 }
 
 void say(Session& session, const Error& error, const fs::path& file) {

@@ -16,11 +16,15 @@ void newScene(Session& session);
 // Images come later: what was asked for happens in `receiveFiles`, or the user is told there why it can't.
 // The errors that are returned are those that are seen at once.
 
-/// Reads a scene and every image that it names.
+/// Reads a scene and every image that it names. One of a picture that texshot has drawn has no file then, so
+/// that the picture isn't overwritten.
 [[nodiscard]] Result<void> openScene(Session& session, const std::filesystem::path& path);
 
 /// Writes the scene. Image paths are kept relative to the scene file where they lie below its folder.
 [[nodiscard]] Result<void> saveScene(Session& session, const std::filesystem::path& path);
+
+/// What was asked with Dialog::Picture: the picture is an image.
+void usePicture(Session& session);
 
 /// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
 void importImage(Session& session, const std::filesystem::path& path);
@@ -66,7 +70,8 @@ void showLoadedScene(Session& session, Load load);
 [[nodiscard]] std::vector<Error> checkArguments(const std::vector<std::filesystem::path>& files);
 
 /// What the command line names, as openFiles. The session begins with it: there is nothing to undo or to
-/// save. The error is that of the first file where none can be opened.
+/// save. The error is that of the first file where none can be opened. Of an image alone that holds a scene,
+/// it is asked what is meant: Dialog::Picture.
 [[nodiscard]] Result<void> openArguments(Session& session, const std::vector<std::filesystem::path>& files);
 
 /// Whether a file is to be read as a scene, by its first bytes and its name; else as an image.

@@ -43,16 +43,33 @@ struct Playback {
 /// What is written as a picture.
 enum class Capture { View, Window };
 
-enum class Dialog { None, OpenScene, OpenImage, SaveScene, SaveAnswers, Discard, Help, Restore, Refused };
+enum class Dialog {
+    None,
+    OpenScene,
+    OpenImage,
+    SaveScene,
+    SaveAnswers,
+    Discard,
+    Help,
+    Restore,
+    Refused,
+    Picture
+};
 
 /// What waits until the user has decided about unsaved changes.
-enum class Pending { None, NewScene, Example, Lesson, OpenScene, OpenFiles, ShowScene, Quit };
+enum class Pending { None, NewScene, Example, Lesson, OpenScene, OpenFiles, OpenPicture, ShowScene, Quit };
 
 /// The visible part of the texture plane.
 struct Plane {
     float s = 0.5F; ///< the coordinates at the centre of the panel
     float t = 0.5F;
     float extent = 1.6F; ///< how much of the plane the panel's shorter side shows
+};
+
+/// Dialog::Picture: an image that holds a scene, which the user may have meant.
+struct AskedPicture {
+    std::filesystem::path file;
+    bool begins = false; ///< the command line names it: to begin with it is no edit
 };
 
 /// A sentence for the user, in the status bar until it is dismissed.
@@ -91,6 +108,7 @@ struct WindowState {
     std::string imageParam; ///< OpenImage: what shall name it; empty: the texture that is bound
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;
+    AskedPicture askedPicture;
     std::string pendingExample;       ///< its file's name
     std::string pendingLesson;        ///< its name, or its folder
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes

@@ -13,7 +13,9 @@
 #include "app/ui/window/recovery_dialog.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
+#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/suite/suite.h"
 
 #include <fmt/core.h>
 
@@ -46,14 +48,25 @@ std::vector<std::string> imageExtensions() {
     return extensions;
 }
 
+/// What "Open a scene" lists of its extensions: no suites, and of pictures those that hold a scene.
+bool maybeScene(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    return name.ends_with(".json") ? !name.ends_with(suite::suiteExtension) : isPictureWithScene(file);
+}
+
 void beginBrowsing(DialogsState& state, const Session& session) {
     const Dialog dialog = session.window.dialog;
     if (std::exchange(state.browsed, dialog) == dialog)
         return;
     const BrowserRow& row = *std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
+    const Document& document = session.document;
+    const bool opens = dialog == Dialog::OpenScene;
     beginBrowsing(state.browser, row.title,
-                  row.thumbnails ? imageExtensions() : std::vector<std::string>{".json"}, row.saving,
-                  session.document.file);
+                  row.thumbnails ? imageExtensions()
+                  : opens        ? std::vector<std::string>{".json", ".png"}
+                                 : std::vector<std::string>{".json"},
+                  row.saving, document.file.empty() ? document.suggested : document.file,
+                  opens ? maybeScene : nullptr);
     state.browser.thumbnails = row.thumbnails;
     if (dialog == Dialog::SaveScene)
         state.browser.suffix = sceneExtension;
@@ -89,6 +102,34 @@ void drawDiscard(Session& session) {
         finishPending(session);
     else if (keep)
         save(session);
+}
+
+/// A picture that texshot has drawn is an image, too.
+void drawPictureQuestion(Session& session) {
+    if (!beginModal("A picture with its scene"))
+        return;
+    const std::string name = session.window.askedPicture.file.filename().string();
+    text(fmt::format("{} holds the scene that it was drawn from.", printable(name)));
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
+    const bool open = dialogButton("Open its scene") || ImGui::IsKeyPressed(key::enter, false);
+    noteItem("picture:scene");
+    ImGui::SameLine();
+    const bool use = dialogButton("Use it as an image");
+    noteItem("picture:image");
+    ImGui::SameLine();
+    const bool stay = dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false);
+    noteItem("picture:cancel");
+    if (open || use || stay) {
+        ImGui::CloseCurrentPopup();
+        session.window.dialog = Dialog::None;
+    }
+    ImGui::EndPopup();
+    if (open)
+        askPictureScene(session);
+    else if (use)
+        usePicture(session);
+    else if (stay)
+        session.window.askedPicture = {};
 }
 
 /// A line for each file, with its reason: there may be hundreds.
@@ -184,6 +225,8 @@ void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures
         drawBrowserDialog(session, state, pictures);
     else if (dialog == Dialog::Discard)
         drawDiscard(session);
+    else if (dialog == Dialog::Picture)
+        drawPictureQuestion(session);
     else if (dialog == Dialog::Help)
         drawHelp(session);
     else if (dialog == Dialog::Restore)

@@ -31,11 +31,15 @@ std::string lowered(std::string text) {
     return text;
 }
 
+bool hasExtension(const FileBrowser& browser, const fs::path& file) {
+    const std::string extension = lowered(file.extension().string());
+    return std::ranges::find(browser.extensions, extension) != browser.extensions.end();
+}
+
 bool matches(const FileBrowser& browser, const FileBrowser::Entry& entry) {
     if (entry.isFolder || browser.showAll || browser.extensions.empty())
         return true;
-    const std::string extension = lowered(fs::path(entry.name).extension().string());
-    return std::ranges::find(browser.extensions, extension) != browser.extensions.end();
+    return !entry.isOther && hasExtension(browser, entry.name);
 }
 
 std::string sizeText(std::uintmax_t bytes) {
@@ -248,8 +252,10 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
         const std::uintmax_t bytes = isFolder ? 0 : iterator->file_size(ignored);
         const bool sized = !ignored;
         const fs::file_time_type modified = iterator->last_write_time(ignored);
-        entries.push_back(
-            {std::move(name), isFolder, sized ? bytes : 0, ignored ? fs::file_time_type{} : modified});
+        const bool isOther = !isFolder && browser.isListed && hasExtension(browser, name) &&
+                             !browser.isListed(iterator->path());
+        entries.push_back({std::move(name), isFolder, sized ? bytes : 0,
+                           ignored ? fs::file_time_type{} : modified, isOther});
     }
     std::ranges::sort(entries, [](const auto& a, const auto& b) {
         return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
@@ -262,11 +268,12 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
 }
 
 void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
-                   const fs::path& startFile) {
+                   const fs::path& startFile, bool (*isListed)(const fs::path& file)) {
     const fs::path last = browser.folder;
     browser = {};
     browser.title = std::move(title);
     browser.extensions = std::move(extensions);
+    browser.isListed = isListed;
     browser.saving = saving;
     browser.focusName = true;
     std::error_code failed;

@@ -16,10 +16,13 @@ struct FileBrowser {
         bool isFolder = false;
         std::uintmax_t bytes = 0;
         std::filesystem::file_time_type modified{};
+        bool isOther = false; ///< its extension is listed, and `isListed` says that it isn't
     };
 
     std::string title;
     std::vector<std::string> extensions; ///< lower case, with the dot; others are hidden. Empty: everything
+    /// Of the files with such an extension: which are listed. nullptr: all.
+    bool (*isListed)(const std::filesystem::path& file) = nullptr;
     bool saving = false;
     std::string suffix; ///< what a name without an extension gets when it is saved; empty: the first of them
     bool thumbnails = false; ///< whether files have a small picture beside their name
@@ -41,7 +44,8 @@ void enterFolder(FileBrowser& browser, const std::filesystem::path& folder);
 
 /// Prepares the browser for a dialog; the folder is kept from the last time, else that of `startFile`.
 void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
-                   const std::filesystem::path& startFile);
+                   const std::filesystem::path& startFile,
+                   bool (*isListed)(const std::filesystem::path& file) = nullptr);
 
 enum class Browsing { Open, Chosen, Cancelled };
 

@@ -64,12 +64,6 @@ ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) 
             std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
 }
 
-/// In the corner of the dock below, where there is one with room: the card hides nothing that it speaks of,
-/// and its buttons stay below the pointer.
-bool hasCorner(const Rect& dock, ImVec2 size) {
-    return static_cast<float>(dock.width) >= size.x * 1.5F && static_cast<float>(dock.height) >= size.y;
-}
-
 enum class TourAnswer { None, Back, Next, Skip };
 
 TourAnswer drawCard(int step, const TourRow& row) {
@@ -117,12 +111,7 @@ void drawTour(Session& session, const Layout& layout, bool takesEscape) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size comes out between two frames
-    if (const Rect& dock = layout.belowDock; hasCorner(dock, guess))
-        ImGui::SetNextWindowPos(
-            {static_cast<float>(dock.right()) - em, static_cast<float>(dock.bottom()) - em}, ImGuiCond_Always,
-            {1, 1});
-    else
-        ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
+    ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
     TourAnswer answer = TourAnswer::None;
     if (ImGui::Begin("Tour", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

@@ -1,11 +1,16 @@
 #include "app/ui/model/asking.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
+
+#include <set>
 
 namespace texplorer::ui::file_browser_test {
 namespace {
@@ -55,6 +60,81 @@ TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
     EXPECT_EQ(texture().wrapT, Wrap::Clamp);
     EXPECT_EQ(session->document.file, folder / "other.json");
     EXPECT_FALSE(session->document.history.canUndo());
+}
+
+TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
+    Scene drawn = defaultScene();
+    drawn.textures[0].wrapS = Wrap::MirroredRepeat;
+    drawn.view.distance = 7;
+    const Image picture(PixelFormat::Rgb8, 2, 2);
+    const Bytes png = encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value();
+    ASSERT_TRUE(writeFileAtomically(folder / "made.png", png));
+    ASSERT_TRUE(writeFileAtomically(folder / "plain.png", encodePng(picture).value()));
+    for (const char* name : {"a.json", "b.texplorer.json", "c.suite.json", "d.txt"})
+        write(folder / name, R"({"version": 1})");
+    session->document.file = folder / "a.json";
+    key('O', {ctrl});
+    std::set<std::string> listed;
+    for (const FileBrowser::Entry& each : states.dialogs.browser.entries) {
+        if (!each.isOther)
+            listed.insert(each.name);
+    }
+    EXPECT_EQ(listed, (std::set<std::string>{"a.json", "b.texplorer.json", "d.txt", "made.png"}));
+    enter(folder / "plain.png");
+    EXPECT_THAT(states.dialogs.browser.error, HasSubstr("a PNG without one"));
+    key(key::escape);
+
+    key('O', {ctrl});
+    enter(folder / "made.png");
+    EXPECT_EQ(scene(), drawn);
+    EXPECT_TRUE(session->document.file.empty());
+    EXPECT_FALSE(isDirty(session->document));
+    EXPECT_THAT(requests.title, HasSubstr("made.texplorer.json - "));
+    key('S', {ctrl}); // asks for a name, and has one
+    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    key(key::enter);
+    EXPECT_EQ(session->document.file, folder / "made.texplorer.json");
+    EXPECT_EQ(readFile(folder / "made.png").value(), png);
+}
+
+TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
+    Scene drawn = defaultScene();
+    drawn.textures[0].wrapS = Wrap::MirroredRepeat;
+    const Image picture(PixelFormat::Rgb8, 2, 2);
+    const std::filesystem::path made = folder / "made.png";
+    ASSERT_TRUE(writeFileAtomically(
+        made, encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value()));
+    requestOpen(*session, {made});
+    frames(3);
+    ASSERT_EQ(session->window.dialog, Dialog::Picture);
+    click("picture:cancel");
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(scene(), defaultScene());
+
+    requestOpen(*session, {made});
+    frames(3);
+    click("picture:image");
+    frames(2);
+    EXPECT_EQ(texture().source, SourceKind::File);
+    EXPECT_TRUE(session->document.history.canUndo());
+
+    requestOpen(*session, {made}); // now there is something to lose
+    frames(3);
+    click("picture:scene");
+    frames(3);
+    ASSERT_EQ(session->window.dialog, Dialog::Discard);
+    click("discard:drop");
+    frames(2);
+    EXPECT_EQ(texture().wrapS, Wrap::MirroredRepeat);
+
+    start(defaultScene());
+    ASSERT_TRUE(openArguments(*session, {made}));
+    frames(3);
+    ASSERT_EQ(session->window.dialog, Dialog::Picture);
+    click("picture:image");
+    frames(2);
+    EXPECT_EQ(texture().source, SourceKind::File);
+    EXPECT_FALSE(session->document.history.canUndo()) << "to begin with it is no edit";
 }
 
 TEST_F(FileBrowserDialog, AnExistingFileIsNotReplacedUnasked) {
