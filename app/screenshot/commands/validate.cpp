@@ -182,7 +182,7 @@ Validity validate(const std::string& in, ByteView file) {
         const auto has = [&keys](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
         if (has("suite") || in.ends_with(suite::suiteExtension))
             return validateSuite(in, file);
-        return has("run") && !has("version") ? validateRun(in, file) : validateScene(in, file);
+        return has("run") ? validateRun(in, file) : validateScene(in, file);
     }
     const std::string why = decodeTexture(file).error().message;
     constexpr std::string_view image = "expected an image";

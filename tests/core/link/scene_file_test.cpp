@@ -6,13 +6,16 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace texplorer::scene_file_test {
 namespace {
 
 using testing::HasSubstr;
 
 Bytes pngWith(const std::vector<PictureText>& texts) {
-    const Image image(PixelFormat::Rgb8, 2, 2);
+    Image image = Image::uninitialised(PixelFormat::Rgb8, 2, 2);
+    std::ranges::fill(image.pixels, std::byte{7});
     const Result<Bytes> png = encodePng(image, {.texts = texts});
     EXPECT_TRUE(png);
     return png.value_or(Bytes());

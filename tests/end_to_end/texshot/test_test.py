@@ -576,7 +576,8 @@ class Test(Suites):
         (folder / "package.json").write_text(json.dumps({"name": "x", "version": "1.0.0"}))
         self.assertEqual(self.states(folder, code=1), {"a": "new", "b": "new"})
         self.passes(folder, "--update")
-        self.assertEqual(Image.open(folder / "b.png").size, (512, 512))
+        with Image.open(folder / "b.png") as golden:
+            self.assertEqual(golden.size, (512, 512))
         self.assertEqual(self.passes(folder), "2 cases: 2 passed\n")
         (folder / "a.png").unlink()
         self.assertEqual(self.states(folder, code=1), {"a": "new", "b": "passed"})

@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 
 namespace texplorer::ui::file_browser_test {
@@ -66,7 +67,8 @@ TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
     Scene drawn = defaultScene();
     drawn.textures[0].wrapS = Wrap::MirroredRepeat;
     drawn.view.distance = 7;
-    const Image picture(PixelFormat::Rgb8, 2, 2);
+    Image picture = Image::uninitialised(PixelFormat::Rgb8, 2, 2);
+    std::ranges::fill(picture.pixels, std::byte{7});
     const Bytes png = encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value();
     ASSERT_TRUE(writeFileAtomically(folder / "made.png", png));
     ASSERT_TRUE(writeFileAtomically(folder / "plain.png", encodePng(picture).value()));
@@ -100,7 +102,8 @@ TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
 TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
     Scene drawn = defaultScene();
     drawn.textures[0].wrapS = Wrap::MirroredRepeat;
-    const Image picture(PixelFormat::Rgb8, 2, 2);
+    Image picture = Image::uninitialised(PixelFormat::Rgb8, 2, 2);
+    std::ranges::fill(picture.pixels, std::byte{7});
     const std::filesystem::path made = folder / "made.png";
     ASSERT_TRUE(writeFileAtomically(
         made, encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value()));
