@@ -58,7 +58,7 @@ ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) 
         place.y = top + (static_cast<float>(about.height) - size.y) / 2;
         place.x = right + gap + size.x <= width ? right + gap
                   : left - gap - size.x >= 0    ? left - gap - size.x
-                                                : left + (static_cast<float>(about.width) - size.x) / 2;
+                                                : left + gap; // not where the next card has "Previous"
     }
     return {std::clamp(place.x, gap, std::max(gap, width - size.x - gap)),
             std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
