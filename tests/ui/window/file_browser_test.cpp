@@ -66,7 +66,7 @@ TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
 TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
     Scene drawn = defaultScene();
     drawn.textures[0].wrapS = Wrap::MirroredRepeat;
-    drawn.view.distance = 7;
+    drawn.view.distance = 9; // not the start's, which is fitted to the view
     Image picture = Image::uninitialised(PixelFormat::Rgb8, 2, 2);
     std::ranges::fill(picture.pixels, std::byte{7});
     const Bytes png = encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value();
@@ -112,7 +112,7 @@ TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
     ASSERT_EQ(session->window.dialog, Dialog::Picture);
     click("picture:cancel");
     EXPECT_EQ(session->window.dialog, Dialog::None);
-    EXPECT_EQ(scene(), defaultScene());
+    EXPECT_EQ(scene().textures, defaultScene().textures);
 
     requestOpen(*session, {made});
     frames(3);

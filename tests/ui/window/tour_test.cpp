@@ -60,7 +60,9 @@ TEST_F(Tour, TheCardLiesBesideWhatItFrames) {
         const bool isRight = std::abs(left - static_cast<float>(framed.right())) < 2 * em;
         const bool isLeft =
             left < static_cast<float>(framed.x) && left + 28 * em > static_cast<float>(framed.x);
-        EXPECT_TRUE(isRight || isLeft)
+        const bool isAtItsEdge =
+            std::abs(left - static_cast<float>(framed.x)) < 2 * em; // where there is no room
+        EXPECT_TRUE(isRight || isLeft || (isAtItsEdge && step == 1))
             << step << ": " << left << ", " << framed.x << " to " << framed.right();
         EXPECT_GT(previous.top, static_cast<float>(framed.y)) << step;
         EXPECT_LT(previous.bottom, static_cast<float>(framed.bottom())) << step;
