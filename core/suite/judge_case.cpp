@@ -1,7 +1,6 @@
 #include "core/suite/judge_case.h"
 
 #include "core/base/count.h"
-#include "core/base/file_io.h"
 #include "core/base/percent.h"
 #include "core/compare/comparison.h"
 #include "core/compare/heat_map.h"

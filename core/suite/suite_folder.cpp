@@ -16,10 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of regular files below a folder, with "/", sorted. Folders that are links are not entered.
+/// Names of regular files below a folder, with "/", sorted. Folders that are links are not entered. What may
+/// be a suite and can't be read as one is an error, not left out: a run without it would be green.
 Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
     std::error_code error;
-    fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, error);
+    fs::path last = folder;
+    fs::recursive_directory_iterator each(folder, error);
     std::vector<std::string> names;
     std::size_t looked = 0;
     for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
@@ -28,11 +30,15 @@ Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
                         fmt::format("expected at most {} files and folders", maxListedFiles),
                         folder.string());
         std::error_code ignored;
+        last = each->path();
         if (each->is_regular_file(ignored))
-            names.push_back(each->path().lexically_relative(folder).generic_string());
+            names.push_back(last.lexically_relative(folder).generic_string());
+        else if (last.string().ends_with(suiteExtension))
+            return fail(ErrorCode::Unreadable,
+                        "expected a suite's file, found something else, or a link to nothing", last.string());
     }
     if (error)
-        return fail(ErrorCode::Unreadable, systemText(error.value()), folder.string());
+        return fail(ErrorCode::Unreadable, systemText(error.value()), last.string());
     std::ranges::sort(names);
     return names;
 }

@@ -19,7 +19,6 @@
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <span>
 
 namespace texplorer::screenshot {
 namespace {
@@ -164,18 +163,6 @@ Result<Pictures> readPictures(const CompareOptions& options) {
     return pictures;
 }
 
-/// The difference would take the place of what it is made from.
-Result<void> checkOutput(const std::string& out, std::span<const std::string> inputs) {
-    for (const std::string& input : inputs) {
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(input, ignored) &&
-            std::filesystem::equivalent(out, input, ignored))
-            return fail(ErrorCode::OutOfRange, fmt::format("expected another file than {}", inQuotes(input)),
-                        "--out");
-    }
-    return {};
-}
-
 int comparePictureFiles(const CompareOptions& options) {
     const Result<Criterion> criterion = parseCriterion(options.criterion);
     if (!criterion)
@@ -184,10 +171,10 @@ int comparePictureFiles(const CompareOptions& options) {
         return complain(
             {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
             wrongCall);
-    const std::array inputs{options.expected, options.actual, options.criterion.mask};
+    const std::vector<std::string> inputs{options.expected, options.actual, options.criterion.mask};
     if (const Result<void> once = checkStandardInputOnce(inputs); !once)
         return complain(once.error(), wrongCall);
-    if (const Result<void> other = checkOutput(options.out, inputs); !other)
+    if (const Result<void> other = checkOutputsApart({{"--out", options.out}}, inputs); !other)
         return complain(other.error(), wrongCall);
     std::optional<ImageOutput> output;
     if (!options.out.empty()) {

@@ -122,6 +122,9 @@ const std::vector<CommandTable>& commandTables() {
             "time and golden; expectedPicture, actualPicture and differencePicture of the report's folder; "
             "worst, the pixel; fingerprint; and what follows."},
            measured,
+           {"pixels, over, unexplained",
+            "How many pixels count, how many of them are above the tolerance, and of these, where a rule decides, "
+            "how many it doesn't explain."},
            over,
            score}}},
         {"test",
@@ -149,7 +152,10 @@ const std::vector<CommandTable>& commandTables() {
             "--list\". Without it: auto."},
            {"metric, tolerance, share",
             "What is measured, what a pixel may have of it, and which share of the "
-            "pixels may have more. Without them: absolute, the metric's own, and 0."},
+            "pixels may have more, 0.001 or \"0.1%\". Without them: absolute, the metric's own, and 0."},
+           {"rgb, pixelsPerDegree",
+            "true leaves alpha out; of flip, how many pixels lie in a degree of the field of view. Without them: "
+            "false, 67."},
            {"mask", "A picture whose black pixels don't count."},
            {"seconds", "After which a case has hung. Without it: 60."}}}},
         {"drivers",

@@ -80,6 +80,18 @@ TEST(SuiteFolder, WithNeitherSaysSo) {
     EXPECT_EQ(absent.error().code, ErrorCode::NotFound);
 }
 
+TEST(SuiteFolder, WhatShouldBeASuiteAndIsNoneIsAnError) {
+    const test::TempDir folder;
+    write(folder / "a.suite.json", smallSuite);
+    fs::create_symlink("nowhere", folder / "b.suite.json");
+    EXPECT_THAT(describe(suitesAt(folder.path()).error()),
+                HasSubstr("b.suite.json: expected a suite's file"));
+    fs::remove(folder / "b.suite.json");
+    fs::create_directory(folder / "c.suite.json");
+    EXPECT_THAT(describe(suitesAt(folder.path()).error()),
+                HasSubstr("c.suite.json: expected a suite's file"));
+}
+
 TEST(SuiteFolder, LinksAreNotEntered) {
     const test::TempDir outside;
     const test::TempDir folder;
