@@ -62,9 +62,9 @@ Result<std::vector<PicturePair>> pairPictures(const fs::path& actual, const fs::
             pair.name = name;
             pair.*member = true;
             const Result<fs::path> path = pathInside(folder, name);
-            const PictureSize size = path ? sizeOfPng(*path) : PictureSize();
-            pair.pixels = std::max(pair.pixels, static_cast<std::uint64_t>(size.width) *
-                                                    static_cast<std::uint64_t>(size.height));
+            if (const auto size = path ? sizeOfPng(*path) : std::nullopt)
+                pair.pixels = std::max(pair.pixels, static_cast<std::uint64_t>(size->width) *
+                                                        static_cast<std::uint64_t>(size->height));
         };
     };
     if (const Result<void> read = forEachPng(actual, leftOut, addTo(&PicturePair::hasActual, actual)); !read)

@@ -19,14 +19,14 @@ int bigEndian(ByteView bytes, std::size_t at) {
 
 } // namespace
 
-PictureSize sizeOfPng(const std::filesystem::path& file) {
+std::optional<PictureSize> sizeOfPng(const std::filesystem::path& file) {
     constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
     const Result<Bytes> start = readFileStart(file, pngHeaderBytes);
     if (!start || start->size() < pngHeaderBytes ||
         !std::ranges::equal(ByteView(*start).first(signature.size()), viewBytes(signature)))
-        return {};
+        return std::nullopt;
     const PictureSize size{bigEndian(*start, 16), bigEndian(*start, 20)};
-    return size.width > 0 && size.height > 0 ? size : PictureSize{};
+    return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
 }
 
 } // namespace texplorer::suite

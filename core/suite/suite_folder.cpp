@@ -68,7 +68,7 @@ Suite suiteOfPairs(const fs::path& folder, const std::vector<std::string>& files
             continue;
         Entry entry{.name = name, .scenes = {SceneFile{file}}, .edits = {}, .axes = {}, .settings = {}};
         entry.settings.golden = GoldenFiles{{{"*", {golden}}}};
-        entry.settings.sizes = {sizeOfPng(folder / golden)};
+        entry.settings.sizes = {sizeOfPng(folder / golden).value_or(PictureSize())};
         suite.entries.push_back(std::move(entry));
     }
     return suite;

@@ -64,8 +64,8 @@ ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) 
             std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
 }
 
-/// In the corner of the dock below, where there is one with room: the card hides nothing that it speaks of, its
-/// buttons stay below the pointer, and the panel on the left, the view and the menu are next to it.
+/// In the corner of the dock below, where there is one with room: the card hides nothing that it speaks of,
+/// its buttons stay below the pointer, and the panel on the left, the view and the menu are next to it.
 bool hasCorner(const Rect& dock, ImVec2 size) {
     return static_cast<float>(dock.width) >= size.x * 1.5F && static_cast<float>(dock.height) >= size.y;
 }
@@ -118,8 +118,8 @@ void drawTour(Session& session, const Layout& layout, bool takesEscape) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size comes out between two frames
     if (const Rect& dock = layout.belowDock; hasCorner(dock, guess))
-        ImGui::SetNextWindowPos(
-            {static_cast<float>(dock.x) + em, static_cast<float>(dock.bottom()) - em}, ImGuiCond_Always, {0, 1});
+        ImGui::SetNextWindowPos({static_cast<float>(dock.x) + em, static_cast<float>(dock.bottom()) - em},
+                                ImGuiCond_Always, {0, 1});
     else
         ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
     TourAnswer answer = TourAnswer::None;

@@ -384,7 +384,7 @@ class Test(Suites):
                 self.assertFalse((report / "run.json").exists())
                 before = (report / "journal.jsonl").read_bytes()
                 said = self.passes(suite, "--resume", report)
-                self.assertEqual(said, f"{len(done)} of 40 cases were done before\n40 cases: 40 passed\n")
+                self.assertEqual(said, f"{len(done)} of 40 cases were done before\n40 cases: 40 passed\nreport: {report}/index.html\n")
                 self.assertTrue((report / "journal.jsonl").read_bytes().startswith(before))
                 self.assertTrue((report / "run.json").exists())
 
