@@ -14,6 +14,12 @@
 namespace texplorer::screenshot {
 namespace {
 
+#ifdef TEXPLORER_SANITIZE
+constexpr bool isSanitized = true;
+#else
+constexpr bool isSanitized = false;
+#endif
+
 constexpr std::array crashSignals{SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 
 /// Made beforehand: a signal's handler may do next to nothing.
@@ -37,7 +43,8 @@ void endWithSentence(int signal) {
 } // namespace
 
 void sayCrashes() {
-#ifndef TEXPLORER_SANITIZE
+    if (isSanitized)
+        return;
     // Of the main thread's own, as its stack may be what has run out.
     static std::array<char, 65536> stack;
     const stack_t other{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
@@ -54,7 +61,6 @@ void sayCrashes() {
         action.sa_flags = SA_ONSTACK;
         ::sigaction(crashSignals[i], &action, nullptr);
     }
-#endif
 }
 
 void driverIsLoaded() {

@@ -50,28 +50,29 @@ void ShotReport::addUnread(const std::string& scene, const Error& error) {
 }
 
 std::string ShotReport::json() const {
-    using Json = nlohmann::ordered_json;
+    using Document = nlohmann::ordered_json;
     const std::scoped_lock lock(mutex_);
-    Json pictures = Json::array();
+    Document pictures = Document::array();
     for (const auto& [index, row] : rows_) {
-        Json axes = Json::object();
+        Document axes = Document::object();
         for (const auto& [path, value] : row.axes)
             axes[path] = value;
-        Json picture{{"file", row.file},          {"scene", row.scene.empty() ? Json() : Json(row.scene)},
-                     {"axes", std::move(axes)},   {"width", row.size.width},
-                     {"height", row.size.height}, {"time", row.time}};
+        Document picture{
+            {"file", row.file},          {"scene", row.scene.empty() ? Document() : Document(row.scene)},
+            {"axes", std::move(axes)},   {"width", row.size.width},
+            {"height", row.size.height}, {"time", row.time}};
         if (row.error.empty()) {
             picture["renderer"] = row.renderer;
-            picture["driver"] = row.driver.name.empty() ? Json() : Json(row.driver.name);
-            picture["version"] = row.driver.version.empty() ? Json() : Json(row.driver.version);
-            picture["context"] = row.context.empty() ? Json() : Json(row.context);
+            picture["driver"] = row.driver.name.empty() ? Document() : Document(row.driver.name);
+            picture["version"] = row.driver.version.empty() ? Document() : Document(row.driver.version);
+            picture["context"] = row.context.empty() ? Document() : Document(row.context);
             picture["warnings"] = row.warnings;
         } else {
             picture["error"] = row.error;
         }
         pictures.push_back(std::move(picture));
     }
-    Json unread = Json::array();
+    Document unread = Document::array();
     for (const auto& [scene, error] : unread_)
         unread.push_back({{"scene", scene}, {"error", error}});
     return documentText({{"pictures", std::move(pictures)}, {"unread", std::move(unread)}});
