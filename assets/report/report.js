@@ -205,11 +205,12 @@ class ReportPage {
     const arrow = event.key.startsWith("Arrow");
     // What has arrows of its own keeps them; up and down scroll what is read.
     if (arrow && !event.shiftKey && (target.matches("input") || (/Up|Down/.test(event.key) && this.#main.contains(target)))) return;
-    const name = event.shiftKey && arrow ? `Shift+${event.key}` : event.key;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key; // Caps Lock is no other key
+    const name = event.shiftKey && arrow ? `Shift+${key}` : key;
     const row = this.#keys.find(({ keys }) => keys.includes(name));
     if (!row) return;
     event.preventDefault();
-    row.action(event.key);
+    row.action(key);
   }
 
   #search() {

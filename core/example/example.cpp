@@ -1,9 +1,14 @@
 #include "core/example/example.h"
 
+#include "core/base/nearest_name.h"
 #include "core/scene/params/json.h"
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace texplorer {
 namespace {
@@ -44,6 +49,17 @@ constexpr std::array exampleRows{
     Example{"nehe-no-bumps.json", "Embossed bumps, off", "What is left without them: the picture, lit."},
 };
 
+/// "there is no example "cub"; did you mean "cube"?"
+std::string absentText(std::string_view file) {
+    const auto stem = [](std::string_view name) { return name.substr(0, name.rfind(".json")); };
+    std::vector<std::string_view> names;
+    for (const Example& each : exampleRows)
+        names.push_back(stem(each.file));
+    const std::string_view near = nearestName(stem(file), names);
+    return fmt::format("there is no example {}{}", inQuotes(stem(file)),
+                       near.empty() ? std::string() : fmt::format("; did you mean {}?", inQuotes(near)));
+}
+
 } // namespace
 
 std::span<const Example> examples() {
@@ -53,7 +69,7 @@ std::span<const Example> examples() {
 Result<Scene> exampleScene(std::string_view file) {
     const auto found = std::ranges::find(exampleFiles(), file, &ExampleFile::name);
     if (found == exampleFiles().end())
-        return fail(ErrorCode::NotFound, "there is no such example", std::string(file));
+        return fail(ErrorCode::NotFound, absentText(file));
     return parseScene(found->text);
 }
 

@@ -1,6 +1,7 @@
 #include "core/suite/accept_list.h"
 
 #include "core/base/nearest_name.h"
+#include "core/base/utf8.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -21,6 +22,10 @@ std::string_view trimmed(std::string_view line) {
 /// "there is no case …; did you mean …?"; of a thousand names nobody wants the list.
 std::string unknownText(std::string_view name, const std::vector<std::string>& known) {
     const std::vector<std::string_view> names(known.begin(), known.end());
+    if (!isUtf8(name) || name.find("\uFFFD") != std::string_view::npos)
+        return fmt::format(
+            "there is no case {}: a name that isn't UTF-8 can't stand in a list; --update takes it",
+            inQuotes(name));
     const std::string_view near = nearestName(name, names);
     return near.empty()
                ? fmt::format("there is no case {}", inQuotes(name))
@@ -34,6 +39,8 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
     if (text.size() > maxAcceptBytes)
         return fail(ErrorCode::TooLarge,
                     fmt::format("expected at most {} bytes, found {}", maxAcceptBytes, text.size()));
+    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) // as some editors write it
+        text.remove_prefix(mark.size());
     const std::unordered_set<std::string_view> names(known.begin(), known.end());
     std::unordered_set<std::string_view> taken;
     std::vector<std::string> accepted;

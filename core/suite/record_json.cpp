@@ -367,7 +367,7 @@ namespace {
 
 /// Not shortened: what differs may be at its end.
 std::string quotedWhole(const std::string& text) {
-    return fmt::format("\"{}\"", printable(text));
+    return text.empty() ? "none" : fmt::format("\"{}\"", printable(text));
 }
 
 /// Empty: all are.

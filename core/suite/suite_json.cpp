@@ -1,4 +1,5 @@
 #include "core/base/file_io.h"
+#include "core/example/example.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/json_reader.h"
@@ -251,6 +252,12 @@ void readLessonScene(JsonObject& object, SceneLesson& scene) {
         object.say(ErrorCode::Malformed, "", "expected one of answer and reached, found both");
 }
 
+void readExampleScene(JsonObject& object, SceneExample& scene) {
+    object.text("example", scene.name, maxSuiteTextBytes);
+    if (const Result<Scene> known = exampleScene(scene.name + ".json"); !known)
+        object.say(known.error().code, "example", known.error().message);
+}
+
 void readScene(const Json& json, const std::string& where, Problem& problem, SceneSource& source) {
     if (!json.is_object()) {
         readFileName(json, where, problem, source.emplace<SceneFile>().file);
@@ -258,7 +265,7 @@ void readScene(const Json& json, const std::string& where, Problem& problem, Sce
     }
     JsonObject object(json, where, problem);
     if (json.contains("example"))
-        object.text("example", source.emplace<SceneExample>().name, maxSuiteTextBytes);
+        readExampleScene(object, source.emplace<SceneExample>());
     else if (json.contains("inline"))
         readInlineScene(*object.find("inline"), object.placeOf("inline"), problem,
                         source.emplace<SceneInline>());

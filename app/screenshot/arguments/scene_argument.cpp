@@ -4,7 +4,6 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/messages.h"
 #include "core/base/file_io.h"
-#include "core/base/nearest_name.h"
 #include "core/example/example.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/link/scene_file.h"
@@ -53,14 +52,8 @@ Result<std::string> readSceneInput(const std::string& path) {
 }
 
 Result<Scene> exampleNamed(const std::string& name) {
-    const std::vector<std::string> names = exampleNames();
-    if (std::ranges::find(names, name) != names.end())
-        return exampleScene(name + ".json");
-    const std::string_view meant = nearestName(name, {names.begin(), names.end()});
-    if (meant.empty())
-        return refuseChoice(fmt::format("{}", fmt::join(names, ", ")), name, "--example");
-    return fail(ErrorCode::OutOfRange,
-                fmt::format("there is no example \"{}\"; did you mean \"{}\"?", name, meant), "--example");
+    Result<Scene> scene = exampleScene(name + ".json");
+    return scene ? scene : fail(scene.error().code, scene.error().message, "--example");
 }
 
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {

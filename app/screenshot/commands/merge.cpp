@@ -36,9 +36,19 @@ ExitCode complainOfMerge(const Error& error) {
     return complain(error, wrongCall);
 }
 
+/// The record of a run: of a report's folder what it has there.
+std::string recordIn(const std::string& path) {
+    std::error_code ignored;
+    if (!fs::is_directory(path, ignored))
+        return path;
+    const fs::path record = fs::path(path) / recordName;
+    return (fs::exists(record, ignored) ? record : fs::path(path) / journalName).string();
+}
+
 Result<std::vector<suite::RunRecord>> readRuns(const std::vector<std::string>& paths) {
     std::vector<suite::RunRecord> runs;
-    for (const std::string& path : paths) {
+    for (const std::string& each : paths) {
+        const std::string path = recordIn(each);
         const Result<Bytes> bytes = readInput(path, suite::maxRecordBytes);
         if (!bytes)
             return fail(bytes.error());
@@ -61,7 +71,7 @@ Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::R
     std::multimap<std::string_view, Place> places;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         for (const suite::CaseRecord& each : runs[i].cases)
-            places.emplace(each.name, Place{&each, fs::path(paths[i]).parent_path()});
+            places.emplace(each.name, Place{&each, fs::path(recordIn(paths[i])).parent_path()});
     }
     for (suite::CaseRecord& each : merged.cases) {
         const auto [first, last] = places.equal_range(each.name);
@@ -81,7 +91,7 @@ Result<void> checkReportApart(const MergeOptions& options) {
         return {};
     for (const std::string& each : options.runs) {
         std::error_code ignored;
-        const fs::path own = fs::path(each).parent_path();
+        const fs::path own = fs::path(recordIn(each)).parent_path();
         if (fs::equivalent(own.empty() ? fs::path(".") : own, options.report, ignored))
             return fail(ErrorCode::OutOfRange,
                         fmt::format("expected another folder than that of {}, whose pictures are gathered",
@@ -164,10 +174,11 @@ void addMerge(CommandLine& line) {
     Command& command =
         line.command("merge", "Join the parts of a run that \"texshot test --shard\" has made.");
     auto options = std::make_shared<MergeOptions>();
-    command.option("RUN", options->runs,
-                   "What --json has written of each part, or run.json of its report; a journal of a run that "
-                   "was killed does, too.",
-                   {.required = true});
+    command.option(
+        "RUN", options->runs,
+        "The report's folder of each part, its run.json, or what --json has written; a journal of a "
+        "run that was killed does, too. Pictures are beside run.json alone.",
+        {.required = true});
     command.option("-o,--out", options->out, "The whole run as JSON; - for standard output.",
                    {.value = "FILE", .required = true});
     command.option("--report", options->report,

@@ -368,8 +368,8 @@ void declareRunning(Command& command, TestOptions& options) {
     const Option& report = command.option(
         "--report", options.report,
         "A folder for the report: index.html, to be opened as a file, with the pictures of every failure, and "
-        "run.json. The actual picture of a case holds its scene, as those of \"texshot shot\" do. While the run "
-        "lasts the folder has its journal.",
+        "run.json. The actual picture of a case holds its scene, as those of \"texshot shot\" do. Its journal, "
+        "journal.jsonl, is what --resume goes on with.",
         {.value = "DIR"});
     running(report);
     running(command.option("--junit", options.junit, "The result as JUnit's XML; - for standard output.",

@@ -145,7 +145,7 @@ Validity validateRun(const std::string& in, ByteView file) {
     return validity;
 }
 
-/// The keys of an object that is the whole text; what they have is passed over. None where it is no JSON. Of
+/// The keys of an object that is the whole text; what they have is passed over. Of
 /// what is longer than a scene may be, the first key: runs are.
 std::vector<std::string> topKeys(std::string_view text) {
     if (text.size() > maxSceneBytes) {
@@ -161,7 +161,9 @@ std::vector<std::string> topKeys(std::string_view text) {
             keys.push_back(parsed.get<std::string>());
         return depth == 0;
     };
-    return PlainJson::parse(text, keep, false).is_discarded() ? std::vector<std::string>() : keys;
+    [[maybe_unused]] const PlainJson document =
+        PlainJson::parse(text, keep, false); // up to the damage, if any
+    return keys;
 }
 
 bool beginsAsJson(ByteView file) {
@@ -182,7 +184,7 @@ Validity validate(const std::string& in, ByteView file) {
         const auto has = [&keys](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
         if (has("suite") || in.ends_with(suite::suiteExtension))
             return validateSuite(in, file);
-        return has("run") ? validateRun(in, file) : validateScene(in, file);
+        return has("run") || in.ends_with(".jsonl") ? validateRun(in, file) : validateScene(in, file);
     }
     const std::string why = decodeTexture(file).error().message;
     constexpr std::string_view image = "expected an image";

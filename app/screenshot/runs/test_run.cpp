@@ -14,9 +14,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <sys/wait.h>
 
 namespace texplorer::screenshot {
@@ -72,7 +72,7 @@ private:
     [[nodiscard]] Result<void> work();
     [[nodiscard]] Result<void> workOn(const std::vector<std::size_t>& indices, bool update);
     [[nodiscard]] std::vector<std::size_t> order() const;
-    [[nodiscard]] std::vector<bool> sharers() const;
+    [[nodiscard]] std::map<std::size_t, std::size_t> sharers() const;
     [[nodiscard]] workers::Job jobOf(std::size_t index, bool update) const;
     [[nodiscard]] CaseRecord recordOf(std::size_t index, const Outcome& outcome);
     [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, std::string sentence);
@@ -89,6 +89,7 @@ private:
     std::optional<RunFolder> folder_;
     suite::Fingerprints fingerprints_;
     std::vector<std::optional<CaseRecord>> records_; ///< of each item
+    std::map<std::size_t, std::size_t> sharers_;     ///< see sharers
     std::optional<Error> broken_;                    ///< why no more is handed out
     bool failed_ = false;                            ///< a case isn't alike
     bool begun_ = false;                             ///< there is a journal
@@ -200,10 +201,10 @@ std::vector<std::size_t> TestRun::order() const {
     return sorted;
 }
 
-/// Of each item, whether an earlier one is to write its golden: what is written once must do for both.
-std::vector<bool> TestRun::sharers() const {
-    std::vector<bool> sharing(planned_.items.size());
-    std::set<std::filesystem::path> written;
+/// The items whose golden an earlier one is to write, with that one: what is written once must do for both.
+std::map<std::size_t, std::size_t> TestRun::sharers() const {
+    std::map<std::size_t, std::size_t> sharing;
+    std::map<std::filesystem::path, std::size_t> written;
     for (std::size_t i = 0; i < planned_.items.size() && !planned_.plan.cases.empty(); ++i) {
         const suite::Case& of = planned_.plan.cases[planned_.items[i].number];
         if (!planned_.items[i].update ||
@@ -214,7 +215,8 @@ std::vector<bool> TestRun::sharers() const {
             suite::goldensOf(planned_.plan, of, drawn ? finished_.run.driver : std::string());
         for (const std::string& golden : goldens) {
             const auto path = (planned_.plan.suiteOf(of).folder / golden).lexically_normal();
-            sharing[i] = !written.insert(path).second || sharing[i];
+            if (const auto [owner, isNew] = written.emplace(path, i); !isNew)
+                sharing.emplace(i, owner->second);
         }
     }
     return sharing;
@@ -272,6 +274,9 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
         if (!outcome.lastWords.empty())
             record.explanation = "What it printed last:\n" + printable(outcome.lastWords, LineBreaks::Keep);
     }
+    if (const auto sharer = sharers_.find(index); sharer != sharers_.end() && record.state == State::Failed)
+        record.sentence += fmt::format("; its golden is also that of {}, which --update takes it from",
+                                       planned_.items[sharer->second].name);
     record.seconds = outcome.took.count();
     record.attempt = outcome.attempt;
     return record;
@@ -310,9 +315,9 @@ Result<void> TestRun::workOn(const std::vector<std::size_t>& indices, bool updat
 
 Result<void> TestRun::work() {
     std::vector<std::size_t> first = order();
-    const std::vector<bool> sharing = sharers();
+    sharers_ = sharers();
     const auto later =
-        std::ranges::stable_partition(first, [&](std::size_t index) { return !sharing[index]; });
+        std::ranges::stable_partition(first, [&](std::size_t index) { return !sharers_.contains(index); });
     const std::vector<std::size_t> last(later.begin(), later.end());
     first.erase(later.begin(), later.end());
     const Result<void> done = workOn(first, true);

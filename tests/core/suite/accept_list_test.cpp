@@ -18,6 +18,18 @@ TEST(AcceptList, HasANameOnALine) {
               "expected the name of a case on a line, found none");
 }
 
+TEST(AcceptList, MayBeginWithAByteOrderMark) {
+    EXPECT_THAT(*parseAcceptList("\xEF\xBB\xBF"
+                                 "a/fixed@1x1\r\n",
+                                 known),
+                ElementsAre("a/fixed@1x1"));
+}
+
+TEST(AcceptList, NamesThatAreNoTextAreRefused) {
+    EXPECT_THAT(describe(parseAcceptList("inv\xFF.png", {"inv\xFE.png"}).error()),
+                testing::HasSubstr("isn't UTF-8"));
+}
+
 TEST(AcceptList, NamesThatThereAreNotAreSaid) {
     const Result<std::vector<std::string>> near = parseAcceptList("#\na/fixde@1x1", known);
     ASSERT_FALSE(near);

@@ -74,7 +74,7 @@ class Examples(Texshot):
 
     def test_an_example_that_there_is_not(self):
         self.complains(2, '--example: there is no example "tepot"; did you mean "teapot"?', "scene", "--example", "tepot")
-        self.complains(2, "--example: expected one of cube, checker, ", "scene", "--example", "zzzzzzz")
+        self.complains(2, "--example: there is no example \"zzzzzzz\"", "scene", "--example", "zzzzzzz")
         self.complains(2, "exclude each other", "scene", "--example", "cube", "scene.json")
         self.complains(2, "exclude each other", "scene", "--example", "cube", "--lesson", "wrap")
 

@@ -55,6 +55,9 @@ class Merge(Suites):
         first, *others = [report / "run.json" for report in reports]
         piped = texshot("merge", "-", *others, "-o", "-", input=first.read_bytes())
         self.assertEqual(json.loads(piped.stdout)["cases"], run["cases"])
+        folders = self.merge(*reports, "-o", "-", "--report", self.path / "of-folders")
+        self.assertEqual(json.loads(folders.stdout), run)
+        self.assertEqual(len(os.listdir(self.path / "of-folders/pictures")), 6)
         printed = self.merge(*[report / "run.json" for report in reports], "-o", "-")
         self.assertEqual(json.loads(printed.stdout), run)
 

@@ -168,7 +168,9 @@ class Test(Suites):
         self.assertEqual(len(os.listdir(self.path / "golden")), 1)
         self.assertEqual(set(self.states(suite).values()), {"passed"})
         both = self.suite([grey, dark], golden="golden/both.png")
-        self.assertEqual(self.states(both, "--update", code=1), {"grey": "passed", "dark": "failed"})
+        cases = self.record(both, "--update", code=1)
+        self.assertEqual({name: case["state"] for name, case in cases.items()}, {"grey": "passed", "dark": "failed"})
+        self.assertIn("its golden is also that of grey/fixed@24x16", cases["dark"]["sentence"])
         with Image.open(self.path / "golden/both.png") as golden, Image.open(self.path / "golden" / os.listdir(
                 self.path / "golden")[0]) as other:
             self.assertEqual(golden.getpixel((0, 0)), other.getpixel((0, 0)))
@@ -213,8 +215,8 @@ class Test(Suites):
         suite = self.suite(self.backgrounds("grey"))
         folder = self.path / "mine"
         (folder / "pictures").mkdir(parents=True)
-        files = {"index.html": b"my page", "run.json": b"{}", "pictures/holiday-actual.png": b"my picture"}
-        for kept in ({"index.html"}, {"run.json"}, {"pictures/holiday-actual.png"}, set(files)):
+        files = {"index.html": b"my page", "run.json": b"{}", "report.css": b"mine", "pictures/holiday-actual.png": b"my picture"}
+        for kept in ({"index.html"}, {"report.css"}, {"run.json"}, {"pictures/holiday-actual.png"}, set(files)):
             for name in files:
                 (folder / name).unlink(missing_ok=True)
             for name in kept:
