@@ -1,5 +1,6 @@
 // Many shots in one call against one process for each, and against the bare drawing: whole programs, with
-// nothing in Mesa's cache and with everything. A cold cache is a folder of its own for each process.
+// nothing in Mesa's cache and with everything. A cold cache is a folder of its own for each process. The same
+// of a sheet of many pictures.
 
 #include "core/base/file_io.h"
 #include "core/codec/png/png.h"
@@ -145,6 +146,55 @@ void shots(benchmark::State& state, std::optional<double> (*call)(Caller&), bool
     state.counters["shots/s"] = benchmark::Counter(36, benchmark::Counter::kIsIterationInvariantRate);
 }
 
+constexpr std::string_view sheetSize = "128x128";
+constexpr int sheetPictures = 64;
+
+/// "view.azimuth=0,40,80,…": eight values.
+std::string eight(std::string_view path, int step) {
+    std::string axis = fmt::format("{}=0", path);
+    for (int i = 1; i < 8; ++i)
+        axis += fmt::format(",{}", i * step);
+    return axis;
+}
+
+constexpr std::string_view azimuthPath = "view.azimuth";
+constexpr std::string_view elevationPath = "view.elevation";
+constexpr int azimuthStep = 40;
+constexpr int elevationStep = 5;
+
+std::optional<double> sheetInOneCall(Caller& caller) {
+    return caller.run({TEXSHOT, "sweep", "--size", std::string(sheetSize), "--axis",
+                       eight(azimuthPath, azimuthStep), "--axis", eight(elevationPath, elevationStep), "-o",
+                       (caller.pictures() / "sheet.png").string()});
+}
+
+std::optional<double> sheetOneByOne(Caller& caller) {
+    std::optional<double> sum = 0;
+    for (int i = 0; i < sheetPictures && sum; ++i) {
+        const std::optional<double> seconds =
+            caller.run({TEXSHOT, "shot", "--size", std::string(sheetSize), "--set",
+                        fmt::format("{}={}", azimuthPath, i / 8 * azimuthStep), "--set",
+                        fmt::format("{}={}", elevationPath, i % 8 * elevationStep), "-o",
+                        (caller.pictures() / fmt::format("{:02}.png", i)).string()});
+        sum = seconds ? std::optional(*sum + *seconds) : std::nullopt;
+    }
+    return sum;
+}
+
+void sheet(benchmark::State& state, std::optional<double> (*call)(Caller&), bool cold) {
+    Caller caller(cold);
+    if (!cold && !call(caller))
+        return state.SkipWithError("the program failed");
+    for (auto _ : state) {
+        const std::optional<double> seconds = call(caller);
+        if (!seconds)
+            return state.SkipWithError("the program failed");
+        state.SetIterationTime(*seconds);
+    }
+    state.counters["shots/s"] =
+        benchmark::Counter(sheetPictures, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 void declare(benchmark::internal::Benchmark* declared) {
     declared->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 }
@@ -155,6 +205,10 @@ BENCHMARK_CAPTURE(shots, bare / cold, bare, true)->Apply(declare);
 BENCHMARK_CAPTURE(shots, inOneCall / warm, inOneCall, false)->Apply(declare);
 BENCHMARK_CAPTURE(shots, oneByOne / warm, oneByOne, false)->Apply(declare);
 BENCHMARK_CAPTURE(shots, bare / warm, bare, false)->Apply(declare);
+BENCHMARK_CAPTURE(sheet, inOneCall / cold, sheetInOneCall, true)->Apply(declare);
+BENCHMARK_CAPTURE(sheet, oneByOne / cold, sheetOneByOne, true)->Apply(declare);
+BENCHMARK_CAPTURE(sheet, inOneCall / warm, sheetInOneCall, false)->Apply(declare);
+BENCHMARK_CAPTURE(sheet, oneByOne / warm, sheetOneByOne, false)->Apply(declare);
 
 } // namespace
 } // namespace texplorer::bench

@@ -104,6 +104,12 @@ inline constexpr std::array comparisons{
     Comparison{"36 shots in one call, Mesa's cache warm", "shots/inOneCall/warm/iterations:1/manual_time",
                "shots/bare/warm/iterations:1/manual_time", "a bare program without PNG", Goal::CostsUpTo,
                1.25},
+    Comparison{"a sheet of 64 pictures of 128 x 128, Mesa's cache cold",
+               "sheet/inOneCall/cold/iterations:1/manual_time",
+               "sheet/oneByOne/cold/iterations:1/manual_time", "one process per picture", Goal::FasterBy, 6},
+    Comparison{"a sheet of 64 pictures of 128 x 128, Mesa's cache warm",
+               "sheet/inOneCall/warm/iterations:1/manual_time",
+               "sheet/oneByOne/warm/iterations:1/manual_time", "one process per picture", Goal::FasterBy, 6},
 };
 
 /// The rows of bench_reference.cpp: one for each scene and filter.

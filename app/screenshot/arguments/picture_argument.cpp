@@ -89,6 +89,14 @@ Result<std::vector<double>> parseTimes(std::string_view text) {
     return parseEach(text, "--time", parseTime);
 }
 
+Result<void> checkAnisotropyUse(const PictureArgument& argument, bool referenceDraws) {
+    if (referenceDraws || !argument.anisotropyOption->isGiven())
+        return {};
+    return fail(ErrorCode::OutOfRange,
+                "has no effect here: OpenGL's driver decides, only the reference has a choice",
+                "--anisotropy");
+}
+
 Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {
     return parseChoice<reference::AnisotropyMethod>(text, "--anisotropy");
 }

@@ -31,6 +31,9 @@ void addPictureArgument(Command& command, PictureArgument& argument, Several sev
                                                                 view::Size smallest = {1, 1});
 [[nodiscard]] Result<std::vector<double>> parseTimes(std::string_view text);
 
+/// Refuses --anisotropy where it changes nothing: where the reference draws nothing.
+[[nodiscard]] Result<void> checkAnisotropyUse(const PictureArgument& argument, bool referenceDraws);
+
 [[nodiscard]] Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text);
 
 /// Exactly so many whole numbers with commas between them.

@@ -3,6 +3,7 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/messages.h"
+#include "app/screenshot/shots/shot_list.h"
 #include "core/base/file_io.h"
 #include "core/example/example.h"
 #include "core/lesson/lesson_scene.h"
@@ -214,6 +215,14 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
 
 std::filesystem::path SceneArgument::path() const {
     return isStandardInput(file) ? std::filesystem::path() : std::filesystem::path(file);
+}
+
+std::string nameOf(const SceneArgument& argument) {
+    if (!argument.example.empty())
+        return argument.example;
+    if (argument.lesson.empty())
+        return sceneName(argument.file);
+    return fmt::format("{}-{}", std::filesystem::path(argument.lesson).filename().string(), argument.step);
 }
 
 void tellOfImages(const ImageSource& images) {

@@ -56,6 +56,10 @@ struct SceneProblem {
 
 [[nodiscard]] tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument);
 
+/// What it is called in names of files, "{scene}": the example's, the lesson's with its step, the file's
+/// without folder and extension.
+[[nodiscard]] std::string nameOf(const SceneArgument& argument);
+
 /// For --verbose: the images that were loaded.
 void tellOfImages(const ImageSource& images);
 

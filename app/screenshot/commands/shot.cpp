@@ -1,7 +1,8 @@
+#include "app/screenshot/arguments/axes_argument.h"
 #include "app/screenshot/arguments/choice_argument.h"
-#include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/picture_argument.h"
+#include "app/screenshot/arguments/renderer_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/arguments/window_argument.h"
 #include "app/screenshot/command.h"
@@ -10,14 +11,11 @@
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
 #include "app/ui/window/smallest_window.h"
-#include "core/base/file_io.h"
 #include "core/reference/false_colors.h"
 
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace texplorer::screenshot {
@@ -30,21 +28,18 @@ struct ShotOptions {
     SceneArgument scene;            ///< what is changed in each of them, or a lesson
     std::vector<std::string> axes;
     PictureArgument picture;
-    ContextArgument context;
+    RendererArgument renderer;
     bool window = false;
     WindowArgument shownWindow;
-    std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string shown = std::string(rowOf(reference::Shown::Picture).name);
     reference::LevelQuestion shownUnit;
-    std::string shaders;
-    std::vector<std::string> pretended;
     std::string out;
     bool withoutMetadata = false;
     bool json = false;
-    const Option* rendererOption = nullptr;
     const Option* shownOption = nullptr;
-    const Option* shadersOption = nullptr;
 };
+
+constexpr const char* orWindow = " or --ui";
 
 /// What the call says of every picture. The error is a wrong call.
 Result<ShotRequest> requestOf(const ShotOptions& options) {
@@ -52,28 +47,17 @@ Result<ShotRequest> requestOf(const ShotOptions& options) {
     request.window = options.window;
     if (const Result<void> window = putWindow(options.shownWindow, request); !window)
         return fail(window.error());
-    const Result<RendererKind> renderer = parseChoice<RendererKind>(options.renderer, "--renderer");
-    if (!renderer)
+    if (const Result<void> renderer = putRenderer(options.renderer, request); !renderer)
         return fail(renderer.error());
     const Result<AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
     if (!anisotropy)
         return fail(anisotropy.error());
-    const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
-    if (!pretence)
-        return fail(pretence.error());
-    const Result<view::ContextChoice> context = parseContext(options.context);
-    if (!context)
-        return fail(context.error());
     const Result<reference::Shown> shown = parseChoice<reference::Shown>(options.shown, "--show");
     if (!shown)
         return fail(shown.error());
-    request.renderer = *renderer;
     request.anisotropy = *anisotropy;
-    request.pretence = *pretence;
-    request.context = *context;
     request.shown = *shown;
     request.shownUnit = options.shownUnit;
-    request.shaders = options.shaders;
     request.lesson = options.scene.lesson;
     request.lessonStep = options.scene.step - 1;
     request.levels.cache = BlockCache::ofUser();
@@ -82,22 +66,15 @@ Result<ShotRequest> requestOf(const ShotOptions& options) {
 
 /// An option that changes nothing in this call.
 Result<void> checkUse(const ShotOptions& options, const ShotRequest& request) {
-    const auto unused = [](const char* option, const char* why) {
-        return fail(ErrorCode::OutOfRange, fmt::format("has no effect here: {}", why), option);
-    };
     const bool reference = request.renderer == RendererKind::Reference;
-    if (options.picture.anisotropyOption->isGiven() && !request.window && !reference)
-        return unused("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
-    if (options.shadersOption->isGiven() && !request.window && request.renderer != RendererKind::Shader)
-        return unused("--shaders", "it is for --renderer shader and --ui");
-    if (!options.pretended.empty() && !request.window && reference)
-        return unused("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
-    if (options.context.option->isGiven() && !request.window && reference)
-        return unused("--context", "it is about OpenGL, which the reference doesn't ask");
-    if (options.rendererOption->isGiven() && !request.compared.empty())
-        return unused("--renderer", "--compare names the renderers");
+    if (const Result<void> used = checkAnisotropyUse(options.picture, request.window || reference); !used)
+        return used;
+    if (const Result<void> used = checkRendererUse(options.renderer, request, orWindow); !used)
+        return used;
+    if (options.renderer.rendererOption->isGiven() && !request.compared.empty())
+        return unusedOption("--renderer", "--compare names the renderers");
     if (options.shownOption->isGiven() && !request.window && !reference)
-        return unused("--show", "it is for --renderer reference and --ui");
+        return unusedOption("--show", "it is for --renderer reference and --ui");
     return {};
 }
 
@@ -120,15 +97,6 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
     return drawOne(std::move(request), argument, *output, !options.withoutMetadata, report);
 }
 
-/// "{scene}" in the names of pictures.
-std::string sceneNameOf(const SceneArgument& scene, const std::string& file) {
-    if (!scene.example.empty())
-        return scene.example;
-    if (scene.lesson.empty())
-        return sceneName(file);
-    return fmt::format("{}-{}", std::filesystem::path(scene.lesson).filename().string(), scene.step);
-}
-
 /// The scenes that can be read, with their axes; the others' sentences are said. The error is the exit status
 /// of a wrong call.
 tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions& options,
@@ -149,40 +117,12 @@ tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions
                 report->addUnread(file, opened.error().error);
             continue;
         }
-        ShotList::Entry entry{sceneNameOf(options.scene, file), file, *std::move(opened)};
-        for (const std::string& text : options.axes) {
-            Result<SweepAxis> axis = parseSweepAxis(entry.opened.scene, text);
-            if (!axis)
-                return tl::unexpected(complain(inScene(argument, axis.error()), wrongCall));
-            if (std::ranges::find(entry.axes, axis->path, &SweepAxis::path) != entry.axes.end())
-                return tl::unexpected(
-                    complain({ErrorCode::OutOfRange,
-                              fmt::format("expected each axis once, found {} twice", axis->path), "--axis"},
-                             wrongCall));
-            entry.axes.push_back(*std::move(axis));
-        }
-        entries.push_back(std::move(entry));
+        Result<std::vector<SweepAxis>> axes = parseAxes(opened->scene, options.axes);
+        if (!axes)
+            return tl::unexpected(complain(inScene(argument, axes.error()), wrongCall));
+        entries.push_back({nameOf(argument), file, *std::move(opened), *std::move(axes)});
     }
     return entries;
-}
-
-/// Each folder once: what else a name may be is seen when it is written. `makes`: those that aren't there.
-Result<void> checkFolders(const std::vector<std::string>& names, bool makes) {
-    std::set<std::filesystem::path> folders;
-    for (const std::string& name : names) {
-        const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-        if (!folders.insert(folder).second)
-            continue;
-        if (std::error_code error; makes && !folder.empty()) {
-            std::filesystem::create_directories(folder, error);
-            if (error)
-                return fail(ErrorCode::Unwritable, "can't make the folder: " + error.message(),
-                            folder.string());
-        }
-        if (const Result<void> writable = checkPlace(name); !writable)
-            return fail(writable.error());
-    }
-    return {};
 }
 
 /// What to call several pictures: "{minFilter}.png".
@@ -222,7 +162,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     Result<std::vector<std::string>> names = list.names(pattern, std::string(rowOf(request.renderer).name));
     if (!names)
         return complain(names.error(), wrongCall);
-    if (const Result<void> writable = checkFolders(*names, !pattern.places().empty()); !writable)
+    if (const Result<void> writable = checkPlaces(*names, !pattern.places().empty()); !writable)
         return complain(writable.error());
     return drawAll(
         {list, *std::move(names), *format, std::move(request), !options.withoutMetadata, report, incomplete});
@@ -276,20 +216,12 @@ void addShot(CommandLine& line) {
     Command& command = line.command("shot", "Draw scenes into pictures.");
     auto options = std::make_shared<ShotOptions>();
     addSceneOrLessonArgument(command, options->scene, &options->files);
-    command.option(
-        "--axis", options->axes,
-        "A parameter and values that it goes through, as in 'textures[0].minFilter=*': a picture for "
-        "each, and for each combination where this is given again. V1,V2 are values (of vectors "
-        "and colours with ; between them), A..B/N are N numbers, * is every choice.",
-        {.value = "PATH=VALUES", .oneEach = true, .offers = {.assigned = assignedParams}});
+    addAxesArgument(command, options->axes,
+                    "a picture for each, and for each combination where this is given again");
     addPictureArgument(command, options->picture, Several::Yes);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     addWindowArgument(command, window, options->shownWindow);
-    options->rendererOption =
-        &command.option("--renderer", options->renderer,
-                        fmt::format("The renderer that draws the scene, one of {}.",
-                                    listNames(EnumTable<RendererKind>::rows)),
-                        {.value = "RENDERER", .showsDefault = true, .offers = {choiceNames<RendererKind>}});
+    addRendererArgument(command, options->renderer, orWindow);
     options->shownOption = &command.option(
         "--show", options->shown,
         fmt::format(
@@ -304,14 +236,6 @@ void addShot(CommandLine& line) {
                    {.needs = options->shownOption});
     command.number("--unit", options->shownUnit.unit, 0, maxUnits - 1, "With --show: its texture unit.",
                    {.needs = options->shownOption});
-    options->shadersOption =
-        &command.option("--shaders", options->shaders,
-                        "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
-                        "of shaders/. Without it: those that the program was built with.",
-                        {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
-    addContextArgument(command, options->context);
-    command.option("--pretend", options->pretended, view::pretenceHelp(),
-                   {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     command.flag(
         "--no-metadata", options->withoutMetadata,
         "Write no texts into a PNG, which say the program, the renderer, the driver, time, size and the "

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace texplorer::screenshot {
 namespace {
@@ -116,6 +117,24 @@ Result<void> Output::put(ByteView bytes) const {
     }
     std::optional<Uninterrupted> placing;
     return writeFileAtomically(path_, bytes, [&placing] { placing.emplace(); });
+}
+
+Result<void> checkPlaces(const std::vector<std::string>& names, bool makes) {
+    std::set<std::filesystem::path> folders;
+    for (const std::string& name : names) {
+        const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+        if (!folders.insert(folder).second)
+            continue;
+        if (std::error_code error; makes && !folder.empty()) {
+            std::filesystem::create_directories(folder, error);
+            if (error)
+                return fail(ErrorCode::Unwritable, "can't make the folder: " + error.message(),
+                            folder.string());
+        }
+        if (const Result<void> writable = checkPlace(name); !writable)
+            return fail(writable.error());
+    }
+    return {};
 }
 
 Result<void> ImageOutput::write(const TextureImage& texture, const WriteOptions& options) const {

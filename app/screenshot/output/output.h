@@ -31,6 +31,10 @@ private:
 /// Whether a file can be written there. The error names the path, and the folder that isn't there.
 [[nodiscard]] Result<void> checkPlace(const std::string& path);
 
+/// The same of many files, each folder once: what else a name may be is seen when it is written. `makes`: the
+/// folders that aren't there.
+[[nodiscard]] Result<void> checkPlaces(const std::vector<std::string>& paths, bool makes);
+
 /// Whether a path names the program's standard output.
 [[nodiscard]] bool isStandardOutput(const std::string& path);
 

@@ -4,7 +4,7 @@
 #include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace texplorer::screenshot {
 
@@ -27,6 +27,8 @@ std::vector<PictureText> textsOf(const PictureFacts& facts) {
         texts.push_back({"Texplorer context", facts.context});
     texts.push_back({"Texplorer time", fmt::format("{}", facts.time)});
     texts.push_back({"Texplorer size", fmt::format("{}x{}", facts.size.width, facts.size.height)});
+    if (!facts.axes.empty())
+        texts.push_back({"Texplorer axes", fmt::format("{}", fmt::join(facts.axes, "\n"))});
     texts.push_back({sceneKeyword, writeScene(facts.scene)});
     return texts;
 }

@@ -15,11 +15,6 @@ namespace {
 constexpr const char* nameOption = "--out";
 constexpr std::array<std::string_view, 5> fixedPlaces{"scene", "number", "renderer", "time", "size"};
 
-/// "minFilter" of "textures[0].minFilter".
-std::string_view keyOfPath(std::string_view path) {
-    return path.substr(path.rfind('.') + 1);
-}
-
 /// Their product, or something above `most` where that is larger.
 std::size_t boundedProduct(std::size_t a, std::size_t b, std::size_t most) {
     return b != 0 && a > most / b ? most + 1 : a * b;
@@ -143,6 +138,10 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern,
         names.push_back(std::move(name));
     }
     return names;
+}
+
+std::string_view keyOfPath(std::string_view path) {
+    return path.substr(path.rfind('.') + 1);
 }
 
 std::string sceneName(const std::string& file) {

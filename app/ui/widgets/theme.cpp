@@ -1,6 +1,7 @@
 #include "app/ui/widgets/theme.h"
 
 #include "app/ui/widgets/font_file.h"
+#include "app/view/font_folders.h"
 #include "core/lesson/lesson_files.h"
 
 #include <algorithm>
@@ -14,10 +15,6 @@ namespace {
 
 constexpr float textSize = 15; // pixels at a scale of 1
 constexpr float codeSize = 13.5F;
-
-// Where distributions keep DejaVu: Debian, Fedora, Arch.
-constexpr std::array fontFolders{"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/",
-                                 "/usr/share/fonts/dejavu-sans-mono-fonts/", "/usr/share/fonts/TTF/"};
 
 // File names may be written in any of these; the rest are the signs that the panels use.
 constexpr std::array<ImWchar, 19> glyphs{0x0020, 0x024F, // Latin
@@ -90,7 +87,7 @@ void addLetters(const std::vector<ImWchar>& ranges, float size) {
 
 ImFont* addFont(const char* file, float size) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    for (const char* folder : fontFolders) {
+    for (const char* folder : view::fontFolders) {
         const std::string path = std::string(folder) + file;
         if (!isFontFile(path))
             continue;
