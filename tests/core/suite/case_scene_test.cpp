@@ -50,7 +50,6 @@ TEST(CaseScene, WhatThereIsNotIsSaid) {
     const test::TempDir folder;
     const std::array lacking{
         Lacking{R"("absent.json")", ErrorCode::NotFound, "absent.json"},
-        Lacking{R"({"example": "absent"})", ErrorCode::NotFound, "absent"},
         Lacking{R"({"lesson": "absent"})", ErrorCode::NotFound, "absent"},
         Lacking{R"({"lesson": "wrap", "step": 99})", ErrorCode::OutOfRange, "the lesson has the steps 1 to"},
         Lacking{R"({"lesson": "wrap", "answer": 1})", ErrorCode::OutOfRange, "this step has 0 answers"},

@@ -153,6 +153,13 @@ TEST(SuiteJson, WhatTheCommandLineTakesIsTaken) {
     EXPECT_EQ(second.share, 0.5);
 }
 
+TEST(SuiteJson, AnExampleThatThereIsNotIsRefusedWithTheNearestOne) {
+    const Result<Suite> suite = parseSuite(R"({"suite": 1, "cases": [{"scene": {"example": "cub"}}]})");
+    ASSERT_FALSE(suite);
+    EXPECT_EQ(describe(suite.error()),
+              "/cases/0/scene/example: there is no example \"cub\"; did you mean \"cube\"?");
+}
+
 TEST(SuiteJson, TooMuchIsRefusedBeforeItIsRead) {
     const Result<Suite> large = parseSuite(std::string(maxSuiteBytes + 1, ' '));
     ASSERT_FALSE(large);
