@@ -14,6 +14,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <spawn.h>
 #include <string>
 #include <sys/wait.h>
@@ -127,18 +128,35 @@ bool drawTheSame(Caller& caller) {
     return same;
 }
 
-void shots(benchmark::State& state, std::optional<double> (*call)(Caller&), bool cold) {
-    Caller caller(cold);
+using Call = std::optional<double> (*)(Caller&);
+
+/// Whose cache has all that Mesa keeps: what it hasn't written when a program ends comes with a later call.
+/// nullptr: the program failed.
+Caller* warmCaller(Call call) {
+    static Caller caller(false);
+    static std::set<Call> warmed;
+    constexpr int calls = 4;
+    for (int i = 0; i < calls && !warmed.contains(call); ++i) {
+        if (!call(caller))
+            return nullptr;
+    }
+    warmed.insert(call);
+    return &caller;
+}
+
+void shots(benchmark::State& state, Call call, bool cold) {
+    Caller own(cold);
     static const bool same = [] {
         Caller first(false);
         return drawTheSame(first);
     }();
     if (!same)
         return state.SkipWithError("the bare program draws other pictures");
-    if (!cold && !call(caller))
+    Caller* caller = cold ? &own : warmCaller(call);
+    if (caller == nullptr)
         return state.SkipWithError("the program failed");
     for (auto _ : state) {
-        const std::optional<double> seconds = call(caller);
+        const std::optional<double> seconds = call(*caller);
         if (!seconds)
             return state.SkipWithError("the program failed");
         state.SetIterationTime(*seconds);
@@ -181,12 +199,13 @@ std::optional<double> sheetOneByOne(Caller& caller) {
     return sum;
 }
 
-void sheet(benchmark::State& state, std::optional<double> (*call)(Caller&), bool cold) {
-    Caller caller(cold);
-    if (!cold && !call(caller))
+void sheet(benchmark::State& state, Call call, bool cold) {
+    Caller own(cold);
+    Caller* caller = cold ? &own : warmCaller(call);
+    if (caller == nullptr)
         return state.SkipWithError("the program failed");
     for (auto _ : state) {
-        const std::optional<double> seconds = call(caller);
+        const std::optional<double> seconds = call(*caller);
         if (!seconds)
             return state.SkipWithError("the program failed");
         state.SetIterationTime(*seconds);
