@@ -32,10 +32,6 @@ void readRow(const Image& image, int first, int count, int y, Rgba* to) {
     std::fill(begin + (end - inside), to + count, begin[end - inside - 1]);
 }
 
-bool isMasked(const Rgba& pixel) {
-    return pixel[3] == 0 || (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0);
-}
-
 Rgba meanOf(const Rgba& a, const Rgba& b) {
     Rgba mean{};
     for (std::size_t c = 0; c < mean.size(); ++c)

@@ -14,6 +14,11 @@ namespace texplorer {
 
 using Rgba = std::array<std::uint8_t, 4>;
 
+/// Whether a pixel of a mask hides the one behind it: black, or wholly transparent.
+[[nodiscard]] constexpr bool isMasked(const Rgba& mask) {
+    return mask[3] == 0 || (mask[0] == 0 && mask[1] == 0 && mask[2] == 0);
+}
+
 /// A piece of a picture, its upper left counted from the picture's.
 struct Tile {
     int x;

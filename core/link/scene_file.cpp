@@ -16,8 +16,6 @@
 namespace texplorer {
 namespace {
 
-constexpr std::size_t mostChunks = 100'000; // that are looked at for the one with the scene
-
 /// Fills the buffer; false: the file ends before.
 bool readAll(std::istream& file, std::span<std::byte> to) {
     file.read(reinterpret_cast<char*>(to.data()), static_cast<std::streamsize>(to.size()));
@@ -54,7 +52,7 @@ Result<std::string> readSceneText(const std::filesystem::path& file) {
     return text ? text : fail(text.error().code, text.error().message, file.string());
 }
 
-bool isPictureWithScene(const std::filesystem::path& path) {
+bool isPictureWithScene(const std::filesystem::path& path, std::size_t mostChunks) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) // a pipe would be waited for
         return false;

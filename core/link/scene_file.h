@@ -23,8 +23,8 @@ inline constexpr const char* sceneKeyword = "Texplorer scene";
 /// The same of a file on the disk, named in `where`.
 [[nodiscard]] Result<std::string> readSceneText(const std::filesystem::path& file);
 
-/// Whether a file is a PNG with such a text, whatever that says. Reads little more than where its chunks
-/// begin; false, too, where it can't be read.
-[[nodiscard]] bool isPictureWithScene(const std::filesystem::path& file);
+/// Whether a file is a PNG with such a text, whatever that says, among its first chunks. Reads little more
+/// than where these begin; false, too, where it can't be read.
+[[nodiscard]] bool isPictureWithScene(const std::filesystem::path& file, std::size_t mostChunks = 100'000);
 
 } // namespace texplorer

@@ -15,6 +15,9 @@ namespace texplorer::report {
 
 namespace {
 
+constexpr const char* scriptName = "report.js";
+constexpr const char* dataName = "report-data.js";
+
 using Json = nlohmann::ordered_json;
 
 // What a script holds of outside texts is JSON in ASCII without '<': nothing in it ends a string, a line or a
@@ -221,7 +224,7 @@ Result<std::vector<File>> FolderWriter::write() {
         else if (const Result<void> added = add({std::string(asset.name), bytesOf(asset.text)}); !added)
             return fail(added.error());
     }
-    if (const Result<void> added = add({"report.js", bytesOf(script)}); !added)
+    if (const Result<void> added = add({scriptName, bytesOf(script)}); !added)
         return fail(added.error());
     Json tables = Json::array();
     for (const Table& table : page_.tables)
@@ -248,14 +251,22 @@ Result<std::vector<File>> FolderWriter::write() {
               {"tables", std::move(tables)},
               {"cases", std::move(cases)}};
     data["key"] = keyOf(asScript(data));
-    if (const Result<void> added =
-            add({"report-data.js", bytesOf("texplorerReport = " + asScript(data) + ";\n")});
+    if (const Result<void> added = add({dataName, bytesOf("texplorerReport = " + asScript(data) + ";\n")});
         !added)
         return fail(added.error());
     return std::move(files_);
 }
 
 } // namespace
+
+std::vector<std::string> pageFileNames() {
+    std::vector<std::string> names{scriptName, dataName};
+    for (const Asset& asset : pageAssets()) {
+        if (!asset.name.ends_with(".js"))
+            names.emplace_back(asset.name);
+    }
+    return names;
+}
 
 Result<std::vector<File>> filesOf(const Page& page) {
     return FolderWriter(page).write();

@@ -22,6 +22,9 @@ struct File {
 /// UTF-8, or is that of another file.
 [[nodiscard]] Result<std::vector<File>> filesOf(const Page& page);
 
+/// The names of those of them that every page has.
+[[nodiscard]] std::vector<std::string> pageFileNames();
+
 /// What lets the page read a picture's pixels: a browser shows a page the images beside it and doesn't let it
 /// read them. It is loaded when the case is looked at. For who writes pictures one by one, as they come: with
 /// Picture::pixels the page asks for it. `file` is as Picture::file, the new one's name is `file` with ".js".

@@ -4,6 +4,7 @@
 #include "core/base/percent.h"
 #include "core/compare/comparison.h"
 #include "core/compare/heat_map.h"
+#include "core/compare/picture_pair.h"
 #include "core/conform/judge.h"
 #include "core/conform/lambda_range.h"
 #include "core/conform/skip.h"
@@ -17,6 +18,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace texplorer::suite {
 namespace {
@@ -73,9 +75,9 @@ Result<Image> readPicture(const fs::path& folder, const std::string& name) {
 
 /// Whether the mask, Rgba8, hides the pixel whose first byte is there.
 bool isMasked(const Image& mask, std::size_t at) {
-    const bool isBlack = std::ranges::all_of(ByteView(mask.pixels).subspan(at, 3),
-                                             [](std::byte each) { return each == std::byte{0}; });
-    return isBlack || mask.pixels[at + 3] == std::byte{0};
+    Rgba pixel{};
+    std::memcpy(pixel.data(), mask.pixels.data() + at, pixel.size());
+    return texplorer::isMasked(pixel);
 }
 
 /// None where a case has no mask. One that hides all would let any picture pass, and any become a golden.

@@ -115,10 +115,6 @@ std::string nameOf(const Entry& entry, std::size_t scene) {
     return entry.scenes.size() == 1 ? entry.name : fmt::format("{}/{}", entry.name, ofScene);
 }
 
-std::string_view keyOfPath(std::string_view path) {
-    return path.substr(path.rfind('.') + 1);
-}
-
 /// "minFilter", or the whole path where two axes end in the same.
 std::string_view shortPath(const std::vector<SweepAxis>& axes, const SweepAxis& axis) {
     const auto sameKey = std::ranges::count_if(

@@ -144,14 +144,8 @@ Caller* warmCaller(Call call) {
     return &caller;
 }
 
-void shots(benchmark::State& state, Call call, bool cold) {
+void timed(benchmark::State& state, Call call, bool cold, int pictures) {
     Caller own(cold);
-    static const bool same = [] {
-        Caller first(false);
-        return drawTheSame(first);
-    }();
-    if (!same)
-        return state.SkipWithError("the bare program draws other pictures");
     Caller* caller = cold ? &own : warmCaller(call);
     if (caller == nullptr)
         return state.SkipWithError("the program failed");
@@ -161,7 +155,17 @@ void shots(benchmark::State& state, Call call, bool cold) {
             return state.SkipWithError("the program failed");
         state.SetIterationTime(*seconds);
     }
-    state.counters["shots/s"] = benchmark::Counter(36, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["shots/s"] = benchmark::Counter(pictures, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void shots(benchmark::State& state, Call call, bool cold) {
+    static const bool same = [] {
+        Caller first(false);
+        return drawTheSame(first);
+    }();
+    if (!same)
+        return state.SkipWithError("the bare program draws other pictures");
+    timed(state, call, cold, 36);
 }
 
 constexpr std::string_view sheetSize = "128x128";
@@ -200,18 +204,7 @@ std::optional<double> sheetOneByOne(Caller& caller) {
 }
 
 void sheet(benchmark::State& state, Call call, bool cold) {
-    Caller own(cold);
-    Caller* caller = cold ? &own : warmCaller(call);
-    if (caller == nullptr)
-        return state.SkipWithError("the program failed");
-    for (auto _ : state) {
-        const std::optional<double> seconds = call(*caller);
-        if (!seconds)
-            return state.SkipWithError("the program failed");
-        state.SetIterationTime(*seconds);
-    }
-    state.counters["shots/s"] =
-        benchmark::Counter(sheetPictures, benchmark::Counter::kIsIterationInvariantRate);
+    timed(state, call, cold, sheetPictures);
 }
 
 void declare(benchmark::internal::Benchmark* declared) {

@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/picture_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
 
 #include <fmt/core.h>
 
@@ -92,9 +93,7 @@ Result<std::vector<double>> parseTimes(std::string_view text) {
 Result<void> checkAnisotropyUse(const PictureArgument& argument, bool referenceDraws) {
     if (referenceDraws || !argument.anisotropyOption->isGiven())
         return {};
-    return fail(ErrorCode::OutOfRange,
-                "has no effect here: OpenGL's driver decides, only the reference has a choice",
-                "--anisotropy");
+    return unusedOption("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
 }
 
 Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {

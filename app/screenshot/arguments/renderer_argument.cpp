@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/renderer_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
 
 #include <fmt/core.h>
 
@@ -46,8 +47,7 @@ Result<void> checkRendererUse(const RendererArgument& argument, const ShotReques
     if (request.window)
         return {};
     if (argument.shadersOption->isGiven() && request.renderer != RendererKind::Shader)
-        return fail(ErrorCode::OutOfRange,
-                    fmt::format("has no effect here: it is for --renderer shader{}", orElse), "--shaders");
+        return unusedOption("--shaders", "it is for --renderer shader" + orElse);
     const bool reference = request.renderer == RendererKind::Reference;
     if (!argument.pretended.empty() && reference)
         return unusedOption("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");

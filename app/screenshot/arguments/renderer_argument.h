@@ -26,11 +26,6 @@ void addRendererArgument(Command& command, RendererArgument& argument, const std
 /// What it says, put into a request. The error is a wrong call.
 [[nodiscard]] Result<void> putRenderer(const RendererArgument& argument, ShotRequest& request);
 
-/// An option that changes nothing.
-[[nodiscard]] inline tl::unexpected<Error> unusedOption(const char* option, const char* why) {
-    return fail(ErrorCode::OutOfRange, std::string("has no effect here: ").append(why), option);
-}
-
 /// Refuses those of them that change nothing with this request.
 [[nodiscard]] Result<void> checkRendererUse(const RendererArgument& argument, const ShotRequest& request,
                                             const std::string& orElse = {});

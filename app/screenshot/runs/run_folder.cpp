@@ -35,8 +35,9 @@ bool isRecordOfOurs(const fs::path& folder) {
 /// What a report replaces or removes must be a report's.
 Result<void> checkOurs(const fs::path& folder) {
     std::error_code ignored;
-    for (const char* name : {recordName, journalName, "index.html", "report.css", "report.js",
-                             "report-data.js", picturesFolder}) {
+    std::vector<std::string> names = report::pageFileNames();
+    names.insert(names.end(), {recordName, journalName, picturesFolder});
+    for (const std::string& name : names) {
         const fs::file_status status = fs::symlink_status(folder / name, ignored);
         const bool isEmptyFolder = fs::is_directory(status) && fs::is_empty(folder / name, ignored);
         if (!fs::exists(status) || isEmptyFolder) // as a run leaves it that couldn't begin

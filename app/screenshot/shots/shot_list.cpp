@@ -140,10 +140,6 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern,
     return names;
 }
 
-std::string_view keyOfPath(std::string_view path) {
-    return path.substr(path.rfind('.') + 1);
-}
-
 std::string sceneName(const std::string& file) {
     if (file.empty())
         return "scene";

@@ -61,9 +61,6 @@ private:
     std::size_t count_ = 0;
 };
 
-/// "minFilter" of "textures[0].minFilter".
-[[nodiscard]] std::string_view keyOfPath(std::string_view path);
-
 /// "cube" of "scenes/cube.texplorer.json".
 [[nodiscard]] std::string sceneName(const std::string& file);
 

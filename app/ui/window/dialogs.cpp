@@ -48,10 +48,13 @@ std::vector<std::string> imageExtensions() {
     return extensions;
 }
 
-/// What "Open a scene" lists of its extensions: no suites, and of pictures those that hold a scene.
+/// What "Open a scene" lists of its extensions: no suites, and of pictures those that hold a scene. A folder
+/// may have thousands: of each it is looked no further than texshot puts it.
 bool maybeScene(const std::filesystem::path& file) {
+    constexpr std::size_t firstChunks = 32;
     const std::string name = file.filename().string();
-    return name.ends_with(".json") ? !name.ends_with(suite::suiteExtension) : isPictureWithScene(file);
+    return name.ends_with(".json") ? !name.ends_with(suite::suiteExtension)
+                                   : isPictureWithScene(file, firstChunks);
 }
 
 void beginBrowsing(DialogsState& state, const Session& session) {

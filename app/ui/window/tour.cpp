@@ -65,7 +65,7 @@ ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) 
 }
 
 /// In the corner of the dock below, where there is one with room: the card hides nothing that it speaks of,
-/// its buttons stay below the pointer, and the panel on the left, the view and the menu are next to it.
+/// its buttons stay below the pointer, and the panel on the left and the view are next to it.
 bool hasCorner(const Rect& dock, ImVec2 size) {
     return static_cast<float>(dock.width) >= size.x * 1.5F && static_cast<float>(dock.height) >= size.y;
 }

@@ -19,6 +19,11 @@ struct SweepAxis {
     bool operator==(const SweepAxis&) const = default;
 };
 
+/// "minFilter" of "textures[0].minFilter".
+[[nodiscard]] constexpr std::string_view keyOfPath(std::string_view path) {
+    return path.substr(path.rfind('.') + 1);
+}
+
 inline constexpr std::size_t maxAxisValues = 256;
 
 /// Whether values of this kind are few or can be counted through: choices, true and false, numbers, vectors,

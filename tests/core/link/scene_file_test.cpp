@@ -70,6 +70,8 @@ TEST(SceneFile, TheTextMayComeLast) {
     late.insert(late.end(), plain.end() - end, plain.end());
     ASSERT_TRUE(writeFileAtomically(folder / "late.png", late));
     EXPECT_TRUE(isPictureWithScene(folder / "late.png"));
+    EXPECT_TRUE(isPictureWithScene(folder / "late.png", 3)); // IHDR, IDAT and the text
+    EXPECT_FALSE(isPictureWithScene(folder / "late.png", 2));
     EXPECT_EQ(readSceneText(folder / "late.png").value(), json);
 }
 

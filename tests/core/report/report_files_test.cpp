@@ -65,6 +65,12 @@ Page pageWith(Case each) {
     return page;
 }
 
+TEST(ReportFiles, EveryPageHasTheNamedFilesAndAnEmptyOneNoOthers) {
+    const auto files = report::filesOf({});
+    ASSERT_TRUE(files);
+    EXPECT_THAT(namesOf(*files), testing::UnorderedElementsAreArray(report::pageFileNames()));
+}
+
 TEST(ReportFiles, AnEmptyPageIsAFolderToo) {
     const auto files = report::filesOf({});
     ASSERT_TRUE(files);
