@@ -10,6 +10,7 @@
 #include "core/base/count.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
+#include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 
@@ -101,8 +102,9 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
         state.errors.check("glPushAttrib");
         if (const Result<void> bound = state.target.bind(size); !bound)
             return fail(bound.error());
-        state.drawScene(scene, state.textures->withLightDepths(images, scene, time), time, size);
-        state.remember(scene, time, size);
+        const StandingScene standing(scene, time);
+        state.drawScene(*standing, state.textures->withLightDepths(images, *standing, time), time, size);
+        state.remember(*standing, time, size);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
     }

@@ -27,9 +27,10 @@ public:
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
     ~SceneRenderer();
 
-    /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
-    /// does not end the drawing: it is reported in Frame::problems. Without `levels` the textures are made
-    /// and uploaded before the drawing; with it, a texture is what it was before until they are.
+    /// Draws the scene at `time` seconds, with what its key frames say then. Refused: a size below 1 or above
+    /// the driver's limit. A GL error does not end the drawing: it is reported in Frame::problems. Without
+    /// `levels` the textures are made and uploaded before the drawing; with it, a texture is what it was
+    /// before until they are.
     [[nodiscard]] Result<view::Frame> draw(const Scene& scene, const ImageSource& images, double time,
                                            view::Size size, LevelsSource* levels = nullptr);
 

@@ -9,6 +9,7 @@
 #include "core/reference/raster/raster.h"
 #include "core/reference/raster/scene_triangles.h"
 #include "core/reference/shading/pass_state.h"
+#include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 
@@ -32,15 +33,19 @@ tl::unexpected<Error> stopped() {
 struct ReferenceRenderer::State {
     TextureStore textures;
     LightDepths lightDepths;
-    DrawRequest seen;                ///< with what the light sees, where the scene shows it
+    DrawRequest seen;                ///< the scene as it stands then, with what the light sees
     std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
 
-    /// The same where nothing shows what the light sees.
-    const DrawRequest& withLightDepths(const DrawRequest& request, const DrawOptions& options) {
-        if (!showsLightDepths(request.scene))
+    /// What is to be drawn in fact: the scene as it stands at the request's time, with what the light sees
+    /// where something shows it. The same request where neither is anything to do.
+    const DrawRequest& standing(const DrawRequest& request, const DrawOptions& options) {
+        const StandingScene scene(request.scene, request.time);
+        const bool lit = showsLightDepths(*scene);
+        if (!lit && &*scene == &request.scene)
             return request;
-        seen = request;
-        seen.images = lightDepths.addedTo(request.images, request.scene, request.time, options.stop);
+        seen = {*scene, request.images, request.time, request.width, request.height, request.anisotropy};
+        if (lit)
+            seen.images = lightDepths.addedTo(request.images, seen.scene, request.time, options.stop);
         return seen;
     }
 
@@ -108,7 +113,7 @@ Result<Frame> ReferenceRenderer::draw(const DrawRequest& request, const DrawOpti
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        return state_->draw(state_->withLightDepths(request, options), options);
+        return state_->draw(state_->standing(request, options), options);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }
@@ -123,8 +128,9 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
                     fmt::format("a picture of {} has no pixel {}, {}", extents(request.width, request.height),
                                 pixel.x, pixel.y));
     try {
-        state_->textures.keepOnly(request.scene);
-        return explainPixel(state_->withLightDepths(request, options), pixel, options, state_->textures);
+        const DrawRequest& standing = state_->standing(request, options);
+        state_->textures.keepOnly(standing.scene);
+        return explainPixel(standing, pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
     }
@@ -136,9 +142,9 @@ Result<Contributions> ReferenceRenderer::contributions(const DrawRequest& reques
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        state_->textures.keepOnly(request.scene);
-        return findContributions(state_->withLightDepths(request, options), question, options,
-                                 state_->textures);
+        const DrawRequest& standing = state_->standing(request, options);
+        state_->textures.keepOnly(standing.scene);
+        return findContributions(standing, question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }
@@ -149,8 +155,9 @@ Result<LevelMap> ReferenceRenderer::levels(const DrawRequest& request, const Lev
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        state_->textures.keepOnly(request.scene);
-        return findLevels(state_->withLightDepths(request, options), question, options, state_->textures);
+        const DrawRequest& standing = state_->standing(request, options);
+        state_->textures.keepOnly(standing.scene);
+        return findLevels(standing, question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }

@@ -10,7 +10,7 @@ namespace texplorer::reference {
 struct DrawRequest {
     Scene scene;
     ImageSource images{};
-    double time = 0; ///< seconds
+    double time = 0; ///< seconds; what of the scene has key frames is drawn as it stands then
     int width = 1;   ///< pixels
     int height = 1;
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;

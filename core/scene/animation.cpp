@@ -183,6 +183,8 @@ glm::mat4 projectionMatrix(const View& view, float aspect) {
 }
 
 bool isAnimated(const Scene& scene) {
+    if (isMoving(scene.timeline))
+        return true;
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
         const std::vector<std::size_t> drawn = drawnModels(scene, pass);
         return std::ranges::any_of(

@@ -9,7 +9,8 @@
 
 namespace texplorer {
 
-// What depends on the scene time, in seconds. The same inputs give the same matrices in every renderer.
+// What depends on the scene time, in seconds, but for what has key frames: these functions are given the
+// scene as it stands then (sceneAt). The same inputs give the same matrices in every renderer.
 
 /// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
 /// section 2.11.2). A step that loads a matrix makes those before it void.
@@ -50,7 +51,7 @@ struct ClipPlanes {
 /// `aspect` is width / height of the viewport.
 [[nodiscard]] glm::mat4 projectionMatrix(const View& view, float aspect);
 
-/// Whether anything in the scene changes with time.
+/// Whether anything in the scene changes with time, key frames among them.
 [[nodiscard]] bool isAnimated(const Scene& scene);
 
 } // namespace texplorer

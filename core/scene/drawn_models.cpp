@@ -48,12 +48,14 @@ void modelRemoved(Scene& scene, std::size_t index) {
         for (int& model : pass.models)
             model -= model > removed ? 1 : 0;
     }
+    elementRemoved(scene.timeline, "models", index);
 }
 
 void modelInserted(Scene& scene, std::size_t index) {
     for (Pass& pass : scene.passes)
         for (int& model : pass.models)
             model += model >= static_cast<int>(index) ? 1 : 0;
+    elementInserted(scene.timeline, "models", index);
 }
 
 void drawEverywhere(Scene& scene, std::size_t model) {
@@ -72,6 +74,7 @@ void modelsSwapped(Scene& scene, std::size_t one, std::size_t other) {
             else if (model == static_cast<int>(other))
                 model = static_cast<int>(one);
         }
+    elementsSwapped(scene.timeline, "models", one, other);
 }
 
 } // namespace texplorer

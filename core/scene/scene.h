@@ -20,6 +20,7 @@
 #include "core/mesh/mesh_data.h"
 #include "core/scene/sampler_state.h"
 #include "core/scene/texture_options.h"
+#include "core/scene/timeline.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -274,6 +275,7 @@ struct Scene {
     std::vector<Model> models;
     std::vector<Texture> textures;
     std::vector<Pass> passes{Pass{}};
+    Timeline timeline{}; ///< what of all this moves: see sceneAt
 
     bool operator==(const Scene&) const = default;
 };

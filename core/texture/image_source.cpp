@@ -68,6 +68,25 @@ void forEachPicture(AScene& scene, Visit visit) {
     }
 }
 
+/// The texts that a parameter has at its key frames.
+std::vector<std::string> keyValuesOf(const Scene& scene, std::string_view path) {
+    std::vector<std::string> values;
+    for (const KeyFrame& key : scene.timeline.keys)
+        if (key.path == path)
+            values.push_back(key.value);
+    return values;
+}
+
+/// Whether key frames decide what a texture makes of the files that it names: at some time it may want any.
+bool changesItsPictures(const Scene& scene, const std::string& filePath) {
+    const std::string texture = filePath.substr(0, filePath.find('.') + 1);
+    return std::ranges::any_of(scene.timeline.keys, [&](const KeyFrame& key) {
+        const std::string_view path = key.path;
+        return path.starts_with(texture) &&
+               (path.ends_with(".source") || path.ends_with(".mipmaps") || path.ends_with(".op"));
+    });
+}
+
 /// One image for each size, as long as anybody has it.
 SharedImage farthestDepths(int size) {
     static std::mutex mutex;
@@ -142,7 +161,12 @@ std::size_t ImageSource::bytesOf(const std::set<std::string>& files) const {
 std::vector<FileName> fileNamesOf(const Scene& scene) {
     std::vector<FileName> names;
     forEachPicture(scene, [&](SourceKind source, const std::string& file, bool wanted, std::string path) {
-        names.push_back({std::move(path), file, wanted && source == SourceKind::File});
+        const bool used =
+            (wanted && source == SourceKind::File) || (!file.empty() && changesItsPictures(scene, path));
+        const std::vector<std::string> later = keyValuesOf(scene, path);
+        names.push_back({path, file, used && later.empty()});
+        for (const std::string& each : later)
+            names.push_back({path, each, used});
     });
     return names;
 }
@@ -156,9 +180,12 @@ std::set<std::string> filesOf(const Scene& scene) {
 }
 
 void renameFiles(Scene& scene, const std::function<std::string(const std::string& file)>& rename) {
-    forEachPicture(scene, [&](SourceKind, std::string& file, bool, const std::string&) {
+    forEachPicture(scene, [&](SourceKind, std::string& file, bool, const std::string& path) {
         if (!file.empty())
             file = rename(file);
+        for (KeyFrame& key : scene.timeline.keys)
+            if (key.path == path && !key.value.empty())
+                key.value = rename(key.value);
     });
 }
 

@@ -60,6 +60,7 @@ public:
         return {number(), number(), number()};
     }
     glm::vec4 color() { return vectorOf(Range{0, 1, 0.005F, {}}, glm::vec4(0.5F)); }
+    Value valueOf(const ParamRow& row, const Value& start);
 
 private:
     static constexpr float denormal = std::numeric_limits<float>::denorm_min();
@@ -113,42 +114,6 @@ private:
         return std::clamp(dice_.of(choices), range.min, range.max);
     }
 
-    Value valueOf(const ParamRow& row, const Value& start) {
-        switch (row.kind) {
-        case Kind::Bool:
-            return dice_.chance(2);
-        case Kind::Int:
-            return static_cast<int>(
-                std::lround(numberOf(row.range, static_cast<float>(std::get<int>(start)))));
-        case Kind::Float:
-            return numberOf(row.range, std::get<float>(start));
-        case Kind::Vec3:
-            return vectorOf(row.range, std::get<glm::vec3>(start));
-        case Kind::Vec4:
-        case Kind::Color:
-            return vectorOf(row.range, std::get<glm::vec4>(start));
-        case Kind::Enum:
-            return EnumValue{dice_.of(row.choices).value};
-        case Kind::Text:
-            if (row.member != memberId<&Texture::file> && row.member != memberId<&GivenLevel::file> &&
-                row.member != memberId<&ImageStep::file>)
-                return std::string(dice_.of(names));
-            return files_.empty() ? std::string() : dice_.of(files_);
-        case Kind::Matrix: {
-            auto matrix = std::get<glm::mat4>(start);
-            for (int column = 0; column < 4; ++column)
-                matrix[column] = vectorOf(row.range, matrix[column]);
-            return matrix;
-        }
-        case Kind::PointList:
-        case Kind::ColorList:
-        case Kind::TexCoordList:
-        case Kind::IndexList:
-            break; // how many, and of what, no row knows
-        }
-        return start;
-    }
-
     template<class Vector>
     Vector vectorOf(const Range& range, Vector vector) {
         for (int i = 0; i < Vector::length(); ++i)
@@ -169,6 +134,41 @@ private:
     std::span<const std::string> files_;
     Dice& dice_;
 };
+
+Value Generator::valueOf(const ParamRow& row, const Value& start) {
+    switch (row.kind) {
+    case Kind::Bool:
+        return dice_.chance(2);
+    case Kind::Int:
+        return static_cast<int>(std::lround(numberOf(row.range, static_cast<float>(std::get<int>(start)))));
+    case Kind::Float:
+        return numberOf(row.range, std::get<float>(start));
+    case Kind::Vec3:
+        return vectorOf(row.range, std::get<glm::vec3>(start));
+    case Kind::Vec4:
+    case Kind::Color:
+        return vectorOf(row.range, std::get<glm::vec4>(start));
+    case Kind::Enum:
+        return EnumValue{dice_.of(row.choices).value};
+    case Kind::Text:
+        if (row.member != memberId<&Texture::file> && row.member != memberId<&GivenLevel::file> &&
+            row.member != memberId<&ImageStep::file>)
+            return std::string(dice_.of(names));
+        return files_.empty() ? std::string() : dice_.of(files_);
+    case Kind::Matrix: {
+        auto matrix = std::get<glm::mat4>(start);
+        for (int column = 0; column < 4; ++column)
+            matrix[column] = vectorOf(row.range, matrix[column]);
+        return matrix;
+    }
+    case Kind::PointList:
+    case Kind::ColorList:
+    case Kind::TexCoordList:
+    case Kind::IndexList:
+        break; // how many, and of what, no row knows
+    }
+    return start;
+}
 
 /// Vertices that lie anywhere and are drawn in any order.
 void fitMesh(MeshData& mesh, Generator& generator, Dice& dice) {
@@ -201,6 +201,46 @@ std::vector<int> someModels(const Scene& scene, Dice& dice) {
         all.erase(next);
     }
     return chosen;
+}
+
+/// Which parameters may have keys, and as what: what each vertex has is too long for one.
+struct Movable {
+    std::string path;
+    const ParamRow* row;
+    Value value;
+};
+
+std::vector<Movable> movables(const Scene& scene) {
+    std::vector<Movable> all;
+    forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
+        const bool isKey =
+            row.member == memberId<&KeyFrame::time> || row.member == memberId<&KeyFrame::path> ||
+            row.member == memberId<&KeyFrame::value> || row.member == memberId<&KeyFrame::easing>;
+        const bool isList = row.maxCount > 0;
+        if (!isKey && !isList)
+            all.push_back({path, &row, value});
+    });
+    return all;
+}
+
+/// Some of the scene's parameters, most of them with several keys.
+void fitKeys(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
+    const std::vector<Movable> all = movables(scene);
+    std::size_t chosen = 0;
+    for (KeyFrame& key : scene.timeline.keys) {
+        if (chosen == 0 || dice.chance(3)) // the first parameter is the camera's: often enough by chance
+            chosen = static_cast<std::size_t>(dice.below(static_cast<int>(all.size())));
+        const auto& [path, row, initial] = all[chosen];
+        Value value = generator.valueOf(*row, initial);
+        const MemberId member = row->member;
+        if (member == memberId<&Unit::texture>)
+            value = std::get<int>(value) % std::max(1, static_cast<int>(scene.textures.size()));
+        if ((member == memberId<&Unit::enabled> && scene.textures.empty()) ||
+            (!hasFiles && row->key == "source"))
+            value = initial;
+        key.path = path;
+        key.value = formatValue(*row, value);
+    }
 }
 
 /// What no row can know alone: how members must fit each other.
@@ -239,6 +279,7 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
                 unit.texture %= static_cast<int>(scene.textures.size());
         }
     }
+    fitKeys(scene, generator, dice, hasFiles);
 }
 
 bool passesSomething(CompareFunc func) {
@@ -277,6 +318,10 @@ void letItBeSeen(Scene& scene) {
 
 /// What drivers do otherwise than the specification, or may.
 void takeAwayWhatDiffers(Scene& scene) {
+    std::erase_if(scene.timeline.keys, [](const KeyFrame& key) {
+        return !key.path.ends_with("color") && !key.path.ends_with("Color") &&
+               !key.path.ends_with("azimuth") && !key.path.ends_with("rotation");
+    });
     scene.view.perspectiveHint = HintMode::DontCare;
     const auto setQ = [](TexCoords& list) {
         for (glm::vec4& each : list)

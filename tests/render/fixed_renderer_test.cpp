@@ -34,6 +34,23 @@ TEST_F(FixedRenderer, TwoDrawingsAreEqualToTheByte) {
     EXPECT_EQ(picture(defaultScene(), 128, 1.5), first);
 }
 
+TEST_F(FixedRenderer, DrawsWhatHasKeyFramesAsItStandsThen) {
+    Scene moving = defaultScene();
+    moving.timeline.keys = {{0, "view.azimuth", "10"},
+                            {2, "view.azimuth", "80"},
+                            {0, "textures[0].pattern", "checker"},
+                            {1, "textures[0].pattern", "brick"}};
+    Scene standing = defaultScene();
+    standing.view.azimuth = 45;
+    standing.textures[0].pattern = Pattern::Brick;
+    const Image then = picture(moving, 64, 1);
+    EXPECT_EQ(then, picture(standing, 64, 1));
+    standing.view.azimuth = 80;
+    EXPECT_EQ(picture(moving, 64, 30), picture(standing, 64, 30));
+    EXPECT_EQ(picture(moving, 64, 1), then);
+    EXPECT_THAT(problems, IsEmpty());
+}
+
 struct EditCase {
     const char* name;
     void (*edit)(Scene& scene);

@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tried.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 
@@ -201,7 +202,8 @@ std::vector<Error> warningsAbout(const ShotRequest& request, const Shot& shot) {
     std::vector<Error> errors;
     for (const std::string& problem : shot.frame.problems)
         errors.push_back({ErrorCode::Driver, problem, {}});
-    for (const Finding& each : diagnose(request.scene, request.images, shot.driver.facts)) {
+    const StandingScene standing(request.scene, request.time);
+    for (const Finding& each : diagnose(*standing, request.images, shot.driver.facts)) {
         if (each.severity <= Severity::Warning && !each.reportedByRenderer) // else it is a problem already
             errors.push_back({ErrorCode::Malformed, each.sentence, each.path});
     }

@@ -1,6 +1,7 @@
 #include "app/ui/model/shown_passes.h"
 
 #include "app/ui/model/preview.h"
+#include "core/scene/params/scene_at.h"
 
 #include <algorithm>
 
@@ -16,9 +17,10 @@ std::size_t shownPasses(const Session& session) {
 const Scene& shownScene(const Session& session, Scene& stepped) {
     const std::size_t shown = shownPasses(session);
     const Scene& whole = shownScene(session);
-    if (shown == whole.passes.size())
+    const bool moves = !whole.timeline.keys.empty();
+    if (shown == whole.passes.size() && !moves)
         return whole;
-    stepped = whole;
+    stepped = moves ? sceneAt(whole, session.window.playback.time) : whole;
     stepped.passes.resize(shown);
     return stepped;
 }

@@ -134,10 +134,16 @@ void matrixSection(Session& session) {
         constexpr ListWords words{"matrix step", "", "Multiply this step earlier", "Multiply this step later",
                                   "Remove this step"};
         const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
-        if (pressed == ListEdit::Remove)
+        Timeline& timeline = session.document.scene.timeline;
+        const std::string list = fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
+        if (pressed == ListEdit::Remove) {
             steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
-        else if (pressed)
-            std::swap(steps[i], steps[pressed == ListEdit::Up ? i - 1 : i + 1]);
+            elementRemoved(timeline, list, i);
+        } else if (pressed) {
+            const std::size_t other = pressed == ListEdit::Up ? i - 1 : i + 1;
+            std::swap(steps[i], steps[other]);
+            elementsSwapped(timeline, list, i, other);
+        }
         if (pressed) {
             stepsChanged(session,
                          pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps");

@@ -37,6 +37,8 @@ void addPass(Session& session) {
     int& chosen = session.window.selection.pass;
     ++chosen;
     passes.insert(passes.begin() + chosen, copy);
+    elementInserted(session.document.scene.timeline, keyOf<&Scene::passes>(),
+                    static_cast<std::size_t>(chosen));
     passesChanged(session, "Add pass");
 }
 
@@ -44,6 +46,8 @@ void removePass(Session& session) {
     std::vector<Pass>& passes = session.document.scene.passes;
     int& chosen = session.window.selection.pass;
     passes.erase(passes.begin() + chosen);
+    elementRemoved(session.document.scene.timeline, keyOf<&Scene::passes>(),
+                   static_cast<std::size_t>(chosen));
     chosen = std::min(chosen, static_cast<int>(passes.size()) - 1);
     passesChanged(session, "Remove pass");
 }
@@ -52,6 +56,8 @@ void movePass(Session& session, int by) {
     std::vector<Pass>& passes = session.document.scene.passes;
     int& chosen = session.window.selection.pass;
     std::swap(passes[static_cast<std::size_t>(chosen)], passes[static_cast<std::size_t>(chosen + by)]);
+    elementsSwapped(session.document.scene.timeline, keyOf<&Scene::passes>(),
+                    static_cast<std::size_t>(chosen), static_cast<std::size_t>(chosen + by));
     chosen += by;
     passesChanged(session, "Reorder passes");
 }

@@ -94,10 +94,16 @@ bool editElement(Session& session, std::vector<Element>& list, std::size_t index
     const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, list.size());
     if (!pressed)
         return false;
-    if (pressed == ListEdit::Remove)
+    Timeline& timeline = session.document.scene.timeline;
+    const std::string listPath = path.substr(0, path.rfind('['));
+    if (pressed == ListEdit::Remove) {
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
-    else
-        std::swap(list[index], list[pressed == ListEdit::Up ? index - 1 : index + 1]);
+        elementRemoved(timeline, listPath, index);
+    } else {
+        const std::size_t other = pressed == ListEdit::Up ? index - 1 : index + 1;
+        std::swap(list[index], list[other]);
+        elementsSwapped(timeline, listPath, index, other);
+    }
     listChanged(session, pressed == ListEdit::Remove ? texts.remove : texts.reorder);
     return true;
 }

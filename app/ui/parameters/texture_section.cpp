@@ -34,6 +34,7 @@ void addTexture(Session& session) {
 void removeTexture(Session& session, int index) {
     Scene& scene = session.document.scene;
     scene.textures.erase(scene.textures.begin() + index);
+    elementRemoved(scene.timeline, keyOf<&Scene::textures>(), static_cast<std::size_t>(index));
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
             if (unit.texture > index || (unit.texture == index && index > 0))

@@ -3,6 +3,7 @@
 #include "core/reference/shading/coordinates.h"
 #include "core/scene/animation.h"
 #include "core/scene/emboss.h"
+#include "core/scene/params/scene_at.h"
 #include "core/scene/tex_coords.h"
 #include "core/texture/late_flip.h"
 
@@ -28,15 +29,18 @@ LateFlip flipOfBound(const Session& session, const Unit& unit) {
 } // namespace
 
 void PlaneCoords::follow(Session& session) {
-    const Unit& unit = selectedUnit(session);
-    const Model* model = unit.target == Target::CubeMap ? nullptr : selectedModel(session);
-    if (!model) {
+    const double time = session.window.playback.time;
+    const StandingScene standing(session.document.scene, time);
+    const Scene& scene = *standing;
+    const Selection& selection = session.window.selection;
+    const Unit& unit = scene.passes[static_cast<std::size_t>(selection.pass)]
+                           .units[static_cast<std::size_t>(selection.unit)];
+    if (unit.target == Target::CubeMap || !selectedModel(session)) {
         *this = {};
         return;
     }
+    const Model* model = &scene.models[static_cast<std::size_t>(selection.model)];
     const Mesh& mesh = selectedMesh(session);
-    const Scene& scene = session.document.scene;
-    const double time = session.window.playback.time;
     Key key{session.window.mesh, effectiveTexCoords(*model, mesh, session.window.selection.unit), unit,
             flipOfBound(session, unit)};
     key.matrix = reference::coordinateMatrix(unit, key.flip, time, scene.light);
@@ -47,18 +51,17 @@ void PlaneCoords::follow(Session& session) {
     if (key == key_)
         return;
     key_ = std::move(key);
-    makePlaces(session, *model);
+    makePlaces(session, scene, *model);
 }
 
-void PlaneCoords::makePlaces(const Session& session, const Model& model) {
+void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const Model& model) {
     const Selection& selection = session.window.selection;
-    const Pass& pass = session.document.scene.passes[static_cast<std::size_t>(selection.pass)];
+    const Pass& pass = scene.passes[static_cast<std::size_t>(selection.pass)];
     const TexCoords& given = key_.given;
     const Mesh& mesh = *key_.mesh;
     relief_.clear();
     if (key_.unit.emboss.enabled) {
-        relief_ = givenTexCoords(session.document.scene, pass, selection.unit, model, mesh,
-                                 session.window.playback.time);
+        relief_ = givenTexCoords(scene, pass, selection.unit, model, mesh, session.window.playback.time);
         std::ranges::transform(relief_, given, relief_.begin(), std::minus<>());
     }
     // A picture that lies upside down in the texture is shown upright, and what is read in it with it.

@@ -44,7 +44,7 @@ private:
 
         bool operator==(const Key&) const = default;
     };
-    void makePlaces(const Session& session, const Model& model);
+    void makePlaces(const Session& session, const Scene& scene, const Model& model);
 
     Key key_;
     glm::mat4 shown_{1};  ///< from generated coordinates to the plane, before the division

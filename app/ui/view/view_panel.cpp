@@ -16,6 +16,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/params/scene_at.h"
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
@@ -139,8 +140,9 @@ glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
 
 /// As projectVertex, which makes the mesh anew.
 std::optional<glm::vec2> placeOf(Session& session, const PickedVertex& picked, float aspect) {
-    const Scene& scene = session.document.scene;
     const double time = session.window.playback.time;
+    const StandingScene standing(session.document.scene, time);
+    const Scene& scene = *standing;
     if (!std::cmp_equal(picked.model, session.window.selection.model))
         return projectVertex(scene, picked.model, picked.vertex, time, aspect);
     return projectVertices(scene, scene.models[picked.model], selectedMesh(session), {&picked.vertex, 1},
@@ -192,8 +194,11 @@ void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, 
         return;
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    for (const auto& place : projectVertices(session.document.scene, *model, selectedMesh(session), chosen,
-                                             session.window.playback.time, aspectOf(layout))) {
+    const double time = session.window.playback.time;
+    const StandingScene standing(session.document.scene, time);
+    const Model& moved = standing->models[static_cast<std::size_t>(session.window.selection.model)];
+    for (const auto& place :
+         projectVertices(*standing, moved, selectedMesh(session), chosen, time, aspectOf(layout))) {
         if (!place)
             continue;
         const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
@@ -231,8 +236,9 @@ std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layou
     const glm::vec2 at =
         panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
                                                   static_cast<float>(std::max(1, picture.height)));
-    return pickVertex(session.document.scene, session.window.playback.time, aspectOf(layout),
-                      {at.x, 1 - at.y});
+    const double time = session.window.playback.time;
+    const StandingScene standing(session.document.scene, time);
+    return pickVertex(*standing, time, aspectOf(layout), {at.x, 1 - at.y});
 }
 
 /// Picks it; with Shift it is added to those that are chosen, or taken away.

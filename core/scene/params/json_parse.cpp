@@ -41,6 +41,12 @@ ElementNumbers numbersOf(Kind kind) {
     }
 }
 
+/// The value of a key frame is a text that may stand as what it spells: a number, true, an array of numbers.
+bool isKeyValue(const ParamRow* row) {
+    return row && row->member == memberId<&KeyFrame::value>;
+}
+constexpr std::size_t mostNumbers = 16; // of such an array: a matrix
+
 /// An object or array that has begun and not ended.
 struct Frame {
     enum class Kind { Object, List, Numbers, Elements, Indices };
@@ -70,6 +76,8 @@ public:
     bool null() override { return refuse("null"); }
     bool boolean(bool value) override {
         const ParamRow* row = rowNext();
+        if (isKeyValue(row))
+            return store(*row, std::string(value ? "true" : "false"));
         if (!row || row->kind != Kind::Bool)
             return refuse(value ? "true" : "false");
         return store(*row, value);
@@ -193,7 +201,7 @@ bool Reader::version(std::optional<std::int64_t> number, const std::string& text
 bool Reader::number(float value, std::optional<std::int64_t> whole, const std::string& text) {
     if (!frames_.empty() && frames_.back().kind == Frame::Kind::Numbers) {
         Frame& frame = frames_.back();
-        const std::size_t limit = numbersOf(frame.row->kind).most;
+        const std::size_t limit = isKeyValue(frame.row) ? mostNumbers : numbersOf(frame.row->kind).most;
         if (frame.count == limit)
             return stop(ErrorCode::OutOfRange,
                         fmt::format("expected {}, found more than {}", describeAccepted(*frame.row), limit));
@@ -213,6 +221,8 @@ bool Reader::number(float value, std::optional<std::int64_t> whole, const std::s
     if (!frames_.empty() && frames_.back().versionNext)
         return version(whole, text);
     const ParamRow* row = rowNext();
+    if (isKeyValue(row))
+        return store(*row, whole ? std::to_string(*whole) : formatNumber(value));
     if (row && row->kind == Kind::Float)
         return store(*row, value);
     if (row && row->kind == Kind::Int && whole && *whole >= INT32_MIN && *whole <= INT32_MAX)
@@ -305,7 +315,7 @@ bool Reader::start_array(std::size_t) {
         frames_.push_back({.kind = kind, .owner = frame.owner, .row = row});
         return true;
     }
-    if (row && numbersOf(row->kind).most > 0) {
+    if (row && (numbersOf(row->kind).most > 0 || isKeyValue(row))) {
         frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = row});
         return true;
     }
@@ -345,6 +355,8 @@ bool Reader::end_array() {
 }
 
 bool Reader::numbersEnded(const Frame& ended) {
+    if (isKeyValue(ended.row))
+        return store(*ended.row, formatNumbers({ended.numbers.data(), ended.count}));
     const ElementNumbers expected = numbersOf(ended.row->kind);
     if (ended.count < expected.least)
         return refuse(std::to_string(ended.count));

@@ -7,11 +7,13 @@
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
 #include "core/scene/params/scene_schema.h"
+#include "core/scene/params/timeline_check.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace texplorer {
@@ -35,6 +37,42 @@ std::string jsonNumbers(std::span<const float> numbers) {
 std::string jsonText(std::string_view text) {
     using Json = nlohmann::json;
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Whether the text is just what formatNumber makes of the number that it spells.
+bool isShortestNumber(std::string_view text) {
+    float number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && stop == text.data() + text.size() && std::isfinite(number) &&
+           text != "-0" && formatNumber(number) == text;
+}
+
+bool isShortWholeNumber(std::string_view text) {
+    return isShortestNumber(text) && text.find_first_not_of("-0123456789") == std::string_view::npos;
+}
+
+/// A key frame's value without quotes where it reads back as the same text: a number, true, numbers in a
+/// row.
+std::string keyValue(std::string_view text) {
+    if (text == "true" || text == "false")
+        return std::string(text);
+    std::vector<std::string_view> parts;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        parts.push_back(rest.substr(0, comma));
+        if (comma == std::string_view::npos)
+            break;
+        rest.remove_prefix(comma + 1);
+    }
+    constexpr std::size_t mostNumbers = 16; // a matrix
+    if (parts.size() > mostNumbers || !std::ranges::all_of(parts, isShortestNumber))
+        return jsonText(text);
+    if (parts.size() > 1)
+        return fmt::format("[{}]", fmt::join(parts, ", "));
+    float number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    // A reader takes 1e+06 for the whole number that it is.
+    return isShortWholeNumber(text) || std::trunc(number) != number ? std::string(text) : jsonText(text);
 }
 
 bool isSame(const StructTable& table, void* a, void* b);
@@ -83,6 +121,8 @@ private:
             if (start == nullptr || row.read(owner) != row.read(start))
                 param(row, owner);
         for (const ChildRow& child : table.children) {
+            if (child.member == memberId<&Scene::timeline> && child.size(owner) == 0)
+                continue; // most scenes have none
             // What a file leaves out of an element of a list reads as its default; out of the scene itself,
             // as the scene that one begins with has it.
             if (!child.indexed && &table != &sceneTable() && child.isDefault(owner, 0))
@@ -153,7 +193,8 @@ private:
             break;
         case Kind::Enum:
         case Kind::Text:
-            out_ += jsonText(formatValue(row, value));
+            out_ += row.member == memberId<&KeyFrame::value> ? keyValue(std::get<std::string>(value))
+                                                             : jsonText(formatValue(row, value));
             break;
         case Kind::Matrix:
             out_ += jsonNumbers({&std::get<glm::mat4>(value)[0].x, 16});
@@ -237,13 +278,27 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Without the keys that don't fit the scene any more, as a reader would refuse them.
+std::string writeFitting(const Scene& scene, Scene* start) {
+    Timeline fitting = fittingTimeline(scene);
+    if (fitting == scene.timeline)
+        return Writer(scene).write(start);
+    Scene fitted = scene;
+    fitted.timeline = std::move(fitting);
+    return Writer(fitted).write(start);
+}
+
+} // namespace
+
 std::string writeScene(const Scene& scene) {
-    return Writer(scene).write(nullptr);
+    return writeFitting(scene, nullptr);
 }
 
 std::string writeShortScene(const Scene& scene) {
     Scene start = defaultScene();
-    return Writer(scene).write(&start);
+    return writeFitting(scene, &start);
 }
 
 } // namespace texplorer

@@ -5,6 +5,8 @@
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
+#include "core/scene/params/timeline_check.h"
+#include "core/scene/params/value_mix.h"
 
 #include <fmt/core.h>
 
@@ -210,7 +212,25 @@ Result<void> checkInScene(const Scene& scene, const Place& place) {
         return checkMesh(*static_cast<const MeshData*>(place.owner), *place.row);
     if (place.table == &unitTable())
         return checkUnitTexture(scene, *static_cast<const Unit*>(place.owner));
+    if (place.table == &keyFrameTable())
+        return checkEditedKey(scene, *static_cast<const KeyFrame*>(place.owner), *place.row);
     return {};
+}
+
+/// What a text says there: of a single vertex the whole list, with that one changed.
+Result<Value> valueOf(const Place& place, std::string_view text) {
+    if (!place.vertex)
+        return parseValue(*place.row, text);
+    const auto coord = parseTexCoord(text);
+    if (!coord)
+        return fail(coord.error());
+    TexCoords list = filledTexCoords(place);
+    list[*place.vertex] = *coord;
+    return list;
+}
+
+Error timelineMoved() {
+    return {ErrorCode::OutOfRange, "a key can't move the timeline itself", {}};
 }
 
 void visitStruct(const StructTable& table, void* owner, const std::string& prefix,
@@ -242,6 +262,13 @@ Result<ParamAt> paramAt(const Scene& scene, std::string_view path) {
     return ParamAt{place->row, place->row->read(place->owner)};
 }
 
+Result<const ParamRow*> rowAt(const Scene& scene, std::string_view path) {
+    const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // nothing is written
+    if (!place)
+        return fail(place.error());
+    return place->row;
+}
+
 Result<std::string> getParam(const Scene& scene, std::string_view path) {
     const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // only read below
     if (!place)
@@ -259,26 +286,64 @@ Result<void> setParam(Scene& scene, std::string_view path, std::string_view text
     const auto refuse = [&](Error error) {
         return fail(error.code, std::move(error.message), std::string(path));
     };
-    Value value;
-    if (place->vertex) {
-        const auto coord = parseTexCoord(text);
-        if (!coord)
-            return refuse(coord.error());
-        TexCoords list = filledTexCoords(*place);
-        list[*place->vertex] = *coord;
-        value = std::move(list);
-    } else {
-        auto parsed = parseValue(*place->row, text);
-        if (!parsed)
-            return refuse(std::move(parsed.error()));
-        value = std::move(*parsed);
-    }
+    const auto value = valueOf(*place, text);
+    if (!value)
+        return refuse(value.error());
 
     const Value before = place->row->read(place->owner);
-    place->row->write(place->owner, value);
+    place->row->write(place->owner, *value);
     if (auto checked = checkInScene(scene, *place); !checked) {
         place->row->write(place->owner, before);
         return refuse(std::move(checked.error()));
+    }
+    return {};
+}
+
+Result<void> putBetween(Scene& scene, std::string_view path, std::string_view from, std::string_view to,
+                        double share) {
+    const auto place = Walker(scene, path).walk();
+    if (!place)
+        return fail(place.error());
+    const auto refuse = [&](Error error) {
+        return fail(error.code, std::move(error.message), std::string(path));
+    };
+    if (place->table == &keyFrameTable())
+        return refuse(timelineMoved());
+    const auto first = valueOf(*place, from);
+    if (!first)
+        return refuse(first.error());
+    if (share <= 0 || !canMix(*place->row)) {
+        place->row->write(place->owner, *first);
+        return {};
+    }
+    const auto second = valueOf(*place, to);
+    if (!second)
+        return refuse(second.error());
+    place->row->write(place->owner, mixed(*place->row, *first, *second, share));
+    return {};
+}
+
+Result<void> checkMovable(const Scene& scene, std::string_view path, std::string_view text) {
+    const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // nothing is written
+    if (!place)
+        return fail(place.error());
+    const auto refuse = [&](Error error) {
+        return fail(error.code, std::move(error.message), std::string(path));
+    };
+    if (place->table == &keyFrameTable())
+        return refuse(timelineMoved());
+    if (place->vertex) {
+        const auto coord = parseTexCoord(text);
+        return coord ? Result<void>() : refuse(coord.error());
+    }
+    const auto value = parseValue(*place->row, text);
+    if (!value)
+        return refuse(value.error());
+    if (place->row->member == memberId<&Pass::models>) {
+        Pass pass;
+        place->row->write(&pass, *value);
+        if (auto named = checkPassModels(scene, pass); !named)
+            return refuse(named.error());
     }
     return {};
 }

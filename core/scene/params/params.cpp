@@ -5,6 +5,9 @@
 
 namespace texplorer {
 
+/// In params_timeline.cpp: a list whose elements lie one struct deeper.
+ChildRow timelineRow();
+
 const StructTable& sceneTable() {
     static const std::array children{
         build::single<&Scene::view>("view", "View", viewTable()),
@@ -13,8 +16,9 @@ const StructTable& sceneTable() {
         build::many<&Scene::models>("models", "Model", modelTable(), 0, maxModels),
         build::many<&Scene::textures>("textures", "Texture", textureTable(), 0, maxTextures),
         build::many<&Scene::passes>("passes", "Pass", passTable(), 1, maxPasses),
+        timelineRow(),
     };
-    static_assert(children.size() == 6 && children.size() == build::memberCount<Scene>());
+    static_assert(children.size() == 7 && children.size() == build::memberCount<Scene>());
     static const StructTable table{"Scene", {}, children};
     return table;
 }

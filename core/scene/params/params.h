@@ -118,6 +118,7 @@ struct StructTable {
 [[nodiscard]] const StructTable& matrixStepTable();
 [[nodiscard]] const StructTable& combineTable();
 [[nodiscard]] const StructTable& embossTable();
+[[nodiscard]] const StructTable& keyFrameTable();
 /// For one of the coordinates s, t, r and q: 0 to 3. They differ in the modes that OpenGL accepts.
 [[nodiscard]] const StructTable& texGenTable(std::size_t coordinate);
 
@@ -172,10 +173,21 @@ struct ParamAt {
 /// The one at a path. Errors as of getParam, with which it has the path in common.
 [[nodiscard]] Result<ParamAt> paramAt(const Scene& scene, std::string_view path);
 
+/// The row alone, without a copy of the value.
+[[nodiscard]] Result<const ParamRow*> rowAt(const Scene& scene, std::string_view path);
+
 /// Reads or writes one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can
 /// be indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first
 /// filled from the mesh). The error names the part of the path that does not exist and what would.
 [[nodiscard]] Result<std::string> getParam(const Scene& scene, std::string_view path);
 [[nodiscard]] Result<void> setParam(Scene& scene, std::string_view path, std::string_view text);
+
+/// The same with what lies `share` (0 to 1) of the way from one value to the other (value_mix.h), and without
+/// asking whether it fits what other parameters are: at a key frame several of them may change. Refused too:
+/// a path into the timeline, which can't move itself.
+[[nodiscard]] Result<void> putBetween(Scene& scene, std::string_view path, std::string_view from,
+                                      std::string_view to, double share);
+/// Whether it would take this value there.
+[[nodiscard]] Result<void> checkMovable(const Scene& scene, std::string_view path, std::string_view text);
 
 } // namespace texplorer

@@ -2,7 +2,9 @@
 
 #include "core/base/count.h"
 #include "core/scene/model_mesh.h"
+#include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
+#include "core/scene/params/timeline_check.h"
 
 #include <fmt/core.h>
 
@@ -107,7 +109,7 @@ Result<void> checkTogether(const Scene& scene) {
                                 checkUnitTexture(scene, scene.passes[p].units[u]));
                 !found)
                 return found;
-    return {};
+    return at(fmt::format("/{}", keyOf<&Scene::timeline>()), checkTimeline(scene));
 }
 
 } // namespace texplorer

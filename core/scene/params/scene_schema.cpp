@@ -52,6 +52,16 @@ OrderedJson choicesOf(std::span<const EnumRow> choices) {
     return {{"enum", std::move(names)}, {"enumDescriptions", std::move(help)}}; // editors show the latter
 }
 
+/// A key frame's value: what it spells may stand without quotes.
+OrderedJson keyValue() {
+    const OrderedJson numbers{{"type", "array"}, {"items", {{"type", "number"}}}, {"maxItems", 16}};
+    return {{"anyOf",
+             {{{"type", "string"}, {"maxLength", maxTextBytes}, {"pattern", "^[^\\u0000]*$"}},
+              {{"type", "number"}},
+              {{"type", "boolean"}},
+              numbers}}};
+}
+
 OrderedJson elementsOf(const ParamRow& row) {
     constexpr float largest = std::numeric_limits<float>::max();
     const ElementNumbers numbers = *elementNumbers(row.kind);
@@ -64,6 +74,8 @@ OrderedJson elementsOf(const ParamRow& row) {
 
 /// What the reader accepts for a row.
 OrderedJson acceptedBy(const ParamRow& row) {
+    if (row.member == memberId<&KeyFrame::value>)
+        return keyValue();
     const OrderedJson number = numberWithin(row.range.min, row.range.max);
     switch (row.kind) {
     case Kind::Bool:

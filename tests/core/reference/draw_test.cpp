@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/reference/draw.h"
+#include "core/reference/probe.h"
 
 #include <gmock/gmock.h>
 
@@ -154,6 +155,49 @@ TEST(ReferenceRenderer, FollowsTheSceneFromPictureToPicture) {
             ASSERT_TRUE(next);
             EXPECT_EQ(next->image, drawn(scene, 64));
         }
+    }
+}
+
+/// A scene in which a camera, a texture, what it is read from, and a light move.
+Scene movingScene() {
+    Scene scene = defaultScene();
+    scene.timeline.keys = {{0, "view.azimuth", "10"},
+                           {2, "view.azimuth", "80"},
+                           {0, "textures[0].pattern", "checker"},
+                           {1, "textures[0].pattern", "brick"},
+                           {0, "light.diffuse", "1,1,1,1", Easing::EaseIn},
+                           {2, "light.diffuse", "1,0,0,1"}};
+    return scene;
+}
+
+/// The same by hand.
+Scene standingScene(float azimuth, Pattern pattern, glm::vec4 diffuse) {
+    Scene scene = defaultScene();
+    scene.view.azimuth = azimuth;
+    scene.textures[0].pattern = pattern;
+    scene.light.diffuse = diffuse;
+    return scene;
+}
+
+TEST(ReferenceRenderer, DrawsAndExplainsWhatHasKeyFramesAsItStandsThen) {
+    ReferenceRenderer renderer;
+    const Scene moving = movingScene();
+    const std::array<std::pair<double, Scene>, 3> stands{
+        {{0, standingScene(10, Pattern::Checker, {1, 1, 1, 1})},
+         {1, standingScene(45, Pattern::Brick, {1, 0.75F, 0.75F, 1})},
+         {5, standingScene(80, Pattern::Brick, {1, 0, 0, 1})}}};
+    for (const auto& [time, scene] : stands) {
+        const Result<Frame> drawn = renderer.draw({moving, {}, time, 64, 64});
+        const Result<Frame> expected = drawReference({scene, {}, time, 64, 64});
+        ASSERT_TRUE(drawn && expected);
+        EXPECT_EQ(drawn->image, expected->image) << time;
+        const Result<Explanation> explained = renderer.probe({moving, {}, time, 64, 64}, {20, 32});
+        const Result<Explanation> other = probe({scene, {}, time, 64, 64}, {20, 32});
+        ASSERT_TRUE(explained && other);
+        ASSERT_EQ(explained->fragments.size(), other->fragments.size());
+        ASSERT_FALSE(explained->fragments.empty());
+        EXPECT_EQ(explained->color, other->color) << time;
+        EXPECT_EQ(explained->bytes, other->bytes) << time;
     }
 }
 

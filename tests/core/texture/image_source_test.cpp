@@ -212,6 +212,22 @@ TEST_F(Images, FilesOfLevelsCountAgainstTheBudget) {
     EXPECT_EQ(loaded.error().where, "textures[0].levels[1].file");
 }
 
+TEST_F(Images, OfKeyFramesAreNamedLoadedAndRenamedToo) {
+    Scene scene;
+    scene.textures.resize(2);
+    scene.textures[0].source = SourceKind::File;
+    scene.textures[0].file = "never.png";
+    scene.textures[1].file = "later.png";
+    scene.timeline.keys = {{0, "textures[0].file", "a.png"},
+                           {1, "textures[0].file", "b.png"},
+                           {0, "textures[1].source", "pattern"},
+                           {1, "textures[1].source", "file"}};
+    EXPECT_EQ(filesOf(scene), (std::set<std::string>{"a.png", "b.png", "later.png"}));
+    renameFiles(scene, [](const std::string& file) { return "x/" + file; });
+    EXPECT_EQ(filesOf(scene), (std::set<std::string>{"x/a.png", "x/b.png", "x/later.png"}));
+    EXPECT_EQ(scene.textures[0].file, "x/never.png");
+}
+
 TEST_F(Images, AreRenamedWhereverTheyAreNamed) {
     Scene scene = sceneOf({levelsTexture("green.bmp", ""), fileTexture("red.bmp")});
     renameFiles(scene, [](const std::string& file) { return "x/" + file; });

@@ -79,8 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refusal{"Typo", R"({"textures": [{"minfilter": "GL_LINEAR"}]})", "/textures/0/minfilter",
                 R"(unknown key; did you mean "minFilter"?)"},
-        Refusal{"Unknown", R"({"camera": {}})", "/camera",
-                "unknown key; expected one of version, view, light, material, models, textures, passes"},
+        Refusal{
+            "Unknown", R"({"camera": {}})", "/camera",
+            "unknown key; expected one of version, view, light, material, models, textures, passes, timeline"},
         Refusal{"VersionBelowTheRoot", R"({"view": {"version": 1}})", "/view/version", "unknown key"},
         Refusal{"Twice", R"({"view": {"azimuth": 1, "distance": 2, "azimuth": 3}})", "/view/azimuth",
                 R"(expected each key once, found "azimuth" twice)"},

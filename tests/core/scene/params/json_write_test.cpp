@@ -1,7 +1,9 @@
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/json.h"
+#include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -316,6 +318,12 @@ public:
         for (Model& model : scene.models)
             if (below(3) == 0)
                 fit(model.mesh);
+        for (KeyFrame& key : scene.timeline.keys) {
+            key.path = below(2) == 0 ? "view.background" : "view.distance";
+            key.value = key.path == "view.distance"
+                            ? formatNumber(in({0.1F, 1000, 0.1F, {}}))
+                            : fmt::format("{},0,{},1", formatNumber(in({})), formatNumber(in({})));
+        }
         for (Pass& pass : scene.passes)
             for (std::size_t i = 0; i < scene.models.size(); ++i)
                 if (below(2) == 0)

@@ -24,6 +24,7 @@ std::set<std::string> allPaths() {
     scene.textures[0].levels.resize(1);
     scene.textures[0].preparation.resize(1);
     scene.passes[0].units[0].matrix.resize(1);
+    scene.timeline.keys.resize(1);
     std::set<std::string> paths;
     forEachParam(scene, [&](const std::string& path, const ParamRow&, const Value&) {
         std::string schema;
@@ -47,7 +48,7 @@ TEST(ListParams, HasEveryParameterOnceWithItsHelpAndEveryChoice) {
     }
     const auto paths = allPaths();
     EXPECT_EQ(listed, std::multiset<std::string>(paths.begin(), paths.end()));
-    EXPECT_EQ(paths.size(), 175U);
+    EXPECT_EQ(paths.size(), 179U);
     EXPECT_TRUE(text.ends_with("\n"));
     EXPECT_FALSE(text.ends_with("\n\n"));
 }
@@ -110,7 +111,8 @@ TEST(ListParamsJson, HasShortNumbersAndTypedDefaults) {
               nlohmann::json({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     EXPECT_EQ(find("passes[].models").at("default"), nlohmann::json::array());
     EXPECT_EQ(find("models[].material.ambient").at("default"), nlohmann::json({0.2, 0.2, 0.2, 1}));
-    EXPECT_EQ(json.at("lists").size(), 7U);
+    EXPECT_EQ(json.at("lists").size(), 8U);
+    EXPECT_EQ(json.at("lists")[7].at("path"), "timeline[]");
     EXPECT_EQ(json.at("lists")[6].at("path"), "passes[].units[].matrix[]");
     EXPECT_EQ(json.at("lists")[6].at("maxCount"), 32);
 }
@@ -130,10 +132,11 @@ TEST(ListParamsJson, NamesEveryKind) {
 
 TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
     // What a file that names no more than its elements becomes.
-    const Scene scene =
+    Scene scene =
         parseScene(R"({"version": 1, "models": [{}], "textures": [{"levels": [{}], "preparation": [{}]}],
                                        "passes": [{"units": [{"matrix": [{}]}]}]})")
             .value();
+    scene.timeline.keys.resize(1); // a file's has to name its parameter
     const auto json = nlohmann::json::parse(listParamsJson());
     const std::string text = "\n" + listParams();
     for (const auto& param : json.at("parameters")) {

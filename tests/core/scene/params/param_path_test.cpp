@@ -25,8 +25,9 @@ TEST_P(RefusedPaths, SayWhatWouldBeAcceptedAndChangeNothing) {
 INSTANTIATE_TEST_SUITE_P(
     Scene, RefusedPaths,
     testing::Values(
-        Refusal{"Empty", "", "1",
-                "no such parameter; expected one of view, light, material, models, textures, passes"},
+        Refusal{
+            "Empty", "", "1",
+            "no such parameter; expected one of view, light, material, models, textures, passes, timeline"},
         Refusal{"Typo", "textures[0].minfilter", "GL_LINEAR",
                 R"(textures[0].minfilter: no such parameter; did you mean "minFilter"?)"},
         Refusal{"WithoutWhatItBelongsTo", "minFilter", "GL_LINEAR",
