@@ -19,6 +19,7 @@ enum ExitCode : int {
 };
 
 void addShot(CommandLine& line);
+void addAnimate(CommandLine& line);
 void addSweep(CommandLine& line);
 void addProbe(CommandLine& line);
 void addCheck(CommandLine& line);

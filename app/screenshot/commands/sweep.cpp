@@ -3,8 +3,7 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"
-#include "app/screenshot/arguments/picture_argument.h"
-#include "app/screenshot/arguments/renderer_argument.h"
+#include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/output.h"
@@ -65,35 +64,9 @@ struct Sweep {
     [[nodiscard]] std::size_t pageCount() const { return hasPages() ? axes.back().values.size() : 1; }
 };
 
-/// The error is about the line.
-Result<ShotRequest> sweptRequest(const SweepOptions& options) {
-    ShotRequest request;
-    const Result<view::Size> size = parsePictureSize(options.picture.size);
-    if (!size)
-        return fail(size.error());
-    const Result<double> time = parseTime(options.picture.time);
-    if (!time)
-        return fail(time.error());
-    if (const Result<void> renderer = putRenderer(options.renderer, request); !renderer)
-        return fail(renderer.error());
-    const Result<reference::AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
-    if (!anisotropy)
-        return fail(anisotropy.error());
-    request.size = *size;
-    request.time = *time;
-    request.anisotropy = *anisotropy;
-    request.levels.cache = BlockCache::ofUser();
-    const bool reference = request.renderer == RendererKind::Reference;
-    if (const Result<void> used = checkAnisotropyUse(options.picture, reference); !used)
-        return fail(used.error());
-    if (const Result<void> used = checkRendererUse(options.renderer, request); !used)
-        return fail(used.error());
-    return request;
-}
-
 tl::expected<Sweep, SceneProblem> sweepOf(const SweepOptions& options) {
     const auto wrong = [](const Error& error) { return tl::unexpected(SceneProblem{error, wrongCall}); };
-    Result<ShotRequest> request = sweptRequest(options);
+    Result<ShotRequest> request = requestOf(options.picture, options.renderer);
     if (!request)
         return wrong(request.error());
     const Result<sheet::LabelKind> labels = parseChoice<sheet::LabelKind>(options.labels, "--labels");

@@ -7,23 +7,23 @@
 namespace texplorer::screenshot {
 namespace {
 
-using Json = nlohmann::json;
+using OrderJson = nlohmann::json;
 
 /// MessagePack: its strings are bytes.
-std::string packed(const Json& json) {
+std::string packed(const OrderJson& json) {
     std::string bytes;
-    Json::to_msgpack(json, bytes);
+    OrderJson::to_msgpack(json, bytes);
     return bytes;
 }
 
-Result<Json> unpacked(std::string_view bytes) {
-    Json json = Json::from_msgpack(bytes, true, false);
+Result<OrderJson> unpacked(std::string_view bytes) {
+    OrderJson json = OrderJson::from_msgpack(bytes, true, false);
     if (json.is_discarded())
         return fail(ErrorCode::Malformed, "expected a message of texshot, found other bytes");
     return json;
 }
 
-Json jsonOf(const RunSetup& setup) {
+OrderJson jsonOf(const RunSetup& setup) {
     std::vector<std::uint32_t> renderers;
     for (const RendererKind each : setup.renderers)
         renderers.push_back(static_cast<std::uint32_t>(each));
@@ -48,7 +48,7 @@ Json jsonOf(const RunSetup& setup) {
             {"pixelsPerDegree", criterion.pixelsPerDegree}};
 }
 
-RunSetup setupOf(const Json& json) {
+RunSetup setupOf(const OrderJson& json) {
     RunSetup setup;
     json.at("suites").get_to(setup.suites);
     for (const std::uint32_t each : json.at("renderers").get<std::vector<std::uint32_t>>())
@@ -75,12 +75,12 @@ RunSetup setupOf(const Json& json) {
 /// What the library throws about members that are missing or of another type.
 template<class Value, class Read>
 Result<Value> readBy(std::string_view bytes, const Read& read) {
-    const Result<Json> json = unpacked(bytes);
+    const Result<OrderJson> json = unpacked(bytes);
     if (!json)
         return fail(json.error());
     try {
         return read(*json);
-    } catch (const Json::exception& error) {
+    } catch (const OrderJson::exception& error) {
         return fail(ErrorCode::Malformed, error.what());
     }
 }
@@ -98,7 +98,7 @@ std::string bytesOf(const WorkOrder& order) {
 }
 
 Result<WorkOrder> parseOrder(std::string_view bytes) {
-    return readBy<WorkOrder>(bytes, [](const Json& json) {
+    return readBy<WorkOrder>(bytes, [](const OrderJson& json) {
         WorkOrder order;
         order.setup = setupOf(json.at("setup"));
         order.what = static_cast<WorkOrder::What>(json.at("what").get<std::uint32_t>());
@@ -123,7 +123,7 @@ std::string bytesOf(const WorkAnswer& answer) {
 Result<WorkAnswer> parseAnswer(std::string_view bytes) {
     std::string record;
     std::string name;
-    Result<WorkAnswer> answer = readBy<WorkAnswer>(bytes, [&record, &name](const Json& json) {
+    Result<WorkAnswer> answer = readBy<WorkAnswer>(bytes, [&record, &name](const OrderJson& json) {
         WorkAnswer found;
         json.at("record").get_to(record);
         json.at("name").get_to(name);

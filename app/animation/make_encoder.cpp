@@ -1,0 +1,35 @@
+#include "app/animation/make_encoder.h"
+
+#include "app/animation/gif_encoder.h"
+#include "app/animation/webp_encoder.h"
+#include "core/animation/apng.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <new>
+
+namespace texplorer::animation {
+
+Result<std::unique_ptr<Encoder>> makeEncoder(Format format, const Settings& settings) {
+    const FormatRow& row = rowOf(format);
+    if (std::max(settings.width, settings.height) > row.mostExtent)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("a {} has at most {} x {} pixels, found {} x {}", row.name, row.mostExtent,
+                                row.mostExtent, settings.width, settings.height));
+    try {
+        switch (format) {
+        case Format::Gif:
+            return gifEncoder(settings);
+        case Format::WebP:
+            return webpEncoder(settings);
+        case Format::Apng:
+            break;
+        }
+        return apngEncoder(settings);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for an animation of this size");
+    }
+}
+
+} // namespace texplorer::animation

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/animation/encoder.h"
+#include "core/animation/format.h"
+
+#include <memory>
+
+namespace texplorer::animation {
+
+/// An encoder of the format for pictures of this size. Errors: TooLarge beyond the format's own limit or
+/// memory's.
+[[nodiscard]] Result<std::unique_ptr<Encoder>> makeEncoder(Format format, const Settings& settings);
+
+} // namespace texplorer::animation

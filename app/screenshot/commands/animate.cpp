@@ -1,0 +1,361 @@
+#include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/moves_argument.h"
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/request_argument.h"
+#include "app/screenshot/arguments/scene_argument.h"
+#include "app/screenshot/command.h"
+#include "app/screenshot/output/messages.h"
+#include "app/screenshot/output/output.h"
+#include "app/screenshot/shots/animation_run.h"
+#include "app/screenshot/shots/shot_list.h"
+#include "app/screenshot/shots/shot_run.h"
+#include "core/animation/frame_times.h"
+#include "core/scene/animation.h"
+#include "core/scene/params/timeline_check.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr std::size_t mostPictures = 10'000;
+constexpr double mostPerSecond = 1000;
+
+struct AnimateOptions {
+    SceneArgument scene;
+    PictureArgument picture{.size = "640x400"};
+    RendererArgument renderer;
+    std::string perSecond = "25";
+    std::string seconds;
+    std::string easing = std::string(rowOf(Easing::Linear).name);
+    int plays = 0;
+    bool pingPong = false;
+    std::string quality;
+    std::string out;
+    bool withoutMetadata = false;
+    const Option* easingOption = nullptr;
+    const Option* playsOption = nullptr;
+};
+
+/// What is to be drawn, as the call says it.
+struct Motion {
+    ShotRequest request; ///< all but the scene
+    OpenedScene opened;  ///< with its key frames
+    double perSecond = 1;
+    double seconds = 1;       ///< one way
+    std::size_t pictures = 1; ///< one way
+};
+
+/// From above `low` to `high`.
+Result<double> parseNumber(std::string_view text, double low, double high, const char* option) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && stop == end && number > low && number <= high)
+        return number;
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("expected a number above {} and up to {}, found \"{}\"", low, high, text),
+                option);
+}
+
+/// As the line says it, or else as long as the scene's key frames are.
+Result<double> lengthOf(const AnimateOptions& options, const Scene& scene, double begin) {
+    if (!options.seconds.empty())
+        return parseNumber(options.seconds, 0, double{maxKeyTime}, "--seconds");
+    const double rest = texplorer::lengthOf(scene.timeline) - begin;
+    if (rest > 0)
+        return rest;
+    return fail(ErrorCode::OutOfRange, "expected how long it is, as the scene has no key frames that say so",
+                "--seconds");
+}
+
+Result<void> putMoves(const AnimateOptions& options, const std::vector<std::string>& moves, Motion& motion) {
+    const Result<Easing> easing = parseChoice<Easing>(options.easing, "--easing");
+    if (!easing)
+        return fail(easing.error());
+    if (moves.empty() && options.easingOption->isGiven())
+        return unusedOption("--easing", "it is for parameters that --set moves");
+    Scene& scene = motion.opened.scene;
+    for (const std::string& move : moves) {
+        if (Result<void> put = putMove(scene, move, {motion.request.time, motion.seconds, *easing}); !put)
+            return put;
+    }
+    return checkTimeline(scene);
+}
+
+Result<void> countPictures(Motion& motion) {
+    const double pictures = std::max(1.0, std::round(motion.seconds * motion.perSecond));
+    if (pictures > static_cast<double>(mostPictures))
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} pictures, found {}: {} s with {} a second", mostPictures,
+                                pictures, motion.seconds, motion.perSecond),
+                    "--seconds");
+    motion.pictures = static_cast<std::size_t>(pictures);
+    return {};
+}
+
+tl::expected<Motion, SceneProblem> motionOf(const AnimateOptions& options) {
+    const auto wrong = [](const Error& error) { return tl::unexpected(SceneProblem{error, wrongCall}); };
+    Result<ShotRequest> request = requestOf(options.picture, options.renderer);
+    if (!request)
+        return wrong(request.error());
+    if (request->time < 0 || request->time >= double{maxKeyTime})
+        return wrong({ErrorCode::OutOfRange,
+                      fmt::format("expected a begin from 0 to {} s, found {}", maxKeyTime, request->time),
+                      "--time"});
+    const Result<double> perSecond = parseNumber(options.perSecond, 0, mostPerSecond, "--fps");
+    if (!perSecond)
+        return wrong(perSecond.error());
+    SceneArgument scene = options.scene;
+    const std::vector<std::string> moves = takeMoves(scene.assignments);
+    auto opened = openScene(scene);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    Motion motion{*std::move(request), *std::move(opened), *perSecond};
+    const Result<double> seconds = lengthOf(options, motion.opened.scene, motion.request.time);
+    if (!seconds)
+        return wrong(seconds.error());
+    motion.seconds = *seconds;
+    if (motion.request.time + motion.seconds > double{maxKeyTime})
+        return wrong({ErrorCode::TooLarge,
+                      fmt::format("expected an end within {} s, found {}", maxKeyTime,
+                                  motion.request.time + motion.seconds),
+                      "--seconds"});
+    if (const Result<void> counted = countPictures(motion); !counted)
+        return wrong(counted.error());
+    if (const Result<void> put = putMoves(options, moves, motion); !put)
+        return wrong(put.error());
+    return motion;
+}
+
+/// When each picture is taken: there, and back without the two ends, which are there already.
+std::vector<double> timesOf(const AnimateOptions& options, const Motion& motion) {
+    std::vector<double> times;
+    const auto at = [&](std::size_t i) {
+        return motion.request.time + static_cast<double>(i) / motion.perSecond;
+    };
+    for (std::size_t i = 0; i < motion.pictures + (options.pingPong ? 1 : 0); ++i)
+        times.push_back(at(i));
+    for (std::size_t i = motion.pictures; options.pingPong && i-- > 1;)
+        times.push_back(at(i));
+    return times;
+}
+
+/// "frame-%04d.png" around its place.
+struct NumberedName {
+    std::string before;
+    std::string after;
+    std::size_t digits = 1;
+
+    [[nodiscard]] std::string at(std::size_t number) const {
+        return fmt::format("{}{:0{}}{}", before, number, digits, after);
+    }
+};
+
+/// As printf has it, %d or %04d, or {number}; nothing: there is no place for a number.
+Result<std::optional<NumberedName>> numberedName(const std::string& name, std::size_t pictures) {
+    constexpr std::string_view word = "{number}";
+    constexpr std::size_t mostDigits = 9;
+    std::optional<NumberedName> found;
+    for (std::size_t at = 0; at < name.size(); ++at) {
+        std::size_t end = at;
+        std::size_t digits = 1;
+        if (std::string_view(name).substr(at).starts_with(word)) {
+            end = at + word.size();
+            digits = std::to_string(pictures).size();
+        } else if (name[at] == '%') {
+            end = std::min(name.size(), name.find_first_not_of("0123456789", at + 1));
+            const std::string_view width = std::string_view(name).substr(at + 1, end - at - 1);
+            std::from_chars(width.data(), width.data() + width.size(), digits);
+            if (end == name.size() || name[end] != 'd' || digits > mostDigits ||
+                (!width.empty() && width.front() != '0'))
+                return fail(
+                    ErrorCode::OutOfRange,
+                    fmt::format("expected a place for the number as %04d or {{number}}, found \"{}\"", name),
+                    "--out");
+            ++end;
+        } else {
+            continue;
+        }
+        if (found)
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected one place for the number, found two in \"{}\"", name), "--out");
+        found = NumberedName{name.substr(0, at), name.substr(end), digits};
+        at = end - 1;
+    }
+    return found;
+}
+
+/// What a file of its own can't be: the error is about the line.
+Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
+                         const animation::FormatRow& format) {
+    if (motion.perSecond > format.mostPerSecond)
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected at most {} a second in a {}, of which viewers show more of them "
+                                "slower; found {}",
+                                format.mostPerSecond, format.name, motion.perSecond),
+                    "--fps");
+    const auto [width, height] = motion.request.size;
+    if (std::max(width, height) > format.mostExtent)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {0}x{0} for a {1}, found {2}x{3}", format.mostExtent,
+                                format.name, width, height),
+                    "--size");
+    if (!options.quality.empty() && format.format != animation::Format::WebP)
+        return unusedOption("--quality", "it is for WebP, the others lose nothing by choice");
+    if (options.withoutMetadata && format.format != animation::Format::Apng)
+        return unusedOption("--no-metadata", "it is for PNG files");
+    return {};
+}
+
+/// A whole number of pictures a second is said exactly in an APNG; everywhere else what is rounded is when
+/// each picture begins.
+std::vector<int> durationsFor(const Motion& motion, std::size_t pictures, animation::Settings& settings,
+                              const animation::FormatRow& format) {
+    settings.unitsPerSecond = format.unitsPerSecond;
+    const double seconds = motion.seconds * (pictures > motion.pictures ? 2 : 1);
+    const double even = motion.perSecond;
+    if (format.format == animation::Format::Apng && even == std::round(even) &&
+        seconds * even == static_cast<double>(pictures))
+        settings.unitsPerSecond = static_cast<int>(even);
+    std::vector<int> durations = animation::durationsOf(pictures, even, seconds, settings.unitsPerSecond);
+    const auto [shortest, longest] = std::ranges::minmax(durations);
+    if (shortest != longest && format.format == animation::Format::Gif)
+        warn({ErrorCode::Unsupported,
+              fmt::format(
+                  "a GIF counts in hundredths of a second: with {} pictures a second they are shown for "
+                  "{} to {} of them each, and the whole length is kept",
+                  even, shortest, longest),
+              {}});
+    return durations;
+}
+
+ExitCode animateIntoFile(const AnimateOptions& options, Motion motion) {
+    const animation::FormatRow* format = animation::formatOfName(options.out);
+    if (format == nullptr)
+        return complain(
+            {ErrorCode::Unsupported,
+             fmt::format("expected a name that ends in .gif, .webp or .png, or one with a place for "
+                         "the number of each picture, as frame-%04d.tga; found \"{}\"",
+                         options.out),
+             "--out"},
+            wrongCall);
+    if (const Result<void> fits = checkFormat(options, motion, *format); !fits)
+        return complain(fits.error(), wrongCall);
+    animation::Settings settings;
+    settings.width = motion.request.size.width;
+    settings.height = motion.request.size.height;
+    settings.plays = options.plays;
+    if (!options.quality.empty()) {
+        const Result<double> quality = parseNumber(options.quality, -1, 100, "--quality");
+        if (!quality || *quality < 0)
+            return complain({ErrorCode::OutOfRange,
+                             fmt::format("expected a number from 0 to 100, found \"{}\"", options.quality),
+                             "--quality"},
+                            wrongCall);
+        settings.quality = static_cast<float>(*quality);
+    }
+    if (const Result<void> apart = checkOutputsApart({{"--out", options.out}}, {options.scene.file}); !apart)
+        return complain(apart.error(), wrongCall);
+    Result<Output> output = Output::open(options.out);
+    if (!output)
+        return complain(output.error());
+    const std::vector<double> times = timesOf(options, motion);
+    std::vector<int> durations = durationsFor(motion, times.size(), settings, *format);
+    const ShotList list({{nameOf(options.scene), options.scene.file, motion.opened, {}}},
+                        {motion.request.size}, times);
+    return drawAnimation({list, std::move(durations), format->format, std::move(settings),
+                          std::move(motion.request), *std::move(output),
+                          format->format == animation::Format::Apng && !options.withoutMetadata});
+}
+
+ExitCode animateIntoFiles(const AnimateOptions& options, const Motion& motion, const NumberedName& name) {
+    if (!options.quality.empty())
+        return refuseUnused("--quality", "it is for WebP");
+    if (options.playsOption->isGiven())
+        return refuseUnused("--loop", "single pictures don't say how often they are shown");
+    const Result<const CodecRow*> format = imageFormatOf(options.out, {});
+    if (!format)
+        return complain(format.error(), wrongCall);
+    if (options.withoutMetadata && (*format)->name != "PNG")
+        return refuseUnused("--no-metadata", "it is for PNG files");
+    const std::vector<double> times = timesOf(options, motion);
+    const ShotList list({{nameOf(options.scene), options.scene.file, motion.opened, {}}},
+                        {motion.request.size}, times);
+    std::vector<std::string> names;
+    for (std::size_t i = 1; i <= times.size(); ++i) {
+        names.push_back(name.at(i));
+        if (const Result<void> apart = checkOutputsApart({{"--out", names.back()}}, {options.scene.file});
+            !apart)
+            return complain(apart.error(), wrongCall);
+    }
+    if (const Result<void> writable = checkPlaces(names, true); !writable)
+        return complain(writable.error());
+    return drawAll({list, std::move(names), *format, motion.request, !options.withoutMetadata});
+}
+
+ExitCode animate(const AnimateOptions& options) {
+    auto motion = motionOf(options);
+    if (!motion)
+        return complain(motion.error().error, motion.error().code);
+    const Result<std::optional<NumberedName>> name = numberedName(options.out, 2 * motion->pictures);
+    if (!name)
+        return complain(name.error(), wrongCall);
+    if (!isAnimated(motion->opened.scene))
+        warn({ErrorCode::Unsupported, "nothing in the scene moves: all pictures are the same", {}});
+    return *name ? animateIntoFiles(options, *motion, **name) : animateIntoFile(options, *std::move(motion));
+}
+
+} // namespace
+
+void addAnimate(CommandLine& line) {
+    Command& command = line.command(
+        "animate", "Draw a scene while it moves, into a GIF, WebP or APNG, or into numbered files.");
+    auto options = std::make_shared<AnimateOptions>();
+    addSceneOrLessonArgument(command, options->scene);
+    command.option("--fps", options->perSecond, "Pictures a second.", {.value = "N", .showsDefault = true});
+    command.option("--seconds", options->seconds,
+                   "How long it is. Without it: as long as the scene's key frames are.", {.value = "S"});
+    options->easingOption =
+        &command.option("--easing", options->easing,
+                        "How what --set moves goes from each value to the next." + explainChoices<Easing>(),
+                        {.value = "NAME", .showsDefault = true, .offers = {choiceNames<Easing>}});
+    command.flag(
+        "--pingpong", options->pingPong,
+        "Then back to the beginning, by the same pictures: twice as long, and a loop whatever moves.");
+    options->playsOption =
+        &command.number("--loop", options->plays, 0, 65535, "How often it is shown; 0: again and again.");
+    addPictureArgument(command, options->picture);
+    addRendererArgument(command, options->renderer);
+    command.option("--quality", options->quality,
+                   "Of a WebP, with losses: 0 to 100. Without it: without any.", {.value = "Q"});
+    command.flag("--no-metadata", options->withoutMetadata,
+                 "Write no texts into a PNG, which say how it was drawn and the complete scene.");
+    command.option(
+        "-o,--out", options->out,
+        "The file to write: .gif, .webp or .png (APNG). With a place for a number, 'frame-%04d.png' "
+        "or 'frame-{number}.tga', each picture becomes a file of its own, as of \"texshot shot\", "
+        "counted from 1.",
+        {.value = "FILE", .required = true});
+    command.footer(fmt::format(
+        "What moves: the scene's key frames, spins and rates, and what --set moves. --set PATH=A..B goes from A "
+        "to B over the whole length, A..B..C by way of B; of vectors and colours every component, "
+        "'view.background=0,0,0,1..1,1,1,1'. Names, and what is on or off, have nothing in between: each is shown "
+        "for an equal part of the length, and * stands for all of them.\n"
+        "Picture number i, from 0, is \"texshot shot --time\" at i / fps after --time. That at the very end isn't "
+        "drawn: where it is the first one again, as with 'view.azimuth=0..360', the loop is exact.\n"
+        "GIFs have 256 colours in each picture, count in hundredths of a second and go up to {} pictures a second; "
+        "APNG and WebP lose nothing. A call draws at most {} pictures each way.\n"
+        "Exit status: 0 done, 1 a picture couldn't be drawn or the file written, 2 a wrong call, 130 Ctrl+C: then "
+        "there is no file, or what numbered files there are by then are whole.",
+        animation::rowOf(animation::Format::Gif).mostPerSecond, mostPictures));
+    command.onCall([options] { return animate(*options); });
+}
+
+} // namespace texplorer::screenshot
