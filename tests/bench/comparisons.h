@@ -110,6 +110,12 @@ inline constexpr std::array comparisons{
     Comparison{"a sheet of 64 pictures of 128 x 128, Mesa's cache warm",
                "sheet/inOneCall/warm/iterations:1/manual_time",
                "sheet/oneByOne/warm/iterations:1/manual_time", "one process per picture", Goal::FasterBy, 6},
+    Comparison{"60 pictures of 512 x 512 into a WebP", "animated/webp/iterations:1/manual_time",
+               "animatedPeer/webp/iterations:1/manual_time", "drawing, then libwebp's own encoder",
+               Goal::CostsUpTo, 1.5},
+    Comparison{"60 pictures of 512 x 512 into a GIF", "animated/gif/iterations:1/manual_time",
+               "animatedPeer/gif/iterations:1/manual_time", "drawing, then giflib's own colours",
+               Goal::CostsUpTo, 1.5},
 };
 
 /// The rows of bench_reference.cpp: one for each scene and filter.
