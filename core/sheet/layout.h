@@ -19,6 +19,9 @@ namespace texplorer::sheet {
 /// The largest extent of a sheet: what its pictures may have, too.
 inline constexpr int maxSheetExtent = 16384;
 
+/// How many pictures are drawn for sheets at once.
+inline constexpr std::size_t maxPictures = 4096;
+
 /// What is to be on a sheet.
 struct Content {
     std::string title{};    ///< the scene's name

@@ -13,6 +13,8 @@
 
 #include <gmock/gmock.h>
 
+#include <latch>
+
 namespace texplorer::stage::loop_test {
 namespace {
 
@@ -153,6 +155,36 @@ TEST_F(LoopTest, AnUploadGoesOnWithTheNextFrame) {
         EXPECT_THAT(step().wake, Optional(now));
     graphics.uploading = false;
     run();
+    EXPECT_EQ(last.wake, std::nullopt);
+}
+
+TEST_F(LoopTest, ASheetIsWrittenWhileTheWindowSleeps) {
+    const test::TempDir folder;
+    std::latch begun(1);
+    std::latch goOn(1);
+    bool first = true; // of the thread that works alone
+    ui::SheetFiles beside(When::WhenReady, [&] {
+        if (std::exchange(first, false)) {
+            begun.count_down();
+            goOn.wait();
+        }
+    });
+    const ui::Services all = services.lend();
+    session.emplace(ui::Services{all.files, all.levels, all.reference, all.kept, all.probe, all.levelMap,
+                                 all.patterns, all.levelPictures, all.lessons, all.environments,
+                                 all.plainProbe, all.sheet, beside});
+    loop.emplace(graphics, *session, wide, Clipboard{});
+    session->window.sheet.width = session->window.sheet.height = 16;
+    ASSERT_TRUE(ui::saveSheet(*session, folder / "sheet.png"));
+    begun.wait();
+    run({Refresh{}});
+    EXPECT_TRUE(places.items.contains("drawing sheet"));
+    EXPECT_EQ(last.wake, std::nullopt) << "the thread wakes it when there is news";
+    goOn.count_down();
+    beside.wait();
+    run({Refresh{}});
+    EXPECT_FALSE(places.items.contains("drawing sheet"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("Written: "));
     EXPECT_EQ(last.wake, std::nullopt);
 }
 

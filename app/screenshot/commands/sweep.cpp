@@ -10,6 +10,7 @@
 #include "app/screenshot/shots/sheet_run.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
+#include "app/view/picture_texts.h"
 #include "core/base/printable.h"
 #include "core/sheet/axis_labels.h"
 #include "core/sheet/layout.h"
@@ -25,7 +26,6 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr std::size_t mostCells = 4096; // of all sheets of a call
 constexpr std::size_t tableAxes = 2;
 constexpr std::size_t mostAxes = 3;
 constexpr const char* pagePlace = "page";
@@ -129,11 +129,6 @@ Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
     return {};
 }
 
-std::string axisText(const SweepAxis& axis, std::span<const std::string> values) {
-    const bool hasComponents = axis.values.front().find(',') != std::string::npos;
-    return fmt::format("{}={}", axis.path, fmt::join(values, hasComponents ? ";" : ","));
-}
-
 /// What is written above the pictures.
 std::string titleOf(const SceneArgument& scene) {
     if (isStandardInput(scene.file))
@@ -231,13 +226,13 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
     if (const Result<void> sheets = checkSheets(sweep, options.out); !sheets)
         return complain(sheets.error(), wrongCall);
     const ShotList list = shotsOf(options, sweep, true);
-    if (list.count() > mostCells)
-        return complain(
-            {ErrorCode::TooLarge,
-             fmt::format("expected at most {} pictures on the sheets of a call, found {}{}", mostCells,
-                         list.count() > maxShots ? "more than " : "", std::min(list.count(), maxShots)),
-             "--axis"},
-            wrongCall);
+    if (list.count() > sheet::maxPictures)
+        return complain({ErrorCode::TooLarge,
+                         fmt::format("expected at most {} pictures on the sheets of a call, found {}{}",
+                                     sheet::maxPictures, list.count() > maxShots ? "more than " : "",
+                                     std::min(list.count(), maxShots)),
+                         "--axis"},
+                        wrongCall);
     const Result<std::unique_ptr<sheet::Lettering>> lettering = openLettering();
     if (!lettering)
         return complain(lettering.error());
@@ -256,12 +251,12 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
         Scene scene = sweep.opened.scene;
         std::vector<std::string> axes;
         for (std::size_t i = 0; i < std::min(sweep.axes.size(), tableAxes); ++i)
-            axes.push_back(axisText(sweep.axes[i], sweep.axes[i].values));
+            axes.push_back(view::axisText(sweep.axes[i], sweep.axes[i].values));
         if (sweep.hasPages()) {
             const SweepAxis& axis = sweep.axes.back();
             if (const Result<void> set = setParam(scene, axis.path, axis.values[page]); !set)
                 return complain(inScene(options.scene, set.error()));
-            axes.push_back(axisText(axis, std::span(&axis.values[page], 1)));
+            axes.push_back(view::axisText(axis, std::span(&axis.values[page], 1)));
         }
         pages.push_back(
             {std::move((*outputs)[page]), std::move(layouts[page]), std::move(scene), std::move(axes)});
@@ -367,7 +362,7 @@ void addSweep(CommandLine& line) {
         "be drawn gets its sentence, in its place too, and the others go on.\n"
         "Exit status: 0 done, 1 a picture couldn't be drawn or a file written, 2 a wrong call, 130 Ctrl+C: what "
         "was written by then is whole.",
-        sheet::maxSheetExtent, mostCells));
+        sheet::maxSheetExtent, sheet::maxPictures));
     command.onCall([options] { return sweep(*options); });
 }
 

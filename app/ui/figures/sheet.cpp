@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 namespace texplorer::ui {
@@ -26,23 +27,23 @@ constexpr float leastCell = 6.5F; ///< heights of the text: narrower ones are sc
 struct NamedAxis {
     SweepAxis axis;
     const ParamRow* row;
-    std::size_t all; ///< values that there are; those that are shown are in `axis`
+    std::vector<std::string> labels; ///< of its values
+    std::size_t all;                 ///< values that there are; those that are shown are in `axis`
 
     [[nodiscard]] std::size_t count() const { return axis.values.size(); }
-    [[nodiscard]] std::string labelOf(const Settings& settings, std::size_t value) const {
-        const std::string& name = axis.values.at(value);
-        const EnumRow* choice = findRow(row->choices, name);
-        return choice ? tr(shownName(settings, *choice)) : name;
-    }
 };
 
-Result<NamedAxis> namedAxis(const Session& session, const SheetAxis& wanted) {
-    Result<SweepAxis> axis = sweepAxis(session.document.scene, wanted.path, wanted.values);
-    if (!axis)
-        return fail(axis.error());
-    NamedAxis named{*std::move(axis), paramAt(session.document.scene, wanted.path)->row, 0};
+NamedAxis namedAxis(const Session& session, SweepAxis axis) {
+    const Scene& scene = session.document.scene;
+    NamedAxis named{std::move(axis), nullptr, {}, 0};
+    named.row = paramAt(scene, named.axis.path)->row;
     named.all = named.axis.values.size();
     named.axis.values.resize(std::min(named.all, mostOnASide));
+    const sheet::LabelKind kind =
+        session.window.settings.glNames ? sheet::LabelKind::Names : sheet::LabelKind::Words;
+    named.labels = std::move(sheet::labelsOf(scene, std::span(&named.axis, 1), kind).front().values);
+    for (std::string& each : named.labels)
+        each = tr(each);
     return named;
 }
 
@@ -54,21 +55,20 @@ struct SheetPlan {
     ImVec2 cell{1, 1};
 };
 
-float headOf(const Session& session, const NamedAxis& rows) {
+float headOf(const NamedAxis& rows) {
     float width = 0;
-    for (std::size_t i = 0; i < rows.count(); ++i)
-        width = std::max(width, ImGui::CalcTextSize(rows.labelOf(session.window.settings, i).c_str()).x);
+    for (const std::string& each : rows.labels)
+        width = std::max(width, ImGui::CalcTextSize(each.c_str()).x);
     return std::min(std::ceil(width + ImGui::GetFontSize() * 0.6F),
                     std::floor(ImGui::GetContentRegionAvail().x * 0.22F));
 }
 
 /// `aspect`: the view's width by its height.
-SheetPlan planSheet(const Session& session, const NamedAxis& rows, const NamedAxis& columns, float aspect) {
+SheetPlan planSheet(const NamedAxis& rows, const NamedAxis& columns, float aspect) {
     const float em = ImGui::GetFontSize();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    SheetPlan plan{.head = headOf(session, rows),
-                   .line = std::ceil(em * 1.25F),
-                   .gap = std::max(2.0F, std::floor(em / 5))};
+    SheetPlan plan{
+        .head = headOf(rows), .line = std::ceil(em * 1.25F), .gap = std::max(2.0F, std::floor(em / 5))};
     const auto share = [&](float all, std::size_t count) {
         return (all + plan.gap) / static_cast<float>(std::max<std::size_t>(1, count)) - plan.gap;
     };
@@ -91,9 +91,8 @@ struct Axes {
 
 std::string wordsOf(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
     const Settings& settings = session.window.settings;
-    return fmt::format("{}: {}, {}: {}", tr(shownName(settings, *axes.rows.row)),
-                       axes.rows.labelOf(settings, row), tr(shownName(settings, *axes.columns.row)),
-                       axes.columns.labelOf(settings, column));
+    return fmt::format("{}: {}, {}: {}", tr(shownName(settings, *axes.rows.row)), axes.rows.labels.at(row),
+                       tr(shownName(settings, *axes.columns.row)), axes.columns.labels.at(column));
 }
 
 /// The value of an axis that the scene has; nothing: another one.
@@ -177,12 +176,11 @@ void axisName(ImVec2 at, const std::string& name, float room, bool own) {
     shrunkText(at, name, ImGui::GetFontSize(), room, own ? color::accent : color::text);
 }
 
-void drawNames(const Session& session, const NamedAxis& columns, const SheetPlan& plan,
-               std::optional<std::size_t> own) {
+void drawNames(const NamedAxis& columns, const SheetPlan& plan, std::optional<std::size_t> own) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < columns.count(); ++i) {
         const float left = origin.x + plan.head + static_cast<float>(i) * (plan.cell.x + plan.gap);
-        const std::string name = columns.labelOf(session.window.settings, i);
+        const std::string& name = columns.labels.at(i);
         axisName({left, origin.y}, name, plan.cell.x - ImGui::GetFontSize() * 0.4F, own == i);
         ImGui::SetCursorScreenPos({left, origin.y});
         ImGui::Dummy({plan.cell.x, plan.line});
@@ -200,7 +198,7 @@ void drawCells(Session& session, const Axes& axes, const SheetPlan& plan, const 
     for (std::size_t row = 0; row < axes.rows.count(); ++row) {
         const float top = origin.y + static_cast<float>(row) * (plan.cell.y + plan.gap) + 1;
         const float em = ImGui::GetFontSize();
-        const std::string name = axes.rows.labelOf(session.window.settings, row);
+        const std::string& name = axes.rows.labels.at(row);
         axisName({origin.x, top + (plan.cell.y - em) / 2}, name, plan.head - em * 0.3F, ownRow == row);
         for (std::size_t column = 0; column < axes.columns.count(); ++column) {
             const ImVec2 low(origin.x + plan.head + static_cast<float>(column) * (plan.cell.x + plan.gap),
@@ -222,7 +220,7 @@ void sentence(const Axes& axes) {
             continue;
         const std::string words =
             fmt::format("{} has {} values, of which the first {} are shown: write those "
-                        "that you want to see.",
+                        "that you want to see; a file has all.",
                         tr(axis->row->label), axis->all, axis->count());
         if (fittedText(words, color::problem))
             helpTip(words);
@@ -234,13 +232,6 @@ void sentence(const Axes& axes) {
     const std::string more =
         tr("Each picture is drawn as small as it is here, and so minifies more than the view.");
     helpTip(fittedText(words, color::dim) ? fmt::format("{}\n{}", tr(words), more) : more);
-}
-
-void problem(const std::string& words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    wrappedText(words);
-    ImGui::PopStyleColor();
-    noteItem("sheet:problem");
 }
 
 SheetPictures::Question questionOf(const Session& session, const Axes& axes, const SheetPlan& plan) {
@@ -260,31 +251,27 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
 } // namespace
 
 void drawSheet(Session& session, SheetState& state, const Pictures& pictures) {
-    const SheetAxes wanted = axesOf(session, state);
-    Result<NamedAxis> rows = namedAxis(session, wanted[0]);
-    Result<NamedAxis> columns = namedAxis(session, wanted[1]);
-    if (rows && columns && rows->axis.path == columns->axis.path)
-        columns = fail(ErrorCode::Unsupported,
-                       "Rows and columns are the same parameter: choose another one for one of them.");
+    Result<std::array<SweepAxis, 2>> swept = sweptAxes(session);
     std::optional<Axes> axes;
-    if (rows && columns)
-        axes = Axes{*std::move(rows), *std::move(columns)};
-    drawSheetAxes(session, state, wanted, [&] {
+    if (swept)
+        axes =
+            Axes{namedAxis(session, std::move(swept->front())), namedAxis(session, std::move(swept->back()))};
+    drawSheetControls(session, state, axesOf(session), [&] {
         if (axes)
             sentence(*axes);
         else
-            problem(describe(rows ? columns.error() : rows.error()));
+            sheetProblem(describe(swept.error()));
     });
     if (!axes)
         return;
     const view::Size view = pictures.frames.front().frame.size;
     const float aspect =
         static_cast<float>(std::max(1, view.width)) / static_cast<float>(std::max(1, view.height));
-    const SheetPlan plan = planSheet(session, axes->rows, axes->columns, aspect);
+    const SheetPlan plan = planSheet(axes->rows, axes->columns, aspect);
     const SheetPictures::Cells& cells = session.services.sheet.cells(questionOf(session, *axes, plan));
     const std::optional<std::size_t> ownRow = ownValue(session, axes->rows.axis);
     const std::optional<std::size_t> ownColumn = ownValue(session, axes->columns.axis);
-    drawNames(session, axes->columns, plan, ownColumn);
+    drawNames(axes->columns, plan, ownColumn);
     drawCells(session, *axes, plan, cells, pictures, ownRow, ownColumn);
 }
 

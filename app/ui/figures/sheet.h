@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/figures/sheet_axes.h"
+#include "app/ui/figures/sheet_controls.h"
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
 

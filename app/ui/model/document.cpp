@@ -27,6 +27,12 @@ bool isDirty(const Document& document) {
            a.textures != b.textures || a.passes != b.passes;
 }
 
+std::string nameOf(const Document& document) {
+    const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
+    const std::filesystem::path name = file.stem();
+    return (name.extension() == ".texplorer" ? name.stem() : name).string();
+}
+
 std::string windowTitle(const Document& document) {
     const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
     const std::string name = file.empty() ? tr("Untitled") : file.filename().string();

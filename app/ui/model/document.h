@@ -66,6 +66,9 @@ struct Document {
 /// Whether closing would lose something. Looking around in a scene that was never saved doesn't count.
 [[nodiscard]] bool isDirty(const Document& document);
 
+/// "earth" of earth.json and of earth.texplorer.json; empty: it has no file.
+[[nodiscard]] std::string nameOf(const Document& document);
+
 /// "earth.json • Texplorer": the bullet says that there are unsaved changes.
 [[nodiscard]] std::string windowTitle(const Document& document);
 

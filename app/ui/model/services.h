@@ -7,6 +7,7 @@
 #include "app/ui/model/level_pictures.h"
 #include "app/ui/model/pattern_pictures.h"
 #include "app/ui/model/settings_file.h"
+#include "app/ui/model/sheet_files.h"
 #include "app/ui/model/sheet_pictures.h"
 #include "app/ui/model/unsaved_work.h"
 #include "core/reference/draw_worker.h"
@@ -32,6 +33,7 @@ struct Services {
     EnvironmentPictures& environments;   ///< of the table of environments
     reference::ProbeWorker& plainProbe;  ///< of the same pixel for that table, whatever the texture's format
     SheetPictures& sheet;                ///< of the sheet of variations
+    SheetFiles& sheetFiles;              ///< of the same as files
     UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
     SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
     Captures* captures = nullptr;        ///< nullptr: no pictures are written
@@ -53,11 +55,12 @@ public:
         , lessons_(When::WhenReady, wake)
         , environments_(When::WhenReady, wake)
         , plainProbe_(When::WhenReady, wake, {cache})
-        , sheet_(When::WhenReady, wake, {cache}) {}
+        , sheet_(When::WhenReady, wake, {cache})
+        , sheetFiles_(When::WhenReady, wake, {cache}) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_, patterns_,
-                levelPictures_, lessons_, environments_, plainProbe_, sheet_, unsaved};
+        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_,   patterns_,
+                levelPictures_, lessons_, environments_, plainProbe_, sheet_, sheetFiles_, unsaved};
     }
 
 private:
@@ -73,6 +76,7 @@ private:
     EnvironmentPictures environments_;
     reference::ProbeWorker plainProbe_;
     SheetPictures sheet_;
+    SheetFiles sheetFiles_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -90,11 +94,12 @@ public:
         , lessons_(When::AtOnce)
         , environments_(When::AtOnce)
         , plainProbe_(When::AtOnce, {}, work)
-        , sheet_(When::AtOnce, {}, work) {}
+        , sheet_(When::AtOnce, {}, work)
+        , sheetFiles_(When::AtOnce, {}, work) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_, patterns_,
-                levelPictures_, lessons_, environments_, plainProbe_, sheet_, unsaved};
+        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_,   patterns_,
+                levelPictures_, lessons_, environments_, plainProbe_, sheet_, sheetFiles_, unsaved};
     }
 
 private:
@@ -110,6 +115,7 @@ private:
     EnvironmentPictures environments_;
     reference::ProbeWorker plainProbe_;
     SheetPictures sheet_;
+    SheetFiles sheetFiles_;
 };
 
 } // namespace texplorer::ui

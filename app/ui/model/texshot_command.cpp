@@ -65,7 +65,10 @@ std::string shellWord(std::string_view text) {
     return word + "'";
 }
 
-Result<std::string> texshotCommand(const Session& session, view::Size picture) {
+namespace {
+
+/// " earth.json --set …", with " --time …" where it isn't 0: what leads to the session's scene.
+Result<std::string> sceneWords(const Session& session) {
     const Document& document = session.document;
     const bool hasFile = !document.file.empty();
     const Scene base = hasFile ? document.saved : defaultScene();
@@ -78,18 +81,47 @@ Result<std::string> texshotCommand(const Session& session, view::Size picture) {
             ErrorCode::Unsupported,
             "models, textures or passes were added or taken away, which --set can't say: save the scene "
             "first");
-    std::string command = "texshot shot";
+    std::string words;
     if (hasFile)
-        command += ' ' + shellWord(document.file.string());
+        words += ' ' + shellWord(document.file.string());
     for (const Assignment& each : assignments)
-        command += " --set " + shellWord(each.path + '=' + each.value);
+        words += " --set " + shellWord(each.path + '=' + each.value);
     if (session.window.playback.time != 0)
-        command += fmt::format(" --time {}", session.window.playback.time);
+        words += fmt::format(" --time {}", session.window.playback.time);
+    return words;
+}
+
+} // namespace
+
+Result<std::string> texshotCommand(const Session& session, view::Size picture) {
+    const Result<std::string> scene = sceneWords(session);
+    if (!scene)
+        return fail(scene.error());
+    std::string command = "texshot shot" + *scene;
     if (session.window.view.renderer != RendererKind::Fixed)
         command += fmt::format(" --renderer {}", rowOf(session.window.view.renderer).name);
-    const std::string name = hasFile ? document.file.stem().string() : std::string("scene");
+    const std::string name = nameOf(session.document);
     return fmt::format("{} --size {}x{} -o {}", command, picture.width, picture.height,
-                       shellWord(name + ".png"));
+                       shellWord((name.empty() ? "scene" : name) + ".png"));
+}
+
+Result<std::string> sweepCommand(const Session& session) {
+    if (const Result<SheetFiles::Order> order = sheetOrder(session); !order)
+        return fail(order.error());
+    const Result<std::string> scene = sceneWords(session);
+    if (!scene)
+        return fail(scene.error());
+    const SheetChoice& choice = session.window.sheet;
+    std::string command = "texshot sweep" + *scene;
+    for (const SheetAxis& axis : axesOf(session))
+        command += " --axis " + shellWord(axis.path + '=' + axis.values);
+    command += fmt::format(" --renderer {}", rowOf(RendererKind::Reference).name);
+    if (session.window.view.anisotropy != reference::AnisotropyMethod::Probes)
+        command += fmt::format(" --anisotropy {}", texplorer::rowOf(session.window.view.anisotropy).name);
+    if (choice.labels != sheet::LabelKind::Names)
+        command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
+    return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
+                       shellWord(sheetFileName(session.document)));
 }
 
 } // namespace texplorer::ui

@@ -12,6 +12,10 @@ namespace texplorer::ui {
 /// Errors: what differs from the scene's file, or from the start, can't be said by --set.
 [[nodiscard]] Result<std::string> texshotCommand(const Session& session, view::Size picture);
 
+/// The same for the sheet that the window shows: "texshot sweep earth.json --axis … -o earth-sheet.png".
+/// Errors: those, and of sheetOrder.
+[[nodiscard]] Result<std::string> sweepCommand(const Session& session);
+
 /// As one word of a POSIX shell.
 [[nodiscard]] std::string shellWord(std::string_view text);
 

@@ -12,6 +12,7 @@
 #include "app/ui/model/sections.h"
 #include "app/ui/model/selection.h"
 #include "app/ui/model/settings.h"
+#include "app/ui/model/sheet_choice.h"
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
 #include "core/diagnosis/diagnosis.h"
@@ -49,6 +50,7 @@ enum class Dialog {
     OpenImage,
     SaveScene,
     SaveAnswers,
+    SaveSheet,
     Discard,
     Help,
     Restore,
@@ -126,6 +128,7 @@ struct WindowState {
     std::shared_ptr<LessonRun> lesson; ///< nullptr: none is open
     Explaining explaining;
     Figure figure = Figure::Environments; ///< of the tab of figures
+    SheetChoice sheet;
     LevelView levels;
     InspectedFile fileView;
     Notice notice;

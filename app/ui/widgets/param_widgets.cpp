@@ -17,6 +17,7 @@
 #include <imgui_internal.h> // how far lines are indented, in a table, too
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace texplorer::ui {
@@ -191,6 +192,8 @@ std::string backTo(const ParamRow& row, const Line& line) {
     return initial.empty() ? "Back to nothing" : fmt::format("Back to {}", initial);
 }
 
+constexpr std::array sheetSides{"Vary on a sheet: rows", "Vary on a sheet: columns"};
+
 /// What one can do with a row.
 void rowMenu(Session& session, const ParamRow& row, Line& line) {
     if (!ImGui::BeginPopup("row"))
@@ -210,6 +213,17 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
     helpTip(isThere  ? "Essentials has it already"
             : pinned ? "Essentials shows it no longer"
                      : "Essentials shows it below what it has, of whatever texture, unit or model is chosen");
+    if (canSweep(row)) {
+        ImGui::Separator();
+        for (std::size_t side = 0; side < sheetSides.size(); ++side) {
+            if (ImGui::MenuItem(label(sheetSides[side])))
+                varyOnSheet(session, line.path, side);
+            noteItem(fmt::format("{}#menu:{}", line.path, side == 0 ? "rows" : "columns"));
+            helpTip(
+                "The sheet of variations shows the scene with each of its values, beside those of another "
+                "parameter.");
+        }
+    }
     ImGui::EndPopup();
 }
 

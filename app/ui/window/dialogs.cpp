@@ -39,6 +39,7 @@ constexpr std::array browserRows{
     BrowserRow{Dialog::OpenImage, "Open an image", false, true},
     BrowserRow{Dialog::SaveScene, "Save the scene", true, false},
     BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false},
+    BrowserRow{Dialog::SaveSheet, "Save the sheet", true, false},
 };
 
 std::vector<std::string> imageExtensions() {
@@ -64,9 +65,11 @@ void beginBrowsing(DialogsState& state, const Session& session) {
     const BrowserRow& row = *std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
     const Document& document = session.document;
     const bool opens = dialog == Dialog::OpenScene;
+    const bool isSheet = dialog == Dialog::SaveSheet;
     beginBrowsing(state.browser, row.title,
                   row.thumbnails ? imageExtensions()
                   : opens        ? std::vector<std::string>{".json", ".png"}
+                  : isSheet      ? std::vector<std::string>{".png"}
                                  : std::vector<std::string>{".json"},
                   row.saving, document.file.empty() ? document.suggested : document.file,
                   opens ? maybeScene : nullptr);
@@ -75,6 +78,8 @@ void beginBrowsing(DialogsState& state, const Session& session) {
         state.browser.suffix = sceneExtension;
     if (dialog == Dialog::SaveAnswers)
         state.browser.typed = "answers.json"; // never the scene's file
+    if (isSheet)
+        state.browser.typed = sheetFileName(document);
 }
 
 void drawDiscard(Session& session) {
@@ -185,6 +190,8 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
         return saveScene(session, chosen);
     if (dialog == Dialog::SaveAnswers)
         return saveAnswers(session, chosen);
+    if (dialog == Dialog::SaveSheet)
+        return saveSheet(session, chosen);
     const std::string param = std::exchange(session.window.imageParam, {});
     if (param.empty())
         importImage(session, chosen);

@@ -112,6 +112,11 @@ void fileMenu(Session& session) {
     if (item("Picture of the window", "window picture"))
         session.window.wantedCapture = Capture::Window;
     helpTip("The same with all panels.");
+    if (item("Sheet of variations…"))
+        showSheet(session);
+    helpTip(
+        "The scene with every pair of values of two parameters, to look at, to choose from, or as a file. "
+        "A right click on a parameter puts it there.");
     if (item("Copy link to this scene"))
         copySceneLink(session);
     helpTip(

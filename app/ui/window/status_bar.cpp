@@ -53,6 +53,18 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
     helpTip("What was drawn before stays until they are there.");
 }
 
+/// The same for a sheet that is drawn for a file.
+void drawProgress(Session& session, const SheetFiles::Progress& progress) {
+    if (ImGui::SmallButton(label("Cancel")))
+        session.services.sheetFiles.cancel();
+    noteItem("cancel sheet");
+    ImGui::SameLine();
+    text(fmt::format("Drawing {} · {} of {}", printable(progress.file.filename().string()), progress.done,
+                     countOf(progress.all, "picture")));
+    noteItem("drawing sheet");
+    helpTip(printable(progress.file.string()));
+}
+
 void drawNotice(Session& session) {
     const ThemeColor ink = session.window.notice.isGood ? color::text : color::problem;
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
@@ -157,6 +169,8 @@ void drawNews(Session& session, const Pictures& pictures) {
         drawProgress(session, *loading);
     else if (const auto making = session.services.levels.progress())
         drawProgress(session, *making);
+    else if (const auto sheet = session.services.sheetFiles.progress())
+        drawProgress(session, *sheet);
     else if (!session.window.notice.text.empty())
         drawNotice(session);
     else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {

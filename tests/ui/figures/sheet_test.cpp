@@ -1,5 +1,7 @@
 #include "app/ui/model/preview.h"
+#include "app/ui/model/texshot_command.h"
 #include "app/ui/widgets/keys.h"
+#include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
 #include <fmt/core.h>
@@ -17,6 +19,7 @@ protected:
         open();
     }
 
+    using Workbench::open;
     void open() {
         session->window.wantedTab = Tab::Figures;
         session->window.figure = Figure::Sheet;
@@ -106,6 +109,97 @@ TEST_F(Sheet, SaysWhatItCantShow) {
     EXPECT_TRUE(has("sheet:too many"));
     EXPECT_TRUE(has("sheet cell:8,GL_NEAREST"));
     EXPECT_FALSE(has("sheet cell:9,GL_NEAREST"));
+}
+
+TEST_F(Sheet, TakesTwoParametersThatArePickedInThePanel) {
+    session->window.settings.workspace = {};
+    session->window.figure = Figure::Block;
+    open("Texture");
+    scrollTo("textures[0].wrapS#label");
+    click("textures[0].wrapS#label", ImGuiMouseButton_Right);
+    frames(2);
+    click("textures[0].wrapS#menu:rows");
+    frames(3);
+    EXPECT_TRUE(isShown(session->window.settings.workspace, Tab::Figures));
+    EXPECT_EQ(session->window.figure, Figure::Sheet);
+    EXPECT_EQ(axesOf(*session)[0], (SheetAxis{"textures[0].wrapS", "*"}));
+    scrollTo("textures[0].magFilter#label");
+    click("textures[0].magFilter#label", ImGuiMouseButton_Right);
+    frames(2);
+    click("textures[0].magFilter#menu:columns");
+    frames(3);
+    EXPECT_TRUE(has("sheet cell:GL_REPEAT,GL_LINEAR"));
+    varyOnSheet(*session, "textures[0].wrapS", 1);
+    EXPECT_EQ(axesOf(*session)[0].path, "textures[0].magFilter") << "they have changed places";
+    EXPECT_EQ(axesOf(*session)[1].path, "textures[0].wrapS");
+}
+
+TEST_F(Sheet, OnlyTakesWhatHasFewValues) {
+    session->window.settings.workspace = {};
+    open("Model");
+    scrollTo("models[0].name#label");
+    click("models[0].name#label", ImGuiMouseButton_Right);
+    frames(2);
+    EXPECT_TRUE(has("models[0].name#menu:reset"));
+    EXPECT_FALSE(has("models[0].name#menu:rows"));
+}
+
+TEST_F(Sheet, IsFoundInTheMenu) {
+    session->window.figure = Figure::Block;
+    session->window.wantedTab = Tab::Commands;
+    frames(3);
+    click("menu:File");
+    frames(2);
+    click("menu:Sheet of variations…");
+    frames(3);
+    EXPECT_TRUE(has("sheet:own"));
+}
+
+TEST_F(Sheet, ItsCommandIsCopied) {
+    write("sheet values:Rows", "1,4");
+    click("sheet:copy");
+    EXPECT_STREQ(ImGui::GetClipboardText(), sweepCommand(*session).value().c_str());
+    EXPECT_TRUE(session->window.notice.isGood);
+    scene().textures.push_back({});
+    click("sheet:copy");
+    EXPECT_THAT(session->window.notice.text, testing::HasSubstr("There is no command for this sheet: "));
+}
+
+TEST_F(Sheet, IsWrittenAsAFile) {
+    const test::TempDir folder;
+    write("sheet values:Rows", "1,4");
+    click("sheet:save");
+    frames(2);
+    click("sheet file:words");
+    doubleClickAt(place("sheet file:width"));
+    key('A', {ctrl});
+    type("64");
+    key(key::enter);
+    frames(2);
+    EXPECT_EQ(session->window.sheet.width, 64);
+    EXPECT_EQ(session->window.sheet.labels, sheet::LabelKind::Words);
+    click("sheet file:choose");
+    frames(3);
+    ASSERT_EQ(session->window.dialog, Dialog::SaveSheet);
+    EXPECT_EQ(states.dialogs.browser.typed, "scene-sheet.png");
+    key('A', {ctrl});
+    type((folder / "sheet.png").string());
+    key(key::enter);
+    frames(3);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->window.notice.text, "Written: " + (folder / "sheet.png").string());
+    EXPECT_TRUE(session->window.notice.isGood);
+    EXPECT_TRUE(std::filesystem::exists(folder / "sheet.png"));
+}
+
+TEST_F(Sheet, WhatCantBeWrittenIsSaidBeforeAFileIsAskedFor) {
+    session->window.sheet.width = 16000;
+    click("sheet:save");
+    frames(2);
+    EXPECT_TRUE(has("sheet:problem"));
+    click("sheet file:choose");
+    frames(2);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
 }
 
 TEST_F(Sheet, StandsWithoutATexture) {

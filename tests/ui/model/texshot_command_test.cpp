@@ -92,6 +92,30 @@ TEST_F(TexshotCommand, SaysWhatCannotBeSet) {
     EXPECT_THAT(command.error().message, HasSubstr("save the scene"));
 }
 
+TEST_F(TexshotCommand, DrawsTheSheetToo) {
+    scene().textures.front().wrapS = Wrap::Clamp;
+    session.window.playback.time = 0.5;
+    session.window.sheet.own =
+        SheetAxes{SheetAxis{"textures[0].wrapT", "*"}, SheetAxis{"light.position", "0,0,1,0;1,0,0,0"}};
+    const std::vector<std::string> made = wordsOf(sweepCommand(session).value());
+    EXPECT_EQ(sceneOf(made), scene());
+    EXPECT_THAT(made,
+                testing::IsSupersetOf({"sweep", "textures[0].wrapT=*", "light.position=0,0,1,0;1,0,0,0"}));
+    EXPECT_THAT(sweepCommand(session).value(),
+                testing::EndsWith(" --time 0.5 --axis 'textures[0].wrapT=*' --axis "
+                                  "'light.position=0,0,1,0;1,0,0,0' --renderer reference --size 320x200 "
+                                  "-o scene-sheet.png"));
+    session.window.sheet.labels = sheet::LabelKind::Words;
+    session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
+    EXPECT_THAT(sweepCommand(session).value(), HasSubstr(" --anisotropy ellipse --labels words --size "));
+}
+
+TEST_F(TexshotCommand, OfASheetSaysWhatIsWrongWithIt) {
+    session.window.sheet.own =
+        SheetAxes{SheetAxis{"textures[3].wrapT", "*"}, SheetAxis{"light.position", "*"}};
+    EXPECT_THAT(sweepCommand(session).error().where, HasSubstr("textures[3]"));
+}
+
 TEST(ShellWord, StaysOneWord) {
     for (const char* word : {"plain", "", "two words", "it's", "$(rm)", "a*b[0]", "\"", "\\", "-x"})
         EXPECT_THAT(wordsOf(shellWord(word)), testing::ElementsAre(word));

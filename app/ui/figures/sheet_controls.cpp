@@ -1,7 +1,9 @@
-#include "app/ui/figures/sheet_axes.h"
+#include "app/ui/figures/sheet_controls.h"
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/param_match.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/texshot_command.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
@@ -9,7 +11,6 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
-#include "core/reference/shading/environment_table.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -22,22 +23,6 @@
 namespace texplorer::ui {
 namespace {
 
-std::string texturePath(const Session& session, const std::string& key) {
-    const Selection& selection = session.window.selection;
-    const int bound = session.document.scene.passes.at(static_cast<std::size_t>(selection.pass))
-                          .units.at(static_cast<std::size_t>(selection.unit))
-                          .texture;
-    return elementOf<&Scene::textures>(static_cast<std::size_t>(std::max(0, bound))) + "." + key;
-}
-
-template<class Enums>
-std::string namesOf(const Enums& values) {
-    std::string names;
-    for (const auto value : values)
-        names += (names.empty() ? "" : ",") + std::string(texplorer::rowOf(value).name);
-    return names;
-}
-
 constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
 
 /// The label of the parameter at a path; the path where there is none.
@@ -48,7 +33,11 @@ std::string labelAt(const Session& session, const std::string& path) {
 
 void findOffers(const Session& session, SheetState& state) {
     state.offers.clear();
-    const std::string texture = texturePath(session, "");
+    const Texture* bound = boundTexture(session);
+    const std::string texture = bound ? elementOf<&Scene::textures>(static_cast<std::size_t>(
+                                            bound - session.document.scene.textures.data())) +
+                                            "."
+                                      : std::string();
     const std::string unit = selectedUnitPath(session) + ".";
     // Those of what is selected come first.
     std::vector<std::pair<int, SheetState::Offer>> found;
@@ -56,7 +45,7 @@ void findOffers(const Session& session, SheetState& state) {
         const int match = state.search.empty() ? 1 : matchOf(row, state.search);
         if (!canSweep(row) || match == 0)
             return;
-        const bool selected = path.starts_with(texture) || path.starts_with(unit);
+        const bool selected = (bound && path.starts_with(texture)) || path.starts_with(unit);
         found.emplace_back((match == 2 ? 0 : 2) + (selected ? 0 : 1),
                            SheetState::Offer{path, std::string(shownName(session.window.settings, row))});
     });
@@ -104,15 +93,91 @@ std::optional<std::string> choosePath(Session& session, SheetState& state, const
     return chosen;
 }
 
+constexpr const char* saveWords = "Save…";
+constexpr const char* copyWords = "Copy command";
+
+/// How the file is made: the extent of each picture, and what values are called.
+void fileOptions(Session& session) {
+    const float em = ImGui::GetFontSize();
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    SheetChoice& choice = session.window.sheet;
+    const auto number = [&](const char* name, int& value) {
+        ImGui::SetNextItemWidth(em * 4.5F);
+        ImGui::DragInt(name, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp);
+        markDraggable();
+        noteItem(fmt::format("sheet file:{}", name + 2));
+        helpTip("Pixels of each picture. Drag it, or double-click to type a number.");
+    };
+    const float names = em * 7;
+    ImGui::AlignTextToFramePadding();
+    dimText("Each picture");
+    ImGui::SameLine(names);
+    number("##width", choice.width);
+    ImGui::SameLine(0, inner);
+    ImGui::TextUnformatted("×");
+    ImGui::SameLine(0, inner);
+    number("##height", choice.height);
+    ImGui::AlignTextToFramePadding();
+    dimText("Values");
+    ImGui::SameLine(names);
+    const std::span rows = EnumTable<sheet::LabelKind>::rows;
+    for (const EnumRow& row : rows) {
+        if (&row != &rows.front())
+            ImGui::SameLine(0, em * 0.8F);
+        if (ImGui::RadioButton(label(row.label).c_str(),
+                               row.value == static_cast<std::uint32_t>(choice.labels)))
+            choice.labels = static_cast<sheet::LabelKind>(row.value);
+        noteItem(fmt::format("sheet file:{}", row.name));
+        helpTip(row.help);
+    }
+}
+
+/// The sheet as a file and as a command.
+void fileControls(Session& session) {
+    if (ImGui::Button(label(saveWords)))
+        ImGui::OpenPopup("file");
+    noteItem("sheet:save");
+    helpTip("Writes the sheet with every value as a PNG file: labelled, and with the reference's pictures.");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::Button(label(copyWords))) {
+        if (const Result<std::string> command = sweepCommand(session); command) {
+            ImGui::SetClipboardText(command->c_str());
+            tell(session, "The clipboard has a command that draws this sheet without a window.");
+        } else {
+            say(session, fmt::format("There is no command for this sheet: {}.", describe(command.error())));
+        }
+    }
+    noteItem("sheet:copy");
+    helpTip("A \"texshot sweep\" that writes the same file without a window, for scripts.");
+    if (!ImGui::BeginPopup("file"))
+        return;
+    fileOptions(session);
+    ImGui::Separator();
+    const Result<glm::ivec2> extent = sheetExtent(session);
+    if (extent)
+        dimText(fmt::format("The sheet has {} × {} pixels.", extent->x, extent->y));
+    else
+        sheetProblem(describe(extent.error()));
+    ImGui::BeginDisabled(!extent);
+    if (ImGui::Button(label("Choose a file…"))) {
+        session.window.dialog = Dialog::SaveSheet;
+        ImGui::CloseCurrentPopup();
+    }
+    noteItem("sheet file:choose");
+    ImGui::EndDisabled();
+    ImGui::EndPopup();
+}
+
 /// A button with a parameter's name, and the field of its values.
 void axisControls(Session& session, SheetState& state, const SheetAxes& shown, std::size_t side, float button,
                   float field) {
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const SheetAxis& axis = shown.at(side);
     const auto own = [&]() -> SheetAxis& {
-        if (!state.own)
-            state.own = shown;
-        return state.own->at(side);
+        std::optional<SheetAxes>& axes = session.window.sheet.own;
+        if (!axes)
+            axes = shown;
+        return axes->at(side);
     };
     ImGui::PushID(sideNames.at(side));
     const std::string name = fitted(labelAt(session, axis.path), button - ImGui::GetFontSize() * 0.6F);
@@ -141,19 +206,21 @@ void axisControls(Session& session, SheetState& state, const SheetAxes& shown, s
     ImGui::PopID();
 }
 
-void pairChoice(SheetState& state, float width) {
-    const char* current = state.own ? "Your own pair" : sheetPairs().at(state.pair).label;
+void pairChoice(SheetChoice& choice, float width) {
+    const char* current = choice.own ? "Your own pair" : sheetPairs().at(choice.pair).label;
     ImGui::SetNextItemWidth(width);
     const bool open = ImGui::BeginCombo("##pair", tr(current), ImGuiComboFlags_HeightLargest);
     noteItem("sheet:pair");
-    helpTip("Pairs of parameters that belong together; or choose any two beside it.");
+    helpTip(
+        "Pairs of parameters that belong together; or choose any two beside it, or in the panel by a right "
+        "click.");
     if (!open)
         return;
     for (std::size_t i = 0; i < sheetPairs().size(); ++i) {
         const SheetPair& pair = sheetPairs().at(i);
-        if (ImGui::Selectable(label(pair.label), !state.own && state.pair == i)) {
-            state.own.reset();
-            state.pair = i;
+        if (ImGui::Selectable(label(pair.label), !choice.own && choice.pair == i)) {
+            choice.own.reset();
+            choice.pair = i;
         }
         noteItem(fmt::format("sheet pair:{}", pair.name));
         helpTip(pair.help);
@@ -163,71 +230,41 @@ void pairChoice(SheetState& state, float width) {
 
 } // namespace
 
-const std::array<SheetPair, 4>& sheetPairs() {
-    static const std::array<SheetPair, 4> pairs{
-        SheetPair{"filters", "Filter laboratory",
-                  "How the texture is made smaller: six filters, with one to sixteen probes.",
-                  [](const Session& session) {
-                      return SheetAxes{
-                          SheetAxis{texturePath(session, keyOf<&Texture::maxAnisotropy>()), "1,2,4,8,16"},
-                          SheetAxis{texturePath(session, keyOf<&Texture::minFilter>()), "*"}};
-                  }},
-        SheetPair{"magnification", "Both filters",
-                  "The filters of texels that are larger than pixels, and of smaller ones.",
-                  [](const Session& session) {
-                      return SheetAxes{SheetAxis{texturePath(session, keyOf<&Texture::magFilter>()), "*"},
-                                       SheetAxis{texturePath(session, keyOf<&Texture::minFilter>()), "*"}};
-                  }},
-        SheetPair{"wraps", "Both wraps", "What there is beyond the image's edges, in both directions.",
-                  [](const Session& session) {
-                      return SheetAxes{SheetAxis{texturePath(session, keyOf<&Texture::wrapT>()), "*"},
-                                       SheetAxis{texturePath(session, keyOf<&Texture::wrapS>()), "*"}};
-                  }},
-        SheetPair{"environments", "Environments",
-                  "What the unit makes of fragment and texel, for each base format.",
-                  [](const Session& session) {
-                      return SheetAxes{SheetAxis{selectedUnitPath(session) + "." + keyOf<&Unit::envMode>(),
-                                                 namesOf(reference::tableModes)},
-                                       SheetAxis{texturePath(session, keyOf<&Texture::internalFormat>()),
-                                                 namesOf(reference::tableFormats)}};
-                  }},
-    };
-    return pairs;
+void sheetProblem(const std::string& words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    wrappedText(words);
+    ImGui::PopStyleColor();
+    noteItem("sheet:problem");
 }
 
-SheetAxes axesOf(const Session& session, const SheetState& state) {
-    if (state.own)
-        return *state.own;
-    SheetAxes axes = sheetPairs().at(state.pair).axes(session);
-    if (state.swapped)
-        std::swap(axes[0], axes[1]);
-    return axes;
-}
-
-void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown,
-                   const std::function<void()>& sentence) {
+void drawSheetControls(Session& session, SheetState& state, const SheetAxes& shown,
+                       const std::function<void()>& sentence) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float gap = em * 0.8F;
     const float names = ImGui::CalcTextSize(tr(sideNames[0])).x + ImGui::CalcTextSize(tr(sideNames[1])).x;
     const float room = ImGui::GetContentRegionAvail().x;
     // All in one line where there is room for it, or both parameters in one.
-    const float spare = room - names - buttonWidth("Swap") - 5 * gap - 4 * inner;
+    const float spare = room - names - buttonWidth("Swap") - buttonWidth(saveWords) - buttonWidth(copyWords) -
+                        5 * gap - 6 * inner;
     const bool inLine = spare > em * 38;
     const float both = room - names - gap - 4 * inner;
     const bool inTwo = !inLine && both > em * 20;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, std::max(1.0F, std::floor(em / 8))});
-    pairChoice(state, std::floor(inLine ? spare * 0.23F : std::min(room * 0.5F, em * 14)));
+    SheetChoice& choice = session.window.sheet;
+    pairChoice(choice, std::floor(inLine ? spare * 0.23F : std::min(room * 0.5F, em * 14)));
     ImGui::SameLine(0, gap);
     if (ImGui::Button(label("Swap"))) {
-        if (state.own)
-            std::swap((*state.own)[0], (*state.own)[1]);
+        if (choice.own)
+            std::swap((*choice.own)[0], (*choice.own)[1]);
         else
-            state.swapped = !state.swapped;
+            choice.swapped = !choice.swapped;
     }
     noteItem("sheet:swap");
     helpTip("Rows become columns, and columns rows.");
+    ImGui::SameLine(0, inner);
+    fileControls(session);
     if (inTwo) {
         ImGui::SameLine(0, gap);
         ImGui::AlignTextToFramePadding();

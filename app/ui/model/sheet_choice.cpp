@@ -1,0 +1,105 @@
+#include "app/ui/model/sheet_choice.h"
+
+#include "app/ui/model/session.h"
+#include "core/reference/shading/environment_table.h"
+#include "core/scene/params/keys.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+std::string boundTexturePath(const Session& session, const std::string& key) {
+    const Selection& selection = session.window.selection;
+    const int bound = session.document.scene.passes.at(static_cast<std::size_t>(selection.pass))
+                          .units.at(static_cast<std::size_t>(selection.unit))
+                          .texture;
+    return elementOf<&Scene::textures>(static_cast<std::size_t>(std::max(0, bound))) + "." + key;
+}
+
+template<class Enums>
+std::string namesOf(const Enums& values) {
+    std::string names;
+    for (const auto value : values)
+        names += (names.empty() ? "" : ",") + std::string(texplorer::rowOf(value).name);
+    return names;
+}
+
+} // namespace
+
+const std::array<SheetPair, 4>& sheetPairs() {
+    static const std::array<SheetPair, 4> pairs{
+        SheetPair{"filters", "Filter laboratory",
+                  "How the texture is made smaller: six filters, with one to sixteen probes.",
+                  [](const Session& session) {
+                      return SheetAxes{
+                          SheetAxis{boundTexturePath(session, keyOf<&Texture::maxAnisotropy>()),
+                                    "1,2,4,8,16"},
+                          SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
+                  }},
+        SheetPair{"magnification", "Both filters",
+                  "The filters of texels that are larger than pixels, and of smaller ones.",
+                  [](const Session& session) {
+                      return SheetAxes{
+                          SheetAxis{boundTexturePath(session, keyOf<&Texture::magFilter>()), "*"},
+                          SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
+                  }},
+        SheetPair{"wraps", "Both wraps", "What there is beyond the image's edges, in both directions.",
+                  [](const Session& session) {
+                      return SheetAxes{SheetAxis{boundTexturePath(session, keyOf<&Texture::wrapT>()), "*"},
+                                       SheetAxis{boundTexturePath(session, keyOf<&Texture::wrapS>()), "*"}};
+                  }},
+        SheetPair{"environments", "Environments",
+                  "What the unit makes of fragment and texel, for each base format.",
+                  [](const Session& session) {
+                      return SheetAxes{SheetAxis{selectedUnitPath(session) + "." + keyOf<&Unit::envMode>(),
+                                                 namesOf(reference::tableModes)},
+                                       SheetAxis{boundTexturePath(session, keyOf<&Texture::internalFormat>()),
+                                                 namesOf(reference::tableFormats)}};
+                  }},
+    };
+    return pairs;
+}
+
+SheetAxes axesOf(const Session& session) {
+    const SheetChoice& choice = session.window.sheet;
+    if (choice.own)
+        return *choice.own;
+    SheetAxes axes = sheetPairs().at(choice.pair).axes(session);
+    if (choice.swapped)
+        std::swap(axes[0], axes[1]);
+    return axes;
+}
+
+Result<std::array<SweepAxis, 2>> sweptAxes(const Session& session) {
+    std::array<SweepAxis, 2> swept;
+    const SheetAxes axes = axesOf(session);
+    for (std::size_t side = 0; side < swept.size(); ++side) {
+        Result<SweepAxis> axis = sweepAxis(session.document.scene, axes[side].path, axes[side].values);
+        if (!axis)
+            return fail(axis.error());
+        swept[side] = *std::move(axis);
+    }
+    if (swept[0].path == swept[1].path)
+        return fail(ErrorCode::Unsupported,
+                    "Rows and columns are the same parameter: choose another one for one of them.");
+    return swept;
+}
+
+void varyOnSheet(Session& session, std::string path, std::size_t side) {
+    SheetAxes axes = axesOf(session);
+    if (axes[1 - side].path == path)
+        std::swap(axes[0], axes[1]);
+    else if (axes[side].path != path)
+        axes[side] = {std::move(path)};
+    session.window.sheet.own = std::move(axes);
+    showSheet(session);
+}
+
+void showSheet(Session& session) {
+    session.window.figure = Figure::Sheet;
+    session.window.wantedTab = Tab::Figures;
+}
+
+} // namespace texplorer::ui
