@@ -117,6 +117,19 @@ TEST_F(LoopTest, WhatPlaysIsDrawnWithEveryRefreshAndFollowsTheClock) {
     EXPECT_EQ(last.wake, std::nullopt);
 }
 
+TEST_F(LoopTest, KeyFramesPlayAndSleepWhileTimeStands) {
+    Scene scene = defaultScene();
+    scene.timeline.keys = {{0, "view.azimuth", "0"}, {2, "view.azimuth", "90"}};
+    start(std::move(scene));
+    step();
+    EXPECT_TRUE(last.wake) << "it plays";
+    session->window.playback.playing = false;
+    session->window.wantedTab = ui::Tab::Timeline;
+    run({Refresh{}});
+    EXPECT_EQ(last.wake, std::nullopt);
+    EXPECT_TRUE(places.items.contains("key:view.azimuth@2"));
+}
+
 TEST_F(LoopTest, AfterALongPauseTheSceneGoesOnWhereItWas) {
     start(spinning());
     step();

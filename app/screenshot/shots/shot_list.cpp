@@ -1,5 +1,6 @@
 #include "app/screenshot/shots/shot_list.h"
 
+#include "core/scene/params/key_edits.h"
 #include "core/scene/params/params.h"
 
 #include <fmt/core.h>
@@ -67,6 +68,7 @@ Result<Scene> ShotList::sceneOf(const Case& shot) const {
     Scene scene = entry.opened.scene;
     for (std::size_t i = 0; i < entry.axes.size(); ++i) {
         const SweepAxis& axis = entry.axes[i];
+        dropKeys(scene.timeline, axis.path); // they would have the last word
         if (const auto set = setParam(scene, axis.path, axis.values[shot.values[i]]); !set)
             return fail(set.error());
     }

@@ -42,6 +42,8 @@ void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Ta
         return drawHistoryTab(session, state.history, pictures);
     case Tab::Figures:
         return drawFiguresTab(session, state.figures, pictures);
+    case Tab::Timeline:
+        return drawTimelineTab(session, state.timeline);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "app/ui/details/history_tab.h"
 #include "app/ui/details/kept_tab.h"
 #include "app/ui/details/levels_tab.h"
+#include "app/ui/details/timeline_tab.h"
 #include "app/ui/details/vertices_tab.h"
 #include "app/ui/figures/figures_tab.h"
 
@@ -25,6 +26,7 @@ struct DetailsState {
     KeptTabState kept;
     HistoryTabState history;
     FiguresTabState figures;
+    TimelineTabState timeline;
     std::optional<Tab> dragged; ///< the tab that the mouse carries from one dock to the other
 };
 

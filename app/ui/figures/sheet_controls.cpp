@@ -4,6 +4,7 @@
 #include "app/ui/model/param_match.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/texshot_command.h"
+#include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
@@ -140,6 +141,7 @@ void fileControls(Session& session) {
     helpTip("Writes the sheet with every value as a PNG file: labelled, and with the reference's pictures.");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(label(copyWords))) {
+        endStanding(session); // the command is about the scene, whatever moves it
         if (const Result<std::string> command = sweepCommand(session); command) {
             ImGui::SetClipboardText(command->c_str());
             tell(session, "The clipboard has a command that draws this sheet without a window.");

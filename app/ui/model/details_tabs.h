@@ -25,7 +25,20 @@ inline constexpr std::array dockRows{
     return dockRows[static_cast<std::size_t>(dock)];
 }
 
-enum class Tab { Lesson, Vertices, Levels, Commands, Glsl, Explain, File, Memory, Kept, History, Figures };
+enum class Tab {
+    Lesson,
+    Vertices,
+    Levels,
+    Commands,
+    Glsl,
+    Explain,
+    File,
+    Memory,
+    Kept,
+    History,
+    Figures,
+    Timeline
+};
 
 struct TabRow {
     Tab tab;
@@ -49,6 +62,7 @@ inline constexpr std::array tabRows{
     TabRow{Tab::Kept, "a-b", "A and B", "A/B"},
     TabRow{Tab::History, "history", "History", "History"},
     TabRow{Tab::Figures, "figures", "Figures", "Figures"},
+    TabRow{Tab::Timeline, "timeline", "Timeline", "Keys"},
 };
 
 [[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {

@@ -24,7 +24,7 @@ bool isDirty(const Document& document) {
     const Scene& a = document.scene;
     const Scene& b = document.saved;
     return a.light != b.light || a.material != b.material || a.models != b.models ||
-           a.textures != b.textures || a.passes != b.passes;
+           a.textures != b.textures || a.passes != b.passes || a.timeline != b.timeline;
 }
 
 std::string nameOf(const Document& document) {

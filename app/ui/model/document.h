@@ -37,6 +37,12 @@ struct ForcedLevel {
     int maxLevel = 0;
 };
 
+/// While panels are drawn: see timeline_edits.h.
+struct Standing {
+    Scene base;  ///< what the document has
+    Scene shown; ///< what it was when the panels began, or after the last edit
+};
+
 /// What is shown and edited. Another scene is another Document; the window around it stays.
 struct Document {
     /// A scene whose images are loaded. A camera that nobody has chosen, that of the default scene, is fitted
@@ -61,6 +67,8 @@ struct Document {
 
     std::vector<Finding> findings; ///< about the scene, kept by `diagnoseSession`
     Diagnosis diagnosis;
+
+    std::optional<Standing> standing; ///< `scene` is that of the present time; nothing: it is its own
 };
 
 /// Whether closing would lose something. Looking around in a scene that was never saved doesn't count.

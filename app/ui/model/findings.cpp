@@ -1,6 +1,7 @@
 #include "app/ui/model/findings.h"
 
 #include "app/ui/model/scene_files.h"
+#include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 
@@ -24,12 +25,13 @@ int indexIn(const std::string& path, std::string_view list) {
 void diagnoseSession(Session& session, const DriverFacts& driver) {
     Diagnosis& last = session.document.diagnosis;
     std::vector<TexturePictures> pictures;
-    for (const Texture& texture : session.document.scene.textures)
+    const StandingScene scene(session.document.scene, session.window.playback.time);
+    for (const Texture& texture : scene->textures)
         pictures.push_back(session.document.images.picturesOf(texture));
-    if (last.scene == session.document.scene && last.pictures == pictures && last.driver == driver)
+    if (last.scene == *scene && last.pictures == pictures && last.driver == driver)
         return;
-    session.document.findings = diagnose(session.document.scene, session.document.images, driver);
-    last = {session.document.scene, std::move(pictures), driver};
+    session.document.findings = diagnose(*scene, session.document.images, driver);
+    last = {*scene, std::move(pictures), driver};
 }
 
 bool isUnused(const Session& session, std::string_view path) {

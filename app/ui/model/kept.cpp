@@ -2,6 +2,7 @@
 
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
+#include "app/ui/model/timeline_edits.h"
 
 #include <fmt/core.h>
 
@@ -43,9 +44,11 @@ void selectAsInA(Selection& selection, const Selection& inA, std::string_view pa
     }
 }
 
-void recordTaken(Session& session, std::string_view what, std::string_view path) {
+using Record = void (*)(Session& session, std::string_view what, std::string_view path);
+
+void recordTaken(Session& session, Record record, std::string_view what, std::string_view path) {
     sealEdit(session);
-    recordEdit(session, what, path);
+    record(session, what, path);
     sealEdit(session);
     selectAsInA(session.window.selection, session.document.kept.selection, path);
     leaveHiddenModel(session);
@@ -69,6 +72,7 @@ bool isKeptBeside(const Session& session) {
 }
 
 void keepAsA(Session& session) {
+    endStanding(session);
     session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt,
                              session.window.selection};
     followKept(session);
@@ -83,6 +87,7 @@ void flipKept(Session& session) {
     if (isKeptBeside(session))
         session.window.view.arrangement = Arrangement::One;
     kept.flippedAt.reset();
+    endStanding(session);
     if (!shown)
         kept.flippedAt = session.document.scene;
     followKept(session);
@@ -126,15 +131,16 @@ Result<void> takeFromKept(Session& session, const SceneChange& change) {
     if (Result<void> taken = takeOver(edited, keptFrom(session), change.path); !taken)
         return taken;
     session.document.scene = std::move(edited);
-    recordTaken(session, fmt::format("{} of A", change.label), change.path);
+    recordTaken(session, recordEdit, fmt::format("{} of A", change.label), change.path);
     return {};
 }
 
 void takeAllFromKept(Session& session) {
     if (!session.document.kept.scene)
         return;
+    endStanding(session);
     session.document.scene = keptFrom(session);
-    recordTaken(session, "All of A", {});
+    recordTaken(session, recordScene, "All of A", {});
 }
 
 } // namespace texplorer::ui

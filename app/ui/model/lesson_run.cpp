@@ -4,6 +4,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
+#include "app/ui/model/timeline_edits.h"
 #include "core/reference/false_colors.h"
 
 #include <fmt/core.h>
@@ -323,9 +324,10 @@ void answerQuestion(Session& session, std::size_t answer) {
     const lesson::Look& place = stepOf(run).look;
     session.services.lessons.askReason(run.text(predict->reason), scene, place.probeX, place.probeY);
     if (!predict->answers[answer].edits.empty()) {
+        endStanding(session);
         session.document.scene = scene.scene;
         sealEdit(session);
-        recordEdit(session, "Answer");
+        recordScene(session, "Answer");
         sealEdit(session);
     }
 }

@@ -1,6 +1,8 @@
 #include "app/ui/model/preview.h"
 
 #include "app/ui/model/session.h"
+#include "app/ui/model/timeline_edits.h"
+#include "core/scene/params/key_edits.h"
 
 #include <algorithm>
 #include <optional>
@@ -15,6 +17,9 @@ void preview(Session& session, std::string_view choice, std::string_view text,
     if (!shown || shown->choice != choice || shown->madeOf != scene) {
         Scene edited = scene;
         edit(edited);
+        // As it would be recorded; what can't be a key shows nothing.
+        const Scene& before = session.document.standing ? session.document.standing->shown : scene;
+        static_cast<void>(keyEdits(edited, before, presentKeyTime(session)));
         const bool isLoaded = std::ranges::all_of(
             filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
         if (!isLoaded)

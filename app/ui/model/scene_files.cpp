@@ -1,6 +1,7 @@
 #include "app/ui/model/scene_files.h"
 
 #include "app/ui/model/loads.h"
+#include "app/ui/model/timeline_edits.h"
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/example/example.h"
@@ -175,6 +176,7 @@ void restoreUnsaved(Session& session, UnsavedScene draft) {
 Result<void> saveScene(Session& session, const fs::path& path) {
     const fs::path file = absolutePath(path);
     const fs::path folder = file.parent_path();
+    endStanding(session);
     const Scene scene = rebased(session.document.scene, session.document.images, folder);
     const std::string text = writeScene(scene);
     if (text.size() > maxSceneBytes) // and what is there stays
@@ -197,7 +199,7 @@ Result<void> saveScene(Session& session, const fs::path& path) {
     if (scene != session.document.scene) {
         session.document.scene = scene;
         sealEdit(session);
-        recordEdit(session, "Save elsewhere");
+        recordScene(session, "Save elsewhere");
     }
     session.document.saved = scene;
     session.document.file = file;

@@ -4,9 +4,12 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/timeline_edits.h"
 #include "core/lesson/match.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
+#include "core/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 
@@ -42,6 +45,7 @@ void followShape(Document& document, double time, float aspect) {
 }
 
 void showStep(Session& session, const Scene& scene) {
+    session.document.standing.reset();
     session.document.scene = scene;
     leaveHiddenModel(session);
     bringSelectionBack(session);
@@ -107,14 +111,39 @@ bool isMoving(const Session& session) {
 }
 
 void advance(Session& session, double seconds) {
-    if (isPlaying(session))
-        session.window.playback.time = std::max(
-            0.0, session.window.playback.time + seconds * static_cast<double>(session.window.playback.speed));
+    if (!isPlaying(session))
+        return;
+    Playback& playback = session.window.playback;
+    playback.time = std::max(0.0, playback.time + seconds * static_cast<double>(playback.speed));
+    const double length = lengthOf(session.document.scene.timeline);
+    if (playback.loops && length > 0 && playback.time > length)
+        playback.time = std::fmod(playback.time, length);
 }
 
 void recordEdit(Session& session, std::string_view what, std::string_view path) {
-    session.document.history.record(session.document.scene, what);
-    session.document.lastChanged = path;
+    Document& document = session.document;
+    const Scene& before = document.standing ? document.standing->shown : document.history.current();
+    const Result<bool> keyed = keyEdits(document.scene, before, presentKeyTime(session));
+    if (!keyed)
+        say(session, fmt::format("There can be no key frame: {}.", describe(keyed.error())));
+    else if (*keyed)
+        holdTime(session);
+    recordScene(session, what, path);
+}
+
+void recordScene(Session& session, std::string_view what, std::string_view path) {
+    Document& document = session.document;
+    if (document.standing) {
+        Standing& standing = *document.standing;
+        standing.shown = document.scene;
+        Scene recorded = document.scene;
+        putUnkeyed(recorded, standing.base);
+        standing.base = std::move(recorded);
+        document.history.record(standing.base, what);
+    } else {
+        document.history.record(document.scene, what);
+    }
+    document.lastChanged = path;
 }
 
 void sealEdit(Session& session) {
@@ -140,9 +169,10 @@ void goToStep(Session& session, std::size_t step) {
 }
 
 void resetToSaved(Session& session) {
+    endStanding(session);
     session.document.scene = session.document.saved;
     sealEdit(session);
-    recordEdit(session, session.document.file.empty() ? "Reset to the start" : "Reset to the file");
+    recordScene(session, session.document.file.empty() ? "Reset to the start" : "Reset to the file");
     sealEdit(session);
     leaveHiddenModel(session);
     bringSelectionBack(session);

@@ -36,8 +36,12 @@ void advance(Session& session, double seconds);
 [[nodiscard]] bool isMoving(const Session& session);
 
 /// To be called after an edit of the scene: remembers it for undo under the name `what`. `path` is the
-/// parameter that changed, where it is one.
+/// parameter that changed, where it is one. Of what has key frames it becomes one (timeline_edits.h).
 void recordEdit(Session& session, std::string_view what, std::string_view path = {});
+
+/// The same of a scene that took the place of the document's: what is another one in it is no edit of
+/// parameters, which might set key frames.
+void recordScene(Session& session, std::string_view what, std::string_view path = {});
 
 /// The edit in progress, which no `sealEdit` has ended yet, never was: neither undo nor redo knows of it.
 void takeBackEdit(Session& session);

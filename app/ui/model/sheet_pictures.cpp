@@ -2,6 +2,7 @@
 
 #include "core/base/background_thread.h"
 #include "core/base/parallel.h"
+#include "core/scene/params/key_edits.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,6 +27,8 @@ unsigned sheetThreads(bool atOnce) {
 Result<Scene> sheetScene(const Scene& scene, const SweepAxis& rows, std::size_t row, const SweepAxis& columns,
                          std::size_t column) {
     Scene made = scene;
+    for (const SweepAxis* axis : {&rows, &columns})
+        dropKeys(made.timeline, axis->path); // they would have the last word
     if (const Result<void> set = setParam(made, rows.path, rows.values.at(row)); !set)
         return fail(set.error());
     if (const Result<void> set = setParam(made, columns.path, columns.values.at(column)); !set)

@@ -39,6 +39,7 @@ struct Playback {
     bool playing = true; ///< time goes on while something in the scene depends on it
     double time = 0;     ///< seconds
     float speed = 1;     ///< scene seconds a second
+    bool loops = true;   ///< where the last key frame has come, time begins anew
 };
 
 /// What is written as a picture.

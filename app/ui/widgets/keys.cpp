@@ -4,6 +4,11 @@
 
 namespace texplorer::ui {
 
+bool isMenuAsked() {
+    return ImGui::IsItemFocused() && (ImGui::IsKeyPressed(key::menu, false) ||
+                                      (ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(key::f10, false)));
+}
+
 void mapKeys() {
     int* map = ImGui::GetIO().KeyMap;
     map[ImGuiKey_Tab] = key::tab;

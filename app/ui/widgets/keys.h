@@ -22,6 +22,7 @@ inline constexpr int home = 268;
 inline constexpr int end = 269;
 inline constexpr int f1 = 290;
 inline constexpr int f6 = 295;
+inline constexpr int f10 = 299;
 inline constexpr int f11 = 300;
 inline constexpr int f12 = 301;
 inline constexpr int keypadMinus = 333;
@@ -29,7 +30,12 @@ inline constexpr int keypadPlus = 334;
 inline constexpr int keypadEnter = 335;
 inline constexpr int firstModifier = 340; ///< Shift, Control, Alt, Super: left, then right
 inline constexpr int lastModifier = 347;
+inline constexpr int menu = 348;
 } // namespace key
+
+/// Whether the keyboard opens the menu of the last widget, as a right click does: the key for menus, or
+/// Shift+F10, where the keyboard is.
+[[nodiscard]] bool isMenuAsked();
 
 /// Tells Dear ImGui which of the codes are its own editing keys.
 void mapKeys();

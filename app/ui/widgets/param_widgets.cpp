@@ -3,14 +3,17 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/pinned.h"
+#include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/enum_control.h"
 #include "app/ui/widgets/hover_link.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/vector_controls.h"
+#include "core/scene/params/key_edits.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -181,15 +184,74 @@ void showWanted(Session& session, const Line& line) {
                                         color::problem, ImGui::GetStyle().FrameRounding);
 }
 
-/// The last widget stands for a row: a right click opens its menu.
+/// The last widget stands for a row: a right click, or the key for menus, opens its menu.
 void opensMenu() {
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
         ImGui::OpenPopup("row");
 }
 
 std::string backTo(const ParamRow& row, const Line& line) {
     const std::string initial = formatValue(row, line.initial);
     return initial.empty() ? "Back to nothing" : fmt::format("Back to {}", initial);
+}
+
+/// What one can do with the key frames of a row.
+void keyItems(Session& session, const Line& line) {
+    const Timeline& timeline = session.document.scene.timeline;
+    const float time = presentKeyTime(session);
+    ImGui::Separator();
+    if (const std::optional<std::size_t> here = keyAt(timeline, line.path, time)) {
+        if (ImGui::MenuItem(label(fmt::format("Remove the key frame at {:.2f} s", time)).c_str()))
+            removeKey(session, *here);
+    } else {
+        if (ImGui::MenuItem(label(fmt::format("Add key frame at {:.2f} s", time)).c_str()))
+            addKey(session, line.path, time);
+        helpTip("The parameter is at this time what it is now, and moves from one of its key frames to the "
+                "next: the timeline has them.");
+    }
+    noteItem(line.path + "#menu:key");
+    if (!hasKeys(timeline, line.path))
+        return;
+    if (ImGui::MenuItem(label("Show its key frames")))
+        session.window.wantedTab = Tab::Timeline;
+    noteItem(line.path + "#menu:timeline");
+    if (ImGui::MenuItem(label("Remove its key frames")))
+        removeKeys(session, line.path);
+    noteItem(line.path + "#menu:no keys");
+    helpTip("The parameter stays what it is now.");
+}
+
+/// A diamond behind the label of what has key frames: filled where one is here.
+void keySign(Session& session, const Line& line) {
+    const Timeline& timeline = session.document.scene.timeline;
+    if (!hasKeys(timeline, line.path))
+        return;
+    const float em = ImGui::GetFontSize();
+    const float time = presentKeyTime(session);
+    const std::optional<std::size_t> here = keyAt(timeline, line.path, time);
+    ImGui::SameLine(0, em * 0.25F);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton("key", {em * 0.8F, ImGui::GetFrameHeight()});
+    noteItem(line.path + "#key");
+    const ImVec2 at(low.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2);
+    const float radius = em * 0.34F;
+    const ImVec2 top(at.x, at.y - radius);
+    const ImVec2 right(at.x + radius, at.y);
+    const ImVec2 bottom(at.x, at.y + radius);
+    const ImVec2 left(at.x - radius, at.y);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (here)
+        draw.AddQuadFilled(top, right, bottom, left, color::accent);
+    else
+        draw.AddQuad(top, right, bottom, left, color::accent, std::max(1.0F, em / 12));
+    helpTip(
+        here ? fmt::format("It has a key frame here, at {:.2f} s. Click: remove it.", time)
+             : fmt::format("It has key frames: an edit is one at {:.2f} s. Click: it stays here what it is.",
+                           time));
+    if (pressed && here)
+        removeKey(session, *here);
+    else if (pressed)
+        addKey(session, line.path, time);
 }
 
 constexpr std::array sheetSides{"Vary on a sheet: rows", "Vary on a sheet: columns"};
@@ -213,6 +275,7 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
     helpTip(isThere  ? "Essentials has it already"
             : pinned ? "Essentials shows it no longer"
                      : "Essentials shows it below what it has, of whatever texture, unit or model is chosen");
+    keyItems(session, line);
     if (canSweep(row)) {
         ImGui::Separator();
         for (std::size_t side = 0; side < sheetSides.size(); ++side) {
@@ -326,7 +389,8 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     const float resetWidth = em * 1.3F;
     const std::string_view name = shownName(session.window.settings, row);
     // A label that is a little wider than its column takes some of the control's.
-    const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) + em * 0.4F;
+    const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) +
+                         (hasKeys(session.document.scene.timeline, line.path) ? em * 1.1F : 0) + em * 0.4F;
     const float labelWidth = std::floor(std::max((indent + full) * labelShare - indent, needed));
     const float least = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * narrowest;
     const float beside = full - labelWidth - resetWidth;
@@ -350,6 +414,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
         ImGui::SameLine(0, em * 0.35F);
         problemSign(session, line.path, *line.problem);
     }
+    keySign(session, line);
     float controlWidth = hasLines ? full : full - resetWidth;
     if (hasLines) {
         resetSign(row, line, full);

@@ -39,7 +39,8 @@ constexpr std::array mouseLines{
     Line{"Ctrl + wheel over other panels", "larger or smaller text"},
     Line{"Click, Shift + click", "pick the nearest vertex, choose several"},
     Line{"Double click", "frame all models"},
-    Line{"Right click on a setting", "back to GL's initial value, or pin it to Essentials"},
+    Line{"Right click on a setting",
+         "back to GL's initial value, a key frame, a sheet of its values, pin it"},
     Line{"Double click on a number", "type it"},
 };
 
@@ -48,6 +49,7 @@ constexpr std::array otherKeys{
     Line{"Arrow keys, with Shift", "move the explained pixel by one, by ten"},
     Line{"F6, Shift+F6",
          "to the next panel: arrows walk among its controls, Space works them; Escape ends it"},
+    Line{"Menu key, Shift+F10", "what a right click opens, of the control that the keyboard is at"},
     Line{"hold E", "explain the pixel under the mouse"},
 };
 

@@ -57,11 +57,32 @@ void rewindSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
     draw.AddRectFilled({c.x - 1.1F * r, c.y - r}, {c.x - 0.6F * r, c.y + r}, tint);
 }
 
+void keysSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
+    draw.AddQuadFilled({c.x, c.y - 1.15F * r}, {c.x + 1.15F * r, c.y}, {c.x, c.y + 1.15F * r},
+                       {c.x - 1.15F * r, c.y}, tint);
+}
+
+/// Where key frames are, on the last widget, which is a slider from 0 to `end`.
+void markKeys(const Session& session, float end) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float em = ImGui::GetFontSize();
+    const float inset = 2 + ImGui::GetStyle().GrabMinSize / 2; // as Dear ImGui's sliders have it
+    const float mark = std::max(1.0F, std::floor(em / 10));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (const KeyFrame& key : session.document.scene.timeline.keys) {
+        if (key.time > end)
+            continue;
+        const float x = std::floor(low.x + inset + (high.x - low.x - 2 * inset) * key.time / end);
+        draw.AddRectFilled({x - mark / 2, high.y - em * 0.28F}, {x + mark / 2, high.y}, color::accent);
+    }
+}
+
 /// Of all controls.
 float widthWith(float slider) {
     const float em = ImGui::GetFontSize();
     const float button = ImGui::GetFrameHeight() * 1.2F;
-    return 3 * button + 2 * em + slider + em * speedWidth + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
+    return 4 * button + 2 * em + slider + em * speedWidth + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
 }
 
 std::string speedName(float speed) {
@@ -100,7 +121,8 @@ void drawPlaybackControls(Session& session) {
     const bool running = playback.playing && animated;
     if (signButton("play", animated, running ? pauseSign : playSign))
         playback.playing = !playback.playing;
-    helpTip(!animated          ? "Nothing moves: give a matrix step a rate, or a model a spin."
+    helpTip(!animated
+                ? "Nothing moves: give a matrix step a rate, a model a spin, or any parameter key frames."
             : playback.playing ? "Pause (Space)"
                                : "Play (Space)");
     ImGui::SameLine(0, 0);
@@ -115,12 +137,14 @@ void drawPlaybackControls(Session& session) {
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(slider);
     auto shown = static_cast<float>(playback.time);
-    const float end = std::max(scrubSeconds, std::ceil(shown / scrubSeconds) * scrubSeconds);
+    const float last = std::max(shown, static_cast<float>(lengthOf(session.document.scene.timeline)));
+    const float end = std::max(scrubSeconds, std::ceil(last / scrubSeconds) * scrubSeconds);
     if (ImGui::SliderFloat("##time", &shown, 0, end, "%.2f s", ImGuiSliderFlags_AlwaysClamp)) {
         playback.playing = false;
         playback.time = static_cast<double>(shown);
     }
     noteItem("time");
+    markKeys(session, end);
     helpTip("The scene's time. Drag to scrub.");
 
     ImGui::SameLine(0, gap);
@@ -135,6 +159,10 @@ void drawPlaybackControls(Session& session) {
     }
     noteItem("speed");
     helpTip("How fast the scene's time goes");
+    ImGui::SameLine(0, gap);
+    if (signButton("timeline", true, keysSign))
+        session.window.wantedTab = Tab::Timeline;
+    helpTip("Timeline: which parameters move, and when");
 }
 
 } // namespace texplorer::ui

@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/timeline_edits.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/keys.h"
@@ -59,6 +60,10 @@ constexpr std::array shortcutRows{
     Shortcut{"quit", 'Q', true, false, "quit Texplorer", [](Session& s, const Layout&) { requestQuit(s); }},
     Shortcut{"play", key::space, false, false, "play or pause",
              [](Session& s, const Layout&) { s.window.playback.playing = !s.window.playback.playing; }},
+    Shortcut{"", ',', false, false, "to the key frame before",
+             [](Session& s, const Layout&) { goToKey(s, -1); }, true},
+    Shortcut{"", '.', false, false, "to the next key frame", [](Session& s, const Layout&) { goToKey(s, 1); },
+             true},
     Shortcut{"fixed", '1', false, false, "draw by OpenGL's fixed function", drawBy<RendererKind::Fixed>},
     Shortcut{"shader", '2', false, false, "draw by shaders", drawBy<RendererKind::Shader>},
     Shortcut{"reference", '3', false, false, "draw by the reference", drawBy<RendererKind::Reference>},

@@ -5,6 +5,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/model/timeline_edits.h"
 #include "app/ui/model/unsaved_work.h"
 #include "app/ui/model/unseen_figures.h"
 #include "app/ui/view/view_panel.h"
@@ -141,9 +142,12 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
     restUnseenFigures(session);
+    beginStanding(session);
     if (!layout.parameters.isEmpty())
         drawParametersPanel(session, states.parameters, pictures, layout);
+    endStanding(session);
     settle(session, layout);
+    beginStanding(session);
     if (!layout.view.isEmpty())
         drawViewPanel(session, pictures, layout);
     drawNotes(session, layout);
@@ -151,6 +155,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
     for (const DockRow& row : dockRows)
         drawDock(session, states.details, pictures, layout, row.dock);
+    endStanding(session);
     const Hint said = endHints(); // what the bar itself has to say stands beside the pointer
     drawStatusBar(session, pictures, capabilities, layout, said);
     for (const SeamRow& row : seamRows)

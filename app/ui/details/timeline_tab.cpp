@@ -1,0 +1,197 @@
+// The tab "Timeline": the key frames of the scene's parameters.
+
+#include "app/ui/details/timeline_tab.h"
+
+#include "app/ui/details/timeline_tracks.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/model/timeline_edits.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_place.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::array grids{0.0F, 0.05F, 0.1F, 0.25F, 0.5F, 1.0F};
+
+/// A key that was taken away, by undo or in another way, is chosen no longer.
+void followChosen(const Session& session, TimelineTabState& state) {
+    const std::vector<KeyFrame>& keys = session.document.scene.timeline.keys;
+    if (state.chosen &&
+        (state.chosen->number >= keys.size() || keys[state.chosen->number].path != state.chosen->path))
+        state.chosen.reset();
+}
+
+std::string nameOfGrid(float grid) {
+    return grid > 0 ? fmt::format("{:g} s", grid) : tr("no grid");
+}
+
+void gridChoice(TimelineTabState& state) {
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
+    const bool open = ImGui::BeginCombo("##grid", nameOfGrid(state.grid).c_str());
+    noteItem("timeline:grid");
+    helpTip("What one drags comes to rest at multiples of this.");
+    if (!open)
+        return;
+    for (const float grid : grids) {
+        if (ImGui::Selectable(nameOfGrid(grid).c_str(), grid == state.grid))
+            state.grid = grid;
+        noteItem(fmt::format("timeline grid:{:g}", grid));
+    }
+    ImGui::EndCombo();
+}
+
+void timeControls(Session& session, TimelineTabState& state) {
+    const float gap = ImGui::GetFontSize() * 0.8F;
+    const Timeline& timeline = session.document.scene.timeline;
+    if (squareButton("◀", "timeline:previous", "To the key frame before (,)", !timeline.keys.empty()))
+        goToKey(session, -1);
+    ImGui::SameLine(0, 1);
+    if (squareButton("▶", "timeline:next", "To the next key frame (.)", !timeline.keys.empty()))
+        goToKey(session, 1);
+    ImGui::SameLine(0, gap);
+    ImGui::AlignTextToFramePadding();
+    text(fmt::format("{:.2f} of {:.2f} s", session.window.playback.time, lengthOf(timeline)));
+    noteItem("timeline:time");
+    helpTip("The scene's time, and that of the last key frame");
+    ImGui::SameLine(0, gap);
+    ImGui::Checkbox(label("Loop"), &session.window.playback.loops);
+    noteItem("timeline:loop");
+    helpTip("Behind the last key frame time begins anew.");
+    ImGui::SameLine(0, gap);
+    gridChoice(state);
+}
+
+void easingChoice(Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
+    const EnumRow& now = rowOf(key.easing);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
+    const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
+    noteItem("key:easing");
+    helpTip(fmt::format("{}\n{}", tr("How it goes from here to its next key."), tr(now.help)));
+    if (!open)
+        return;
+    std::optional<Easing> wanted;
+    for (const EnumRow& row : EnumTable<Easing>::rows) {
+        if (ImGui::Selectable(label(row.label).c_str(), &row == &now))
+            wanted = static_cast<Easing>(row.value);
+        noteItem(fmt::format("easing:{}", row.name));
+        helpTip(row.help);
+    }
+    ImGui::EndCombo();
+    if (wanted)
+        setEasing(session, chosen.number, *wanted);
+}
+
+void timeOfKey(Session& session, const TimelineTabState::ChosenKey& chosen, float time) {
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
+    float wanted = time;
+    if (ImGui::DragFloat("##time", &wanted, 0.01F, 0, maxKeyTime, "%.2f s", ImGuiSliderFlags_AlwaysClamp) &&
+        moveKey(session, chosen.number, snapped(wanted, 0)))
+        goToTime(session, static_cast<double>(snapped(wanted, 0)));
+    markDraggable();
+    noteItem("key:time");
+    sealAfterItem(session);
+    helpTip("When the parameter has this value. Drag it, or double-click to type a number.");
+}
+
+/// By the parameter's own control, which edits the key of the present time.
+void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
+    const float em = ImGui::GetFontSize();
+    std::optional<ParamPlace> place = placeOf(session.document.scene, key.path);
+    const bool isNow = key.time == presentKeyTime(session) && !session.window.playback.playing;
+    if (!isNow || !place || place->vertex || isList(row.kind) || row.kind == Kind::Matrix) {
+        ImGui::AlignTextToFramePadding();
+        dimText(wordsOfValue(session.window.settings, row, key.value));
+        noteItem("key:value");
+        return;
+    }
+    place->owner.initial = place->owner.values;
+    paramControl(session, place->owner, row, em * (row.kind == Kind::Float ? 7.0F : 14.0F));
+}
+
+void keyControls(Session& session, TimelineTabState& state) {
+    const float gap = ImGui::GetFontSize() * 0.8F;
+    const TimelineTabState::ChosenKey chosen = *state.chosen;
+    const KeyFrame key = session.document.scene.timeline.keys[chosen.number];
+    const auto row = rowAt(session.document.scene, key.path);
+    if (!row)
+        return;
+    ImGui::AlignTextToFramePadding();
+    text(shownName(session.window.settings, **row));
+    helpTip(key.path);
+    ImGui::SameLine(0, gap);
+    timeOfKey(session, chosen, key.time);
+    ImGui::SameLine(0, gap);
+    valueOfKey(session, key, **row);
+    ImGui::SameLine(0, gap);
+    easingChoice(session, chosen, key);
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(label("Remove"))) {
+        removeKey(session, chosen.number);
+        state.chosen.reset();
+    }
+    noteItem("key:remove");
+    helpTip("Removes this key frame (Delete).");
+}
+
+void takeKeys(Session& session, TimelineTabState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!state.chosen || io.WantTextInput || session.window.keyTaken ||
+        !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows))
+        return;
+    const std::size_t number = state.chosen->number;
+    const bool walks = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
+    const int way = walks ? 0 : ImGui::IsKeyPressed(key::right) ? 1 : ImGui::IsKeyPressed(key::left) ? -1 : 0;
+    if (ImGui::IsKeyPressed(key::del, false)) {
+        removeKey(session, number);
+        state.chosen.reset();
+    } else if (way != 0) {
+        const float time = session.document.scene.timeline.keys[number].time;
+        const float step = state.grid > 0 ? state.grid : 0.01F;
+        if (moveKey(session, number, snapped(std::max(0.0F, time + static_cast<float>(way) * step), 0)))
+            goToTime(session, static_cast<double>(session.document.scene.timeline.keys[number].time));
+        sealEdit(session);
+    } else {
+        return;
+    }
+    session.window.keyTaken = true;
+}
+
+} // namespace
+
+void drawTimelineTab(Session& session, TimelineTabState& state) {
+    followChosen(session, state);
+    timeControls(session, state);
+    if (session.document.scene.timeline.keys.empty()) {
+        state.chosen.reset();
+        dimWrappedText(
+            "Nothing has key frames yet. Choose a time, and add one by a right click on any parameter: "
+            "it moves from one of its key frames to the next.");
+        noteItem("timeline:empty");
+        return;
+    }
+    if (state.chosen) {
+        keyControls(session, state);
+    } else {
+        ImGui::AlignTextToFramePadding();
+        dimText(
+            "Click a key frame to change it. What is edited anywhere becomes a key frame of this time, if it "
+            "has some.");
+    }
+    followChosen(session, state);
+    if (!session.document.scene.timeline.keys.empty())
+        drawTracks(session, state);
+    takeKeys(session, state);
+    followChosen(session, state);
+}
+
+} // namespace texplorer::ui
