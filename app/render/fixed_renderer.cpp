@@ -5,18 +5,12 @@
 #include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <string>
 
 namespace texplorer::render {
 
 namespace {
-
-void loadMatrix(GLenum mode, const glm::mat4& matrix) {
-    glMatrixMode(mode);
-    glLoadMatrixf(glm::value_ptr(matrix));
-}
 
 class FixedPipeline : public Pipeline {
 public:
@@ -25,9 +19,9 @@ public:
 
     [[nodiscard]] VertexInput vertexInput() const override { return VertexInput::FixedArrays; }
 
-    void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) override {
-        loadMatrix(GL_PROJECTION, projection);
-        loadMatrix(GL_MODELVIEW, glm::mat4(1));
+    void beginFrame(const Scene& scene, float aspect, GlErrors& errors) override {
+        applyProjection(scene.view, aspect);
+        glLoadIdentity();
         applyLight(scene.light);
         errors.check("glLight");
         glShadeModel(static_cast<GLenum>(scene.material.shadeModel));
@@ -38,7 +32,8 @@ public:
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
                                  double time, GlErrors& errors) override {
         applyFixedPass(scene.passes[pass]);
-        loadMatrix(GL_MODELVIEW, glm::mat4(1));
+        glMatrixMode(GL_MODELVIEW);
+        glLoadIdentity();
         for (int i = 0; i < maxUnits; ++i) {
             const auto at = static_cast<std::size_t>(i);
             if (textures[at].name != 0)
@@ -51,10 +46,9 @@ public:
         return true;
     }
 
-    void placeModel(const Scene& scene, const Model& model, bool /*colored*/,
-                    const glm::mat4& modelView) override {
+    void placeModel(const Scene& scene, const Model& model, bool /*colored*/, double time) override {
         applyMaterial(materialOf(scene, model)); // a mesh with colours has taken glColor with it
-        glLoadMatrixf(glm::value_ptr(modelView));
+        applyModelView(scene.view, model, time);
     }
 
 private:

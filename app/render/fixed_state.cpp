@@ -4,8 +4,13 @@
 
 #include <GL/glew.h>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <span>
 
 namespace texplorer::render {
 
@@ -79,7 +84,104 @@ void applyTexGen(const GeneratedCoordinate& row, const TexGen& generated) {
     glTexGenfv(row.coordinate, GL_EYE_PLANE, glm::value_ptr(generated.eyePlane));
 }
 
+void translate(glm::vec3 offset) {
+    glTranslatef(offset.x, offset.y, offset.z);
+}
+
+/// Nothing is called where nothing turns, nor without an axis, for which OpenGL leaves it undefined.
+void rotate(float degrees, glm::vec3 axis) {
+    if (degrees != 0 && axis != glm::vec3(0))
+        glRotatef(degrees, axis.x, axis.y, axis.z);
+}
+
+/// Whole turns of what turns with the time are taken away before the angle becomes a float.
+float angleAt(float start, float rate, double time) {
+    return rate == 0 ? start : static_cast<float>(std::fmod(double{start} + double{rate} * time, 360.0));
+}
+
+/// From eye coordinates to the light's picture: see MatrixOp::Projector.
+void multiplyProjector(const Light& light) {
+    const auto [view, projection] = lightView(light);
+    glTranslatef(0.5F, 0.5F, 0.5F); // what glViewport and glDepthRange do to a picture
+    glScalef(0.5F, 0.5F, 0.5F);
+    glMultMatrixd(glm::value_ptr(projection));
+    glMultMatrixd(glm::value_ptr(view));
+}
+
+void applyStep(const MatrixStep& step, double time, const Light& light) {
+    const glm::vec3 amount(glm::dvec3(step.amount) + glm::dvec3(step.rate) * time);
+    const bool pivots =
+        (step.op == MatrixOp::Rotate || step.op == MatrixOp::Scale) && step.pivot != glm::vec3(0);
+    if (pivots)
+        translate(step.pivot);
+    switch (step.op) {
+    case MatrixOp::Translate:
+        translate(amount);
+        break;
+    case MatrixOp::Rotate:
+        rotate(angleAt(step.angle, step.angleRate, time), amount);
+        break;
+    case MatrixOp::Scale:
+        glScalef(amount.x, amount.y, amount.z);
+        break;
+    case MatrixOp::Multiply:
+    case MatrixOp::Load: // which takes the place of all before it: see applySteps
+        glMultMatrixf(glm::value_ptr(step.matrix));
+        break;
+    case MatrixOp::Projector:
+        multiplyProjector(light);
+        break;
+    }
+    if (pivots)
+        translate(-step.pivot);
+}
+
+/// Steps before one that loads a matrix are void.
+void applySteps(std::span<const MatrixStep> steps, double time, const Light& light) {
+    const auto lastLoad = std::find_if(steps.rbegin(), steps.rend(),
+                                       [](const MatrixStep& step) { return step.op == MatrixOp::Load; });
+    const auto first = lastLoad == steps.rend() ? steps.begin() : std::prev(lastLoad.base());
+    std::for_each(first, steps.end(), [&](const MatrixStep& step) { applyStep(step, time, light); });
+}
+
 } // namespace
+
+void applyProjection(const View& view, float aspect) {
+    const auto [near, far] = clipPlanes(view);
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    if (view.projection == Projection::Orthographic) {
+        const double height = halfHeightAtTarget(view);
+        const double width = height * double{aspect};
+        glOrtho(-width, width, -height, height, -far, far);
+    } else {
+        const double height = near * std::tan(glm::radians(double{view.fieldOfView}) / 2);
+        const double width = height * double{aspect};
+        glFrustum(-width, width, -height, height, near, far);
+    }
+    glMatrixMode(GL_MODELVIEW);
+}
+
+void applyModelView(const View& view, const Model& model, double time) {
+    constexpr std::array axes{glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
+    glLoadIdentity();
+    if (model.attachment != Attachment::Eye) {
+        glTranslatef(0, 0, -view.distance);
+        rotate(view.roll, axes[2]);
+        rotate(view.elevation, axes[0]);
+        rotate(-view.azimuth, axes[1]);
+        if (view.target != glm::vec3(0))
+            translate(-view.target);
+    }
+    if (model.position != glm::vec3(0))
+        translate(model.position);
+    for (const int axis : rotationAxes(model.rotationOrder))
+        rotate(angleAt(model.rotation[axis], model.spin[axis], time), axes.at(static_cast<std::size_t>(axis)));
+    if (model.size != 1)
+        glScalef(model.size, model.size, model.size);
+    if (model.scale != glm::vec3(1))
+        glScalef(model.scale.x, model.scale.y, model.scale.z);
+}
 
 void applyLight(const Light& light) {
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(light.modelAmbient));
@@ -155,7 +257,7 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
         glTranslatef(0, 1, 0);
         glScalef(1, -1, 1);
     }
-    glMultMatrixf(glm::value_ptr(textureMatrix(unit.matrix, time, light)));
+    applySteps(unit.matrix, time, light);
 }
 
 } // namespace texplorer::render

@@ -6,8 +6,6 @@
 #include "app/view/frame.h"
 #include "core/scene/scene.h"
 
-#include <glm/mat4x4.hpp>
-
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -30,8 +28,8 @@ public:
     /// Which vertex arrays it reads.
     [[nodiscard]] virtual VertexInput vertexInput() const = 0;
 
-    /// What is the same for all passes.
-    virtual void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) = 0;
+    /// What is the same for all passes; `aspect` is width / height of the picture.
+    virtual void beginFrame(const Scene& scene, float aspect, GlErrors& errors) = 0;
 
     /// Everything that a pass says but its depth test and blending. False where it can't be drawn, which is
     /// said in `errors`.
@@ -45,8 +43,7 @@ public:
     [[nodiscard]] virtual std::uint64_t revision() const { return 0; }
 
     /// Before each model. `colored` says that its vertices have colours in the place of glColor.
-    virtual void placeModel(const Scene& scene, const Model& model, bool colored,
-                            const glm::mat4& modelView) = 0;
+    virtual void placeModel(const Scene& scene, const Model& model, bool colored, double time) = 0;
 };
 
 } // namespace texplorer::render

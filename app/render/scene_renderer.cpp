@@ -8,7 +8,6 @@
 #include "app/render/state_guard.h"
 #include "app/render/texture_cache.h"
 #include "core/base/count.h"
-#include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/params/scene_at.h"
 
@@ -129,7 +128,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     errors.check("glClear");
 
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    pipeline->beginFrame(scene, projectionMatrix(scene.view, aspect), errors);
+    pipeline->beginFrame(scene, aspect, errors);
     textures->keepOnly(scene);
     meshes.beginFrame();
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
@@ -148,7 +147,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             const Model& model = scene.models[m];
             meshes.bind(scene, scene.passes[i], m, time, uses);
             applyLineAndPoint(model);
-            pipeline->placeModel(scene, model, meshes.hasColors(), modelViewMatrix(scene.view, model, time));
+            pipeline->placeModel(scene, model, meshes.hasColors(), time);
             errors.check([&] { return fmt::format("models[{}]: glMaterial, glLineWidth, glPointSize", m); });
             meshes.draw();
         }

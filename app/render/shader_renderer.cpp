@@ -99,8 +99,8 @@ public:
 
     [[nodiscard]] VertexInput vertexInput() const override { return VertexInput::Attributes; }
 
-    void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) override {
-        projection_ = projection;
+    void beginFrame(const Scene& scene, float aspect, GlErrors& errors) override {
+        projection_ = projectionMatrix(scene.view, aspect);
         shaders_.assign(scene.passes.size(), nullptr);
         if (programs_.size() > maxPrograms)
             programs_.clear();
@@ -145,8 +145,8 @@ public:
 
     [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
-    void placeModel(const Scene& scene, const Model& model, bool colored,
-                    const glm::mat4& modelView) override {
+    void placeModel(const Scene& scene, const Model& model, bool colored, double time) override {
+        const glm::mat4 modelView = modelViewMatrix(scene.view, model, time);
         const Material& material = materialOf(scene, model);
         if (!colored)
             glVertexAttrib4fv(colorAttribute, glm::value_ptr(material.color));

@@ -2,7 +2,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
 #include <vector>
 
 namespace texplorer {
@@ -14,7 +13,7 @@ Mesh makeCylinder(float topRadius, int slices, int stacks) {
     const glm::vec2 slope = glm::normalize(glm::vec2(2, 1 - topRadius)); // outwards and up
     for (int stack = 0; stack <= stacks; ++stack) {
         const float share = static_cast<float>(stack) / static_cast<float>(stacks);
-        rings.push_back({std::lerp(1.0F, topRadius, share), 2 * share - 1, slope});
+        rings.push_back({1 + share * (topRadius - 1), 2 * share - 1, slope});
     }
 
     Mesh mesh = turned(rings, slices);

@@ -48,8 +48,8 @@ Mesh makePartialDisk(const ShapeOptions& options) {
     mesh.vertices.reserve(static_cast<std::size_t>(slices + 1) * static_cast<std::size_t>(rings + 1));
     const Sector sector = sectorOf(options);
     for (int ring = 0; ring <= rings; ++ring) {
-        const float radius =
-            std::lerp(1.0F, options.innerRadius, static_cast<float>(ring) / static_cast<float>(rings));
+        const float share = static_cast<float>(ring) / static_cast<float>(rings);
+        const float radius = 1 + share * (options.innerRadius - 1);
         for (int slice = slices; slice >= 0; --slice) {
             const int step = sector.sweep == 360 ? slice % slices : slice; // a whole disk has no gap
             const Circle angle = circleAt((sector.start + sector.sweep * step / slices) / 90);

@@ -10,9 +10,11 @@
 
 #include <GL/glu.h>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace texplorer::quads_test {
@@ -166,11 +168,16 @@ protected:
     static void setState(const Scene& scene) {
         const View& view = scene.view;
         glMatrixMode(GL_PROJECTION);
-        glLoadMatrixf(glm::value_ptr(projectionMatrix(view, 1)));
+        glLoadIdentity();
+        const auto [near, far] = clipPlanes(view);
+        const double top = near * std::tan(glm::radians(double{view.fieldOfView}) / 2);
+        glFrustum(-top, top, -top, top, near, far);
         glMatrixMode(GL_MODELVIEW);
         glLoadIdentity();
         glLightfv(GL_LIGHT0, GL_POSITION, glm::value_ptr(scene.light.position));
-        glLoadMatrixf(glm::value_ptr(viewMatrix(view) * modelMatrix(scene.models[0], 0)));
+        glTranslatef(0, 0, -view.distance);
+        glRotatef(view.elevation, 1, 0, 0);
+        glRotatef(-view.azimuth, 0, 1, 0);
         glEnable(GL_LIGHT0);
         const Material& material = scene.material;
         glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, glm::value_ptr(material.specular));
