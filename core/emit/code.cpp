@@ -67,11 +67,20 @@ bool mentions(const Line& line, std::string_view path) {
 
 std::string textOf(const std::vector<Line>& lines, bool all) {
     std::string text;
+    int depth = 0;
     for (const Line& line : lines) {
         if (!all && !line.needed)
             continue;
-        text += line.heading && !text.empty() ? "\n" : "";
-        text += textOf(line) + "\n";
+        const bool isApart = text.empty() || text.ends_with("\n\n") || line.depth > depth;
+        text += line.heading && !isApart ? "\n" : "";
+        depth = line.depth;
+        if (!line.data) {
+            text += textOf(line) + "\n";
+            continue;
+        }
+        const std::string shown = textOf(line);
+        text += shown.substr(0, shown.find('{') + 1) + "\n";
+        text += *line.data + "};\n";
     }
     return text;
 }

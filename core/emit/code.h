@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,10 @@ struct Line {
     std::vector<Part> parts;
     /// Whether OpenGL's state would be another without it. Else it sets what is set already.
     bool needed = true;
-    bool heading = false; ///< a comment over what follows, up to the next one
+    bool heading = false; ///< a comment over what follows in its braces, up to the next one
+    int depth = 0;        ///< how many braces it stands in
+    /// Of an array of many numbers: what stands between its braces, of which the parts show nothing.
+    std::shared_ptr<const std::string> data{};
 
     bool operator==(const Line&) const = default;
 };
@@ -43,8 +47,8 @@ struct Line {
 /// Whether a line has to do with a parameter.
 [[nodiscard]] bool mentions(const Line& line, std::string_view path);
 
-/// The lines as a text, each ended by a newline, with an empty one before headings: those that are needed, or
-/// all.
+/// The lines as a text, each ended by a newline, with an empty one before headings that begin no brace: those
+/// that are needed, or all. Of an array of many numbers there are all.
 [[nodiscard]] std::string textOf(const std::vector<Line>& lines, bool all);
 
 /// Breaks a line into rows of at most `columns` characters where that can be done: after a comma or a

@@ -186,21 +186,57 @@ std::string inComment(std::string_view words) {
 std::vector<Part> moving(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
     if (!moves)
         return {start};
-    return {start, plain(" + "), rate, plain(" * "), writer.seconds()};
+    return {plain("(GLfloat)("), start, plain(" + "), rate, plain(" * "), writer.seconds(), plain(")")};
+}
+
+std::vector<Part> turning(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
+    if (!moves)
+        return {start};
+    return {plain("(GLfloat)fmod("), start, plain(" + "), rate, plain(" * "), writer.seconds(),
+            plain(", 360.0)")};
+}
+
+std::vector<Line> linesOf(std::string_view text) {
+    std::vector<Line> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        const bool isComment = line.starts_with("/*") || line.starts_with(" *");
+        lines.push_back({{{isComment ? Part::Kind::Comment : Part::Kind::Plain, std::string(line)}}});
+        lines.back().depth = line.starts_with(' ') || line.starts_with('}') || line.starts_with('{') ? 1 : 0;
+        lines.back().heading = line.starts_with("/*");
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+void CodeWriter::open(std::string_view head) {
+    arrays_.clear();
+    add({plain(std::string(head))});
+    add({plain("{")});
+    ++depth_;
+}
+
+void CodeWriter::close(std::string_view brace) {
+    --depth_;
+    add({plain(std::string(brace))});
+    arrays_.clear();
 }
 
 void CodeWriter::heading(std::string_view words) {
-    Line line{{{Part::Kind::Comment, fmt::format("/* {} */", inComment(words))}}};
-    line.heading = true;
-    lines_.push_back(std::move(line));
+    comment(words, false);
+    lines_.back().heading = true;
 }
 
 void CodeWriter::comment(std::string_view words, bool needed) {
-    lines_.push_back({{{Part::Kind::Comment, fmt::format("/* {} */", inComment(words))}}, needed});
+    add({{Part::Kind::Comment, fmt::format("/* {} */", inComment(words))}}, needed);
 }
 
 void CodeWriter::add(std::vector<Part> parts, bool needed) {
+    if (depth_ > 0)
+        parts.insert(parts.begin(), plain(std::string(4 * static_cast<std::size_t>(depth_), ' ')));
     lines_.push_back({std::move(parts), needed});
+    lines_.back().depth = depth_;
 }
 
 void CodeWriter::add(std::string_view statement, bool needed) {
@@ -210,12 +246,20 @@ void CodeWriter::add(std::string_view statement, bool needed) {
     add({call(statement.substr(0, bracket)), plain(std::string(statement.substr(bracket)))}, needed);
 }
 
+void CodeWriter::data(std::string_view declaration, std::size_t count, std::string numbers) {
+    add({plain(fmt::format("{} = {{", declaration)),
+         {Part::Kind::Comment, fmt::format("/* {} numbers */", count)},
+         plain("};")});
+    lines_.back().data = std::make_shared<const std::string>(std::move(numbers));
+}
+
 bool CodeWriter::differs(const Holder& holder, const ParamRow& row) const {
     const auto known = state_.find(fmt::format("{}.{}", holder.state, row.key));
     return row.read(holder.values) != (known == state_.end() ? row.read(holder.initial) : known->second);
 }
 
 bool CodeWriter::set(const std::string& state, const Value& value, const Value& initial) {
+    initial_.try_emplace(state, initial);
     const auto [known, isNew] = state_.try_emplace(state, initial);
     const bool differs = known->second != value;
     known->second = value;
@@ -233,7 +277,7 @@ void CodeWriter::floats(const std::string& name, std::vector<Part> values, bool 
         lines_[known->second].needed |= needed;
         return;
     }
-    std::vector<Part> parts{plain(fmt::format("GLfloat {}[] = {{", name))};
+    std::vector<Part> parts{plain(fmt::format("const GLfloat {}[] = {{", name))};
     append(parts, std::move(values));
     parts.push_back(plain("};"));
     add(std::move(parts), needed);
@@ -251,11 +295,16 @@ void CodeWriter::row(const Holder& holder, const ParamRow& row) {
     parts.insert(parts.begin(), switches ? enabling(std::get<bool>(value), path) : call(name));
     if (parts.front().kind == Part::Kind::Call)
         parts.front().path = path;
+    if (depth_ > 0)
+        parts.insert(parts.begin(), plain(std::string(4 * static_cast<std::size_t>(depth_), ' ')));
     Line line{std::move(parts), needed};
+    line.depth = depth_;
     if (!lines_.empty() && textOf(lines_.back()) == textOf(line)) { // two parameters of one call
         lines_.back().needed |= needed;
         return;
     }
+    if (explained_.contains(path))
+        comment(row.help, needed);
     if (takesPointer(words) && isVector(row.kind))
         floats(joined(holder.variable, row.key), numbers(numbersOf(value), path), needed);
     lines_.push_back(std::move(line));
@@ -267,25 +316,22 @@ void CodeWriter::row(const Holder& holder, MemberId member) {
         row(holder, *found);
 }
 
-std::vector<Line> CodeWriter::take() && {
-    if (usesSeconds_)
-        lines_.insert(lines_.begin(),
-                      {{plain("GLfloat seconds = 0.0f; "), {Part::Kind::Comment, "/* since the start */"}}});
-    Line* last = nullptr;
+void finish(std::vector<Line>& lines) {
     std::map<std::tuple<std::string, int, Part::Kind>, int> counts;
-    for (Line& line : lines_) {
+    Line* last = nullptr;
+    for (Line& line : lines) {
         for (Part& part : line.parts) {
             if (!part.path.empty())
                 part.occurrence = counts[{part.path, part.component, part.kind}]++;
         }
-        if (line.heading)
+        if (last && line.depth < last->depth)
+            last = nullptr;
+        if (line.heading) {
             last = &line;
-        if (line.heading)
             line.needed = false;
-        else if (last)
+        } else if (last)
             last->needed |= line.needed;
     }
-    return std::move(lines_);
 }
 
 } // namespace texplorer::emit

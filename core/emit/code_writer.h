@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,9 +61,23 @@ struct Holder {
     Target target = Target::Texture2D;
 };
 
+/// A pattern of C's own lines: a function that comes as it is.
+[[nodiscard]] std::vector<Line> linesOf(std::string_view text);
+
+/// Says which lines are needed and numbers the places of each value: of a whole program.
+void finish(std::vector<Line>& lines);
+
 /// Collects lines, and knows what OpenGL's state is after them, so that it can tell which are needed.
 class CodeWriter {
 public:
+    /// "static void draw(void)" and a brace, up to close(): arrays that were declared before are others'. What
+    /// follows is indented.
+    void open(std::string_view head);
+    void close(std::string_view brace = "}");
+    /// A statement of its own below "for (…)".
+    void indent() { ++depth_; }
+    void outdent() { --depth_; }
+
     /// "/* … */"; a heading is needed where something below it is.
     void heading(std::string_view words);
     void comment(std::string_view words, bool needed = true);
@@ -83,17 +98,34 @@ public:
     /// OpenGL may have anything.
     void forget(const std::string& state) { state_[state] = std::string(); }
 
-    /// `seconds`, which the program then declares.
+
+    /// `seconds`, which draw() is then given.
     Part seconds();
+    [[nodiscard]] bool usesSeconds() const { return usesSeconds_; }
+
+    /// Parameters whose calls have a word on what they do before them.
+    void explain(std::set<std::string, std::less<>> paths) { explained_ = std::move(paths); }
+
+    /// What is known of OpenGL's state.
+    using State = std::map<std::string, Value, std::less<>>;
+    [[nodiscard]] const State& state() const { return state_; }
+    /// What OpenGL starts with, of everything in state().
+    [[nodiscard]] const State& initialState() const { return initial_; }
 
     /// "GLfloat name[] = {…};", where there is no such array yet.
     void floats(const std::string& name, std::vector<Part> values, bool needed = true);
 
-    [[nodiscard]] std::vector<Line> take() &&;
+    /// The array's name with all of its numbers, in a line of its own that shows none of them.
+    void data(std::string_view declaration, std::size_t count, std::string numbers);
+
+    [[nodiscard]] std::vector<Line> take() && { return std::move(lines_); }
 
 private:
     std::vector<Line> lines_;
-    std::map<std::string, Value, std::less<>> state_;
+    State state_;
+    State initial_;
+    std::set<std::string, std::less<>> explained_;
+    int depth_ = 0;
     std::map<std::string, std::size_t, std::less<>> arrays_; ///< which line declares each
     bool usesSeconds_ = false;
 };
@@ -101,7 +133,9 @@ private:
 /// Words that stand in a comment: none of them ends it.
 [[nodiscard]] std::string inComment(std::string_view words);
 
-/// "0.5f + 0.1f * seconds", or the first alone where the rate is 0.
+/// "0.5f + 0.1f * seconds", a double, or the first alone where the rate is 0.
 [[nodiscard]] std::vector<Part> moving(CodeWriter& writer, const Part& start, const Part& rate, bool moves);
+/// The same of an angle, without whole turns.
+[[nodiscard]] std::vector<Part> turning(CodeWriter& writer, const Part& start, const Part& rate, bool moves);
 
 } // namespace texplorer::emit

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "core/emit/c_functions.h"
 #include "core/emit/code_writer.h"
 #include "core/emit/model_data.h"
+#include "core/emit/program.h"
 #include "core/scene/scene.h"
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,26 +26,55 @@ struct TextureObject {
 /// One object for each texture, in their order; then those that show one on another target, too.
 [[nodiscard]] std::vector<TextureObject> textureObjectsOf(const Scene& scene);
 
+/// What OpenGL has when a frame begins and what it is left with may be two things, as each frame begins with
+/// what the last one left. Where they differ nothing is known when a frame begins.
+struct FrameStart {
+    std::set<std::string, std::less<>> unknown{};                 ///< of the writer's state
+    std::array<std::optional<Target>, maxUnits> shown{};  ///< at the end of a frame, where it isn't so before it
+    std::array<bool, maxUnits> mayShow{};
+    std::array<bool, maxUnits> hasMatrix{};
+    bool unitIsUnknown = false; ///< of glActiveTexture
+};
+
 /// What is written, and what the parts of it have to know of each other.
 struct Emission {
-    explicit Emission(const Scene& drawn);
+    Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& options,
+             TextureCodes& codes);
 
     const Scene& scene;
+    const ProgramOptions& options;
     CodeWriter writer;
+    CodeWriter atEnd; ///< arrays of many numbers, of which the beginning has the names alone
+    CodeWriter atStart;
+    std::set<CFunction> functions;
     std::vector<TextureObject> objects;
-    std::vector<ModelForm> models; ///< how each is drawn
-    bool needsNormals;             ///< some pass is lit or reflects
+    std::vector<std::shared_ptr<const Result<TextureCode>>> texels; ///< of each object
+    std::vector<ModelForm> models;                                  ///< how each is drawn
+    bool needsNormals;                                              ///< some pass is lit or reflects
+    bool needsPi = false;
+    bool moves = false;   ///< draw() is given the seconds since the start
+    bool inFrame = false; ///< what is written is done in every frame, after the camera's calls
 
     int activeUnit = 0;
     std::array<std::optional<Target>, maxUnits> shown{};
+    std::array<bool, maxUnits> mayShow{}; ///< or not
     std::array<bool, maxUnits> hasMatrix{};
 
     /// What variables of a pass begin with; nothing where there is only one.
     [[nodiscard]] std::string passVariable(std::size_t pass) const;
+    /// The texture object that a unit shows, or nullptr.
+    [[nodiscard]] const TextureCode* codeOf(const Unit& unit) const;
+    /// Whether t of a model's coordinates for a unit is turned around: the image lies upside down.
+    [[nodiscard]] bool flipsCoords(std::size_t model, std::size_t unit) const;
+    /// What has many numbers: its name at the start, the numbers at the end of the program.
+    void addData(const std::string& type, const std::string& name, std::size_t count, std::string numbers);
+    void use(CFunction function) { addWithCallees(functions, function); }
 };
 
+/// The functions that load the textures.
 void writeTextures(Emission& emission);
-void writeImages(Emission& emission, const Holder& holder, std::size_t texture);
+void writeTexels(Emission& emission, const Holder& holder, std::size_t object);
+/// glClear, and the projection for a picture of `width` times `height`.
 void writeProjection(Emission& emission);
 void writeLight(Emission& emission);
 void writeCamera(Emission& emission);
@@ -50,8 +83,12 @@ void writeMaterial(Emission& emission);
 /// A model's: what differs from the one that was written before.
 void writeMaterial(Emission& emission, std::size_t model);
 void writeUnits(Emission& emission, std::size_t pass);
-/// The arrays of models that are drawn from arrays.
+/// The texture matrix of units that move, in every frame.
+void writeMovingMatrices(Emission& emission, std::size_t pass);
+/// Arrays and functions of a model, before everything that draws.
 void writeModelData(Emission& emission, std::size_t model);
+/// What is made of them once.
+void writeModelSetup(Emission& emission, std::size_t model);
 void writeModel(Emission& emission, std::size_t pass, std::size_t model);
 
 } // namespace texplorer::emit

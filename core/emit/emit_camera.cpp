@@ -3,6 +3,8 @@
 #include "core/scene/animation.h"
 #include "core/scene/params/keys.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::emit {
@@ -13,14 +15,21 @@ Holder viewHolder(const Scene& scene) {
     return {viewTable(), &scene.view, &identity, keyOf<&Scene::view>(), keyOf<&Scene::view>(), {}};
 }
 
-Part plainNumber(double value) {
-    return number(static_cast<float>(value), {}, -1, Literal::Double);
+/// What the mouse changes is a variable.
+void declareVariable(Emission& emission, MemberId member, std::string_view what) {
+    const View& view = emission.scene.view;
+    const auto row = std::ranges::find(viewTable().params, member, &ParamRow::member);
+    emission.atStart.add({plain(fmt::format("static GLfloat {} = ", row->key)),
+                          number(std::get<float>(row->read(&view)),
+                                 fmt::format("{}.{}", keyOf<&Scene::view>(), row->key)),
+                          plain("; "), {Part::Kind::Comment, fmt::format("/* {} */", what)}});
 }
 
 /// The camera's own calls come in the order in which the matrices are multiplied: what is called last is done
 /// to a vertex first.
-constexpr std::array cameraOrder{memberId<&View::distance>, memberId<&View::roll>, memberId<&View::elevation>,
-                                 memberId<&View::azimuth>, memberId<&View::target>};
+void rotate(CodeWriter& writer, std::string_view angle, std::string_view axis) {
+    writer.add({call("glRotatef"), plain(fmt::format("({}, {});", angle, axis))});
+}
 
 } // namespace
 
@@ -28,26 +37,25 @@ void writeProjection(Emission& emission) {
     CodeWriter& writer = emission.writer;
     const View& view = emission.scene.view;
     const Holder holder = viewHolder(emission.scene);
-    writer.heading("background and projection");
+    emission.needsPi = true;
+    writer.heading("background");
+    writer.add("glViewport(0, 0, width, height);");
     writer.row(holder, memberId<&View::background>);
     writer.add("glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);");
     writer.row(holder, memberId<&View::perspectiveHint>);
-    writer.add("GLint viewport[4];");
-    writer.add("glGetIntegerv(GL_VIEWPORT, viewport);");
-    writer.add("GLdouble aspect = (GLdouble)viewport[2] / viewport[3];");
+    writer.heading("projection");
+    writer.add("const GLfloat aspect = (GLfloat)width / (GLfloat)height;");
+    writer.add("const GLdouble farthest = 4.0 * distance + 400.0;");
     writer.add(fmt::format("glMatrixMode({});", projectionMode));
     writer.add("glLoadIdentity();");
-    const auto [near, far] = clipPlanes(view);
+    const Part angle =
+        number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>(), -1, Literal::Double);
     if (view.projection == Projection::Orthographic) {
-        const Part half = plainNumber(halfHeightAtTarget(view));
-        writer.add({call("glOrtho"), plain("(-"), half, plain(" * aspect, "), half, plain(" * aspect, -"),
-                    half, plain(", "), half, plain(", -"), plainNumber(far), plain(", "), plainNumber(far),
-                    plain(");")});
+        writer.add({plain("const GLdouble half = distance * tan("), angle, plain(" * pi / 180 / 2);")});
+        writer.add("glOrtho(-half * aspect, half * aspect, -half, half, -farthest, farthest);");
     } else {
-        const Part angle =
-            number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>(), -1, Literal::Double);
-        writer.add(callWith("gluPerspective",
-                            {angle, plain(", aspect, "), plainNumber(near), plain(", "), plainNumber(far)}));
+        emission.use(CFunction::Perspective);
+        writer.add({plain("perspective("), angle, plain(", aspect, distance / 50.0, farthest);")});
     }
     writer.add(fmt::format("glMatrixMode({});", modelViewMode));
 }
@@ -71,11 +79,18 @@ void writeLight(Emission& emission) {
 }
 
 void writeCamera(Emission& emission) {
-    emission.writer.heading("camera");
-    emission.writer.add("glLoadIdentity();", false);
+    CodeWriter& writer = emission.writer;
+    declareVariable(emission, memberId<&View::azimuth>, "degrees around the y axis");
+    declareVariable(emission, memberId<&View::elevation>, "degrees above the horizon");
+    declareVariable(emission, memberId<&View::distance>, "of the eye from what it looks at");
     const Holder holder = viewHolder(emission.scene);
-    for (const MemberId member : cameraOrder)
-        emission.writer.row(holder, member);
+    writer.heading("camera");
+    writer.add("glLoadIdentity();");
+    writer.add("glTranslatef(0.0f, 0.0f, -distance);");
+    writer.row(holder, memberId<&View::roll>);
+    rotate(writer, "elevation", "1.0f, 0.0f, 0.0f");
+    rotate(writer, "-azimuth", "0.0f, 1.0f, 0.0f");
+    writer.row(holder, memberId<&View::target>);
 }
 
 } // namespace texplorer::emit

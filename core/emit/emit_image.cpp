@@ -12,245 +12,261 @@
 namespace texplorer::emit {
 namespace {
 
-/// The step that can be left to the upload, after all others: nothing is done to the image between.
-const ImageStep* lastScale(const Texture& texture) {
-    const bool isLast = !texture.preparation.empty() && texture.preparation.back().op == ImageOp::Scale &&
-                        texture.transparency == Transparency::File;
-    return isLast ? &texture.preparation.back() : nullptr;
+/// "64 * 64 * 4", without factors of 1.
+std::string product(std::initializer_list<int> factors) {
+    std::string text;
+    for (const int factor : factors)
+        text += factor == 1 ? std::string() : fmt::format("{}{}", text.empty() ? "" : " * ", factor);
+    return text.empty() ? "1" : text;
 }
 
-/// Sets what isn't initial, or sets it back.
-void writeTransfer(CodeWriter& writer, const ImageStep& step, const std::string& path, bool back) {
-    constexpr int components = 4;
-    const auto write = [&](glm::vec4 amounts, float initial, std::size_t firstRow, const std::string& key) {
-        for (int i = 0; i < components; ++i) {
-            if (amounts[i] == initial)
-                continue;
-            const std::string own = fmt::format("{}.{}", path, key);
-            const std::string_view name = pixelTransferRows.at(firstRow + static_cast<std::size_t>(i)).name;
-            writer.add(callWith("glPixelTransferf", {plain(fmt::format("{}, ", name)),
-                                                     back ? number(initial) : number(amounts[i], own, i)}));
-        }
-    };
-    write(step.factor, 1, 0, keyOf<&ImageStep::factor>());
-    write(step.bias, 0, components, keyOf<&ImageStep::bias>());
+std::string listed(std::span<const std::uint8_t> bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes)
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", byte);
+    return text;
 }
 
-/// Where the texels of an image come from, as a comment.
-std::string originOf(SourceKind source, Pattern pattern, const std::string& file, bool isUpright) {
-    if (source == SourceKind::Pattern)
-        return fmt::format("the pattern \"{}\", bottom row first", rowOf(pattern).name);
-    return isUpright ? fmt::format("\"{}\", bottom row first", file)
-                     : fmt::format("\"{}\", rows in the order of the file", file);
-}
-
-/// The names of what is declared for one image, or for all levels of it.
-struct ImageNames {
-    std::string name;  ///< "texture0"
-    std::string level; ///< what stands for the level's number
-    std::string index; ///< of the level among its arrays, "[level]"; empty: there is one
-};
-
-class ImageWriter {
+class TexelWriter {
 public:
-    ImageWriter(Emission& emission, const Holder& holder, std::size_t index)
-        : writer_(emission.writer)
+    TexelWriter(Emission& emission, const Holder& holder, const Texture& texture, const TextureCode& code)
+        : emission_(emission)
+        , writer_(emission.writer)
         , holder_(holder)
-        , texture_(emission.scene.textures[index]) {}
+        , texture_(texture)
+        , code_(code) {}
 
     void write() {
-        const ImageStep* scale = lastScale(texture_);
-        const std::string step = fmt::format(
-            "{}.{}", holder_.path,
-            elementOf<&Texture::preparation>(std::max<std::size_t>(texture_.preparation.size(), 1) - 1));
-        if (scale)
-            writeTransfer(writer_, *scale, step, false);
-        if (texture_.source == SourceKind::LightDepth)
-            writeLightDepth();
-        else if (texture_.mipmaps == MipPolicy::Given)
-            writeGiven();
-        else if (texture_.mipmaps == MipPolicy::None || isGeneratedByGl())
-            writeOne();
-        else
-            writeAll();
-        if (scale)
-            writeTransfer(writer_, *scale, step, true);
+        if (code_.lastLevel < texture_.maxLevel)
+            writer_.add({call("glTexParameteri"),
+                         plain(fmt::format("({}, GL_TEXTURE_MAX_LEVEL, {}); ", rowOf(holder_.target).name,
+                                           code_.lastLevel)),
+                         {Part::Kind::Comment, "/* the file holds no more levels */"}});
+        for (std::size_t i = 0; i < code_.levels.size();) {
+            std::size_t end = i + 1;
+            while (end < code_.levels.size() && code_.levels[end].source == TexelSource::Halved)
+                ++end;
+            writeGroup(i, end);
+            i = end;
+        }
     }
 
 private:
-    [[nodiscard]] bool isOfDepths() const { return isDepth(texture_.internalFormat); }
-    [[nodiscard]] bool isCube() const { return holder_.target == Target::CubeMap; }
-    /// Blocks are made before they are uploaded. OpenGL has none of lines and volumes.
-    [[nodiscard]] bool hasBlocks() const {
-        return texture_.compression == Compression::Cached && axesOf(holder_.target) == 2 && !isOfDepths() &&
-               texture_.source != SourceKind::LightDepth;
-    }
-    [[nodiscard]] bool isGeneratedByGl() const {
-        return texture_.mipmaps == MipPolicy::Generated && texture_.mipFilter == MipFilter::Box &&
-               !texture_.mipGamma && !hasBlocks() && !isOfDepths();
-    }
-    [[nodiscard]] std::string origin() const {
-        const bool isUpright = texture_.flip == FlipMode::Blocks || texture_.flip == FlipMode::Pixels;
-        const std::string from = originOf(texture_.source, texture_.pattern, texture_.file, isUpright);
-        const std::size_t steps = texture_.preparation.size() - (lastScale(texture_) ? 1 : 0);
-        return steps == 0 ? from : fmt::format("{}, after its preparation", from);
+    [[nodiscard]] bool isCube() const { return code_.faces > 1; }
+
+    /// Texels of a level, and those that are made of it by averages.
+    void writeGroup(std::size_t first, std::size_t end) {
+        const LevelCode& level = code_.levels[first];
+        std::string texels = makeTexels(level);
+        if (end == first + 1) {
+            const std::string number = std::to_string(level.number);
+            return upload(number, {std::to_string(level.width), std::to_string(level.height),
+                                   std::to_string(level.depth)},
+                          level, faceOf(texels, level));
+        }
+        emission_.use(CFunction::Halve);
+        const int last = code_.levels[end - 1].number;
+        const int left = missingIn(first, end);
+        if (isCube()) {
+            writer_.add("for (GLenum face = 0; face < 6; ++face) {");
+            writer_.indent();
+            writer_.add(fmt::format("GLubyte *image = {};", faceOf(texels, level)));
+            texels = "image";
+        }
+        writer_.add(fmt::format("GLsizei width = {}, height = {};", level.width, level.height));
+        writer_.add(fmt::format("for (GLint level = {}; level <= {}; ++level) {{", level.number, last));
+        writer_.indent();
+        if (left >= 0) {
+            writer_.add({plain(fmt::format("if (level != {}) ", left)),
+                         {Part::Kind::Comment, "/* this one is missing */"}});
+            writer_.indent();
+        }
+        writer_.add(imageCall("level", {"width", "height", "1"}, texels));
+        if (left >= 0)
+            writer_.outdent();
+        writer_.add({plain(fmt::format("halve({}, &width, &height); ", texels)),
+                     {Part::Kind::Comment, "/* the next mip level */"}});
+        writer_.outdent();
+        writer_.add("}");
+        if (isCube()) {
+            writer_.outdent();
+            writer_.add("}");
+        }
     }
 
-    /// "extern const GLsizei texture0Width, texture0Height;" and the texels, with where they come from.
-    void declare(const ImageNames& names, const std::string& from) {
-        const bool many = !names.index.empty();
-        const std::string sizes = many ? "s[]" : "";
-        std::string extents = fmt::format("extern const GLsizei {0}Width{1}", names.name, sizes);
-        if (axesOf(holder_.target) > 1)
-            extents += fmt::format(", {0}Height{1}", names.name, sizes);
-        if (axesOf(holder_.target) > 2)
-            extents += fmt::format(", {0}Depth{1}", names.name, sizes);
-        if (hasBlocks())
-            extents += fmt::format(", {0}ByteCount{1}", names.name, sizes);
-        if (many)
-            extents += fmt::format("; extern const GLint {}LevelCount", names.name);
-        writer_.add(extents + ";");
-        const std::string_view element = isOfDepths() ? "GLuint" : "GLubyte";
-        const std::string_view what = hasBlocks() ? "Blocks" : "Texels";
-        const std::string type =
-            many || isCube() ? fmt::format("const {}* const", element) : fmt::format("const {}", element);
-        const std::string brackets =
-            fmt::format("{}{}", many || !isCube() ? "[]" : "", isCube() ? "[6]" : "");
-        writer_.add({plain(fmt::format("extern {} {}{}{}; ", type, names.name, what, brackets)),
-                     {Part::Kind::Comment, fmt::format("/* {} */", inComment(from)),
-                      fmt::format("{}.{}", holder_.path, sourceKey())}});
+    [[nodiscard]] int missingIn(std::size_t first, std::size_t end) const {
+        for (std::size_t i = first + 1; i < end; ++i) {
+            if (code_.levels[i].number != code_.levels[i - 1].number + 1)
+                return code_.levels[i].number - 1;
+        }
+        return -1;
     }
 
-    [[nodiscard]] const std::string& sourceKey() const {
-        return texture_.source == SourceKind::Pattern ? keyOf<&Texture::pattern>() : keyOf<&Texture::file>();
+    /// Where the texels of a face begin.
+    [[nodiscard]] std::string faceOf(const std::string& texels, const LevelCode& level) const {
+        if (!isCube())
+            return texels;
+        const std::size_t size = level.source == TexelSource::Compressed ? level.bytes.size() / 6 : 0;
+        return fmt::format("{} + face * {}", texels,
+                           size > 0 ? std::to_string(size) : product({level.width, level.height, 4}));
     }
 
-    /// The row whose call uploads, and with whose value.
-    [[nodiscard]] const ParamRow& uploadRow() const {
-        const bool isCompressed =
-            (texture_.compression == Compression::Driver || hasBlocks()) && !isOfDepths();
-        const std::string& key =
-            isCompressed ? keyOf<&Texture::compressedFormat>() : keyOf<&Texture::internalFormat>();
-        return *findParam(textureTable(), key);
+    /// Makes them, and says what they are called.
+    std::string makeTexels(const LevelCode& level) {
+        const std::string own = level.number == code_.levels.front().number
+                                    ? holder_.variable
+                                    : fmt::format("{}Level{}", holder_.variable, level.number);
+        const int count = level.width * level.height * level.depth * code_.faces;
+        const std::string variable = level.number == code_.levels.front().number
+                                         ? std::string("texels")
+                                         : fmt::format("texels{}", level.number);
+        if (level.source == TexelSource::Compressed) {
+            const std::string name = own + "Blocks";
+            emission_.addData("GLubyte", name, level.bytes.size(), numbersText(level.bytes));
+            return name;
+        }
+        if (level.source == TexelSource::Depths) {
+            const std::string name = own + "Depths";
+            emission_.addData("GLuint", name, level.bytes.size() / 4, numbersText(level.bytes, true));
+            return name;
+        }
+        const std::string size = product({level.width, level.height, level.depth, code_.faces, 4});
+        if (level.source == TexelSource::Listed) {
+            std::vector<std::uint8_t> bytes(level.bytes.size());
+            std::ranges::transform(level.bytes, bytes.begin(),
+                                   [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
+            writer_.add({plain(fmt::format("{}GLubyte {}[] = {{ ", isHalvedNext(level) ? "" : "const ", variable)),
+                         comment(), plain("")});
+            writer_.indent();
+            const std::size_t row = std::size_t{4} * static_cast<std::size_t>(std::clamp(level.width, 1, 4));
+            for (std::size_t at = 0; at < bytes.size(); at += row)
+                writer_.add(fmt::format("{},", listed(std::span(bytes).subspan(at, std::min(row, bytes.size() - at)))));
+            writer_.outdent();
+            writer_.add("};");
+            return variable;
+        }
+        writer_.add({plain(fmt::format("static GLubyte {}[{}]; ", variable, size)), comment()});
+        switch (level.source) {
+        case TexelSource::Checker:
+            emission_.use(CFunction::Checkerboard);
+            writer_.add(fmt::format("checkerboard({}, {}, {}, {}, {}, {});", variable, level.width, level.square,
+                                    level.color[0], level.color[1], level.color[2]));
+            break;
+        case TexelSource::Gradient:
+            emission_.use(CFunction::Gradient);
+            writer_.add(fmt::format("gradient({});", variable));
+            break;
+        case TexelSource::Flat:
+            emission_.use(CFunction::Fill);
+            writer_.add(fmt::format("fill({}, {}, {});", variable, count, listed(level.color)));
+            break;
+        default:
+            emission_.use(CFunction::Unpack);
+            emission_.addData("GLubyte", own + "Packed", level.bytes.size(), numbersText(level.bytes));
+            writer_.add(fmt::format("unpack({0}Packed, sizeof {0}Packed, {1});", own, variable));
+            break;
+        }
+        return variable;
+    }
+
+    [[nodiscard]] bool isHalvedNext(const LevelCode& level) const {
+        const auto found = std::ranges::find(code_.levels, level.number, &LevelCode::number);
+        return found + 1 != code_.levels.end() && (found + 1)->source == TexelSource::Halved;
+    }
+
+    [[nodiscard]] Part comment() const {
+        const std::string& key = texture_.source == SourceKind::Pattern ? keyOf<&Texture::pattern>()
+                                                                        : keyOf<&Texture::file>();
+        return {Part::Kind::Comment, "/* red, green, blue, alpha: the bottom row first */",
+                fmt::format("{}.{}", holder_.path, key)};
+    }
+
+    void upload(const std::string& level, const std::array<std::string, 3>& size, const LevelCode& of,
+                const std::string& texels) {
+        if (isCube()) {
+            writer_.add("for (GLenum face = 0; face < 6; ++face)");
+            writer_.indent();
+        }
+        if (of.source == TexelSource::Compressed)
+            writer_.add(compressedCall(of, texels));
+        else
+            writer_.add(imageCall(level, size, texels, of.source == TexelSource::Depths));
+        if (isCube())
+            writer_.outdent();
+    }
+
+    [[nodiscard]] std::string pathOf(std::string_view key) const {
+        return fmt::format("{}.{}", holder_.path, key);
+    }
+
+    [[nodiscard]] std::vector<Part> compressedCall(const LevelCode& of, const std::string& texels) const {
+        const std::string image = isCube() ? std::string("GL_TEXTURE_CUBE_MAP_POSITIVE_X + face")
+                                           : std::string(rowOf(holder_.target).name);
+        const EnumRow* row = findRow(blockFormatRows, static_cast<std::uint32_t>(*code_.blocks));
+        return callWith("glCompressedTexImage2D",
+                        {plain(fmt::format("{}, {}, ", image, of.number)),
+                         choice(row ? row->name : "0", texture_.compression == Compression::Cached
+                                                           ? pathOf(keyOf<&Texture::compressedFormat>())
+                                                           : std::string()),
+                         plain(fmt::format(", {}, {}, 0, {}, {}", of.width, of.height,
+                                           of.bytes.size() / static_cast<std::size_t>(code_.faces), texels))});
     }
 
     /// glTexImage with all of its arguments.
-    [[nodiscard]] std::vector<Part> upload(const ImageNames& names,
-                                           const std::vector<Part>& size = {}) const {
-        const ParamRow& row = uploadRow();
-        const auto pathOf = [&](std::string_view key) { return fmt::format("{}.{}", holder_.path, key); };
+    [[nodiscard]] std::vector<Part> imageCall(const std::string& level, const std::array<std::string, 3>& size,
+                                         const std::string& texels, bool depths = false) const {
+        const std::string& key = code_.driverCompresses ? keyOf<&Texture::compressedFormat>()
+                                                        : keyOf<&Texture::internalFormat>();
+        const ParamRow& row = *findParam(textureTable(), key);
         const EnumRow* format = findRow(row.choices, std::get<EnumValue>(row.read(&texture_)).number);
-        const Part stored = choice(format ? format->name : rowOf(InternalFormat::Rgba).name, pathOf(row.key));
-        const auto own = [&](std::string_view what) {
-            return fmt::format("{}{}{}{}", names.name, what, names.index.empty() ? "" : "s", names.index);
-        };
-        const auto extent = [&](std::string_view what) {
-            return size.empty() ? std::vector<Part>{plain(own(what))} : size;
-        };
-        const std::string pixels =
-            !size.empty() ? std::string("NULL")
-                          : fmt::format("{}{}{}{}", names.name, hasBlocks() ? "Blocks" : "Texels",
-                                        names.index, isCube() ? "[face]" : "");
-        const std::string words = callFor(row, holder_.target);
+        std::string words = callFor(row, holder_.target);
         const std::size_t bracket = words.find('(');
-        std::vector<Part> parts{call(words.substr(0, bracket))};
         const auto resolve = [&](std::string_view word) -> std::optional<std::vector<Part>> {
             if (word == "{}")
-                return std::vector<Part>{stored};
+                return std::vector<Part>{
+                    choice(format ? format->name : rowOf(InternalFormat::Rgba).name, pathOf(row.key))};
             if (word == "level")
-                return std::vector<Part>{plain(names.level)};
+                return std::vector<Part>{plain(level)};
             if (word == "width")
-                return extent("Width");
+                return std::vector<Part>{plain(size[0])};
             if (word == "height")
-                return extent("Height");
+                return std::vector<Part>{plain(size[1])};
             if (word == "depth")
-                return size.empty() ? extent("Depth") : std::vector<Part>{plain("1")};
+                return std::vector<Part>{plain(size[2])};
             if (word == keyOf<&Texture::border>())
-                return std::vector<Part>{whole(texture_.border, pathOf(word))};
+                return std::vector<Part>{code_.border == texture_.border ? whole(texture_.border, pathOf(word))
+                                                                         : whole(code_.border)};
             if (word == "format")
                 return std::vector<Part>{
-                    plain(std::string(isOfDepths() ? depthPixels : rowOf(BaseFormat::Rgba).name))};
+                    plain(std::string(depths ? depthPixels : rowOf(BaseFormat::Rgba).name))};
             if (word == unsignedByteType)
-                return std::vector<Part>{
-                    plain(std::string(isOfDepths() ? unsignedIntType : unsignedByteType))};
+                return std::vector<Part>{plain(std::string(depths ? unsignedIntType : unsignedByteType))};
             if (word == "pixels")
-                return std::vector<Part>{plain(pixels)};
+                return std::vector<Part>{plain(texels)};
             return std::nullopt;
         };
-        if (!hasBlocks()) {
-            append(parts, filled(words.substr(bracket) + ";", resolve));
-            return parts;
-        }
-        const std::string image = words.substr(bracket + 1, words.find(',') - bracket - 1);
-        return callWith("glCompressedTexImage2D",
-                        {plain(fmt::format("{}, {}, ", image, names.level)), stored,
-                         plain(fmt::format(", {}, {}, 0, {}, {}", own("Width"), own("Height"),
-                                           own("ByteCount"), pixels))});
+        std::vector<Part> parts{call(words.substr(0, bracket))};
+        append(parts, filled(words.substr(bracket) + ";", resolve));
+        return parts;
     }
 
-    /// The call, for each face of a cube map.
-    void add(std::vector<Part> parts, std::string inset = {}) {
-        if (isCube()) {
-            writer_.add(inset + "for (GLenum face = 0; face < 6; ++face)");
-            inset += "    ";
-        }
-        if (!inset.empty())
-            parts.insert(parts.begin(), plain(std::move(inset)));
-        writer_.add(std::move(parts));
-    }
-
-    void writeOne() {
-        const ImageNames names{holder_.variable, "0", {}};
-        declare(names, origin());
-        if (isGeneratedByGl())
-            writer_.add(
-                {call("glTexParameteri"), plain(fmt::format("({}, GL_GENERATE_MIPMAP, {});",
-                                                            rowOf(holder_.target).name, booleanName(true)))});
-        add(upload(names));
-    }
-
-    void writeAll() {
-        const ImageNames names{holder_.variable, "level", "[level]"};
-        const EnumRow& policy = rowOf(texture_.mipmaps);
-        declare(names, fmt::format("{}; mip levels: {}", origin(), policy.label));
-        writer_.add(fmt::format("for (GLint level = 0; level < {}LevelCount; ++level)", names.name));
-        add(upload(names), "    ");
-    }
-
-    void writeGiven() {
-        const ImageNames base{holder_.variable, "0", {}};
-        declare(base, origin());
-        add(upload(base));
-        for (std::size_t i = 0; i < texture_.levels.size(); ++i) {
-            const GivenLevel& level = texture_.levels[i];
-            const ImageNames names{
-                fmt::format("{}Level{}", holder_.variable, i + 1), fmt::format("{}", i + 1), {}};
-            declare(names, originOf(level.source, level.pattern, level.file, true));
-            add(upload(names));
-        }
-    }
-
-    /// An image that is drawn anew in every frame.
-    void writeLightDepth() {
-        const std::string path = fmt::format("{}.{}", holder_.path, keyOf<&Texture::depthSize>());
-        writer_.comment(
-            "in every frame: draw what the light sees and copy its depths, with glCopyTexSubImage2D");
-        add(uploadWithoutTexels(whole(texture_.depthSize, path)));
-    }
-
-    [[nodiscard]] std::vector<Part> uploadWithoutTexels(const Part& size) const {
-        return upload({holder_.variable, "0", {}}, {size});
-    }
-
+    Emission& emission_;
     CodeWriter& writer_;
     const Holder& holder_;
     const Texture& texture_;
+    const TextureCode& code_;
 };
 
 } // namespace
 
-void writeImages(Emission& emission, const Holder& holder, std::size_t texture) {
-    ImageWriter(emission, holder, texture).write();
+void writeTexels(Emission& emission, const Holder& holder, std::size_t object) {
+    const auto& code = emission.texels[object];
+    const Texture& texture = emission.scene.textures[emission.objects[object].texture];
+    if (!code)
+        return emission.writer.comment(texture.file.empty() ? "no file is chosen" : "the file isn't there");
+    if (!*code)
+        return emission.writer.comment((*code).error().message);
+    TexelWriter(emission, holder, texture, **code).write();
 }
 
 } // namespace texplorer::emit

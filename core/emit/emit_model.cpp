@@ -2,6 +2,7 @@
 #include "core/gl/argument_names.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
+#include "core/scene/emboss.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/tex_coords.h"
@@ -9,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace texplorer::emit {
 namespace {
@@ -33,6 +35,18 @@ glm::vec3 normalOf(const Vertex& vertex) {
     return vertex.normal == glm::vec3(0) ? glm::vec3(0, 0, 1) : vertex.normal; // as glNormal begins
 }
 
+/// "1.0f, 0.5f,\n": so many in a row.
+std::string floatsText(std::span<const float> values, std::size_t columns) {
+    std::string text;
+    text.reserve(values.size() * 12);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text += i % columns == 0 ? "    " : " ";
+        text += literal(values[i], Literal::Float);
+        text += i % columns == columns - 1 || i + 1 == values.size() ? ",\n" : ",";
+    }
+    return text;
+}
+
 class ModelWriter {
 public:
     ModelWriter(Emission& emission, std::size_t index)
@@ -43,26 +57,32 @@ public:
         , index_(index)
         , path_(elementOf<&Scene::models>(index))
         , variable_(fmt::format("model{}", index)) {
-        if (form_.drawing == Drawing::Vertices || form_.isWritten)
+        if (form_.drawing == Drawing::List || form_.drawing == Drawing::Arrays)
             mesh_ = meshOf(model_);
     }
 
     void declare() {
-        if (form_.drawing != Drawing::Arrays)
-            return;
-        writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
-        table("Positions", 3,
-              [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.position, 0); });
-        if (emission_.needsNormals)
-            table("Normals", 3,
-                  [](const Vertex& vertex, std::size_t) { return glm::vec4(normalOf(vertex), 0); });
-        if (isColored())
-            table("Colors", 4, [](const Vertex& vertex, std::size_t) { return vertex.color; });
-        for (std::size_t u = 0; u < maxUnits; ++u) {
-            declareCoords(u);
+        switch (form_.drawing) {
+        case Drawing::None:
+            break;
+        case Drawing::Shape:
+            emission_.atStart.add({plain(fmt::format("static Mesh {}; ", variable_)), nameComment()});
+            emission_.use(CFunction::MeshTypes);
+            break;
+        case Drawing::List:
+            emission_.atStart.add({plain(fmt::format("static GLuint {}; ", variable_)), nameComment()});
+            break;
+        case Drawing::Arrays:
+            declareArrays();
+            break;
         }
-        if (hasIndices(model_))
-            declareIndices();
+    }
+
+    void setUp() {
+        if (form_.drawing == Drawing::Shape)
+            makeShape();
+        if (form_.drawing == Drawing::List)
+            compileList();
     }
 
     void draw(const Pass& pass) {
@@ -71,16 +91,17 @@ public:
         place();
         writeMaterial(emission_, index_);
         switch (form_.drawing) {
-        case Drawing::Quadric:
-            drawQuadric();
+        case Drawing::None:
             break;
-        case Drawing::Vertices:
-            drawVertices();
+        case Drawing::List:
+            writeSize();
+            writer_.add(fmt::format("glCallList({});", variable_));
+            break;
+        case Drawing::Shape:
+            drawShape(pass);
             break;
         case Drawing::Arrays:
             drawArrays(pass);
-            break;
-        case Drawing::None:
             break;
         }
         if (isColored()) // glColor is the last vertex's
@@ -93,69 +114,118 @@ private:
     [[nodiscard]] bool isColored() const {
         return model_.shape == Shape::Mesh && !model_.mesh.colors.empty();
     }
+    [[nodiscard]] Part nameComment() const {
+        return {Part::Kind::Comment, fmt::format("/* {} */", inComment(nameOf(model_)))};
+    }
 
-    /// An array with a row for each vertex, or its name alone.
+    /// A unit's, turned around where its texture lies upside down.
+    [[nodiscard]] TexCoords coordsOf(std::size_t unit) const {
+        TexCoords coords = effectiveTexCoords(model_, mesh_, static_cast<int>(unit));
+        if (emission_.flipsCoords(index_, unit)) {
+            for (glm::vec4& coord : coords)
+                coord.t = coord.q - coord.t;
+        }
+        return coords;
+    }
+
+    void declareArrays() {
+        writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
+        table("Positions", 3,
+              [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.position, 0); });
+        if (emission_.needsNormals)
+            table("Normals", 3,
+                  [](const Vertex& vertex, std::size_t) { return glm::vec4(normalOf(vertex), 0); });
+        if (isColored())
+            table("Colors", 4, [](const Vertex& vertex, std::size_t) { return vertex.color; });
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            declareCoords(u);
+        if (hasIndices(model_))
+            declareIndices();
+    }
+
+    /// An array with a row for each vertex.
     template<class Get>
-    void table(std::string_view name, int count, Get get, const std::string& path = {}) {
-        const std::string declared = fmt::format("GLfloat {}{}[][{}]", variable_, name, count);
-        if (!form_.isWritten)
-            return writer_.add(fmt::format("extern const {};", declared));
-        writer_.add(fmt::format("const {} = {{", declared));
+    void table(const std::string& name, int count, Get get, const std::string& path = {}) {
+        if (!form_.isWritten) {
+            std::vector<float> values;
+            for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
+                const glm::vec4 each = get(mesh_.vertices[i], i);
+                values.insert(values.end(), &each.x, &each.x + count);
+            }
+            const std::size_t columns = static_cast<std::size_t>(count) * 2;
+            return emission_.addData("GLfloat", variable_ + name, values.size(), floatsText(values, columns));
+        }
+        writer_.add(fmt::format("static const GLfloat {}{}[] = {{", variable_, name));
+        writer_.indent();
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
             const glm::vec4 values = get(mesh_.vertices[i], i);
-            std::vector<Part> parts{plain("    {")};
-            append(parts,
-                   numbers(firstOf(values, count), path.empty() ? path : fmt::format("{}[{}]", path, i)));
-            parts.push_back(plain("},"));
+            std::vector<Part> parts =
+                numbers(firstOf(values, count), path.empty() ? path : fmt::format("{}[{}]", path, i));
+            parts.push_back(plain(","));
             writer_.add(std::move(parts));
         }
+        writer_.outdent();
         writer_.add("};");
     }
 
     void declareCoords(std::size_t unit) {
-        const std::string name = coordsName(unit, false);
-        if (form_.coords[unit] && form_.isWritten) {
-            const TexCoords coords = effectiveTexCoords(model_, mesh_, static_cast<int>(unit));
+        if (form_.coords[unit]) {
+            const TexCoords coords = coordsOf(unit);
             table(
-                name, coordCount(coords), [&](const Vertex&, std::size_t i) { return coords[i]; },
-                coordsPath(index_, unit));
-        } else if (form_.coords[unit]) {
-            writer_.add(fmt::format("extern const GLfloat {}{}[][4];", variable_, name));
+                coordsName(unit), form_.isWritten ? coordCount(coords) : 4,
+                [&](const Vertex&, std::size_t i) { return coords[i]; },
+                emission_.flipsCoords(index_, unit) ? std::string() : coordsPath(index_, unit));
         }
-        if (form_.embossed[unit])
-            writer_.add(
-                {plain(fmt::format("extern GLfloat {}{}[][4]; ", variable_, coordsName(unit, true))),
-                 {Part::Kind::Comment, "/* in every frame moved towards the light, vertex by vertex */"}});
+        if (!form_.embossed[unit])
+            return;
+        const TexCoords coords = effectiveTexCoords(model_, mesh_, static_cast<int>(unit));
+        table(fmt::format("GivenCoords{}", unit), 4, [&](const Vertex&, std::size_t i) { return coords[i]; });
+        const std::vector<Tangents> tangents = tangentsOf(mesh_, coords);
+        std::vector<float> values;
+        for (const Tangents& each : tangents) {
+            values.insert(values.end(), &each.s.x, &each.s.x + 3);
+            values.insert(values.end(), &each.t.x, &each.t.x + 3);
+        }
+        emission_.addData("GLfloat", fmt::format("{}Tangents{}", variable_, unit), values.size(),
+                          floatsText(values, 6));
+        emission_.atStart.add(
+            {plain(fmt::format("static GLfloat {}EmbossedCoords{}[{}]; ", variable_, unit,
+                               4 * mesh_.vertices.size())),
+             {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
+        emission_.use(CFunction::Emboss);
     }
 
-    static std::string coordsName(std::size_t unit, bool isEmbossed) {
-        return fmt::format("{}{}", isEmbossed ? "EmbossedCoords" : "TexCoords", unit);
-    }
+    static std::string coordsName(std::size_t unit) { return fmt::format("TexCoords{}", unit); }
 
-    [[nodiscard]] int coordComponents(std::size_t unit, bool isEmbossed) const {
-        if (!form_.isWritten || isEmbossed)
-            return 4;
-        return coordCount(effectiveTexCoords(model_, mesh_, static_cast<int>(unit)));
+    [[nodiscard]] int coordComponents(std::size_t unit) const {
+        return form_.isWritten ? coordCount(coordsOf(unit)) : 4;
     }
 
     void declareIndices() {
+        const std::vector<std::uint32_t> indices = indicesOf();
         if (!form_.isWritten) {
-            writer_.add(fmt::format("extern const GLuint {0}Indices[]; extern const GLsizei {0}IndexCount;",
-                                    variable_));
-            return;
+            std::string text;
+            for (std::size_t i = 0; i < indices.size(); ++i)
+                text += fmt::format("{}{},{}", i % 12 == 0 ? "    " : " ", indices[i],
+                                    i % 12 == 11 || i + 1 == indices.size() ? "\n" : "");
+            return emission_.addData("GLuint", variable_ + "Indices", indices.size(), std::move(text));
         }
         std::string list;
-        for (const int each : validIndices())
+        for (const std::uint32_t each : indices)
             list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
-        writer_.add(fmt::format("const GLuint {}Indices[] = {{{}}};", variable_, list));
+        writer_.add(fmt::format("static const GLuint {}Indices[] = {{{}}};", variable_, list));
     }
 
-    /// Those that name a vertex: the others are left out.
-    [[nodiscard]] std::vector<int> validIndices() const {
-        std::vector<int> indices = model_.mesh.indices;
-        std::erase_if(indices, [&](int each) {
-            return each < 0 || static_cast<std::size_t>(each) >= mesh_.vertices.size();
-        });
+    /// Of a mesh those that name a vertex, in its order: the others are left out. Of a shape its triangles.
+    [[nodiscard]] std::vector<std::uint32_t> indicesOf() const {
+        std::vector<std::uint32_t> indices = mesh_.triangles;
+        if (model_.shape == Shape::Mesh) {
+            indices.clear();
+            for (const int each : model_.mesh.indices) {
+                if (each >= 0 && static_cast<std::size_t>(each) < mesh_.vertices.size())
+                    indices.push_back(static_cast<std::uint32_t>(each));
+            }
+        }
         if (indices.empty())
             indices.push_back(0); // C has no empty array
         return indices;
@@ -171,8 +241,8 @@ private:
         for (const int axis : rotationAxes(model_.rotationOrder)) {
             const bool spins = model_.spin[axis] != 0;
             std::vector<Part> arguments =
-                moving(writer_, number(model_.rotation[axis], own(keyOf<&Model::rotation>()), axis),
-                       number(model_.spin[axis], own(keyOf<&Model::spin>()), axis), spins);
+                turning(writer_, number(model_.rotation[axis], own(keyOf<&Model::rotation>()), axis),
+                        number(model_.spin[axis], own(keyOf<&Model::spin>()), axis), spins);
             arguments.push_back(plain(axes.at(static_cast<std::size_t>(axis))));
             writer_.add(callWith("glRotatef", std::move(arguments)), spins || model_.rotation[axis] != 0);
         }
@@ -182,35 +252,57 @@ private:
                     model_.scale != glm::vec3(1));
     }
 
-    void drawQuadric() {
-        const auto number64 = [&](float value, const std::string& key) {
-            return number(value, own(key), -1, Literal::Double);
-        };
+    [[nodiscard]] Part floatPart(float value, const std::string& key) const { return number(value, own(key)); }
+
+    /// "model1 = sphere(32, 16);"
+    void makeShape() {
         const Part slices = whole(model_.slices, own(keyOf<&Model::slices>()));
         const Part stacks = whole(model_.stacks, own(keyOf<&Model::stacks>()));
         const Part comma = plain(", ");
-        const bool stands = model_.shape == Shape::Sphere || model_.shape == Shape::Cylinder;
-        if (stands)
-            writer_.add("glRotatef(-90.0f, 1.0f, 0.0f, 0.0f);"); // GLU's shapes stand along z; ours along y
-        const Part inner = number64(model_.innerRadius, keyOf<&Model::innerRadius>());
+        std::vector<Part> parts{plain(variable_ + " = ")};
         switch (model_.shape) {
         case Shape::Sphere:
-            return writer_.add(callWith("gluSphere", {plain("quadric, 1.0, "), slices, comma, stacks}));
+            emission_.use(CFunction::Sphere);
+            append(parts, {plain("sphere("), slices, comma, stacks});
+            break;
         case Shape::Cylinder:
-            writer_.add("glTranslatef(0.0f, 0.0f, -1.0f);");
-            return writer_.add(
-                callWith("gluCylinder",
-                         {plain("quadric, 1.0, "), number64(model_.topRadius, keyOf<&Model::topRadius>()),
-                          plain(", 2.0, "), slices, comma, stacks}));
-        case Shape::Disk:
-            return writer_.add(
-                callWith("gluDisk", {plain("quadric, "), inner, plain(", 1.0, "), slices, comma, stacks}));
+            emission_.use(CFunction::Cylinder);
+            append(parts, {plain("cylinder("), floatPart(model_.topRadius, keyOf<&Model::topRadius>()), comma,
+                           slices, comma, stacks});
+            break;
+        case Shape::Torus:
+            emission_.use(CFunction::Torus);
+            append(parts, {plain("torus("), floatPart(model_.tubeRadius, keyOf<&Model::tubeRadius>()), comma,
+                           slices, comma, stacks});
+            break;
         default:
-            return writer_.add(callWith("gluPartialDisk",
-                                        {plain("quadric, "), inner, plain(", 1.0, "), slices, comma, stacks,
-                                         comma, number64(model_.startAngle, keyOf<&Model::startAngle>()),
-                                         comma, number64(model_.sweepAngle, keyOf<&Model::sweepAngle>())}));
+            emission_.use(CFunction::Disk);
+            append(parts, {plain("disk("), floatPart(model_.innerRadius, keyOf<&Model::innerRadius>()), comma,
+                           slices, comma, stacks, comma});
+            append(parts, sector());
+            break;
         }
+        parts.push_back(plain(");"));
+        writer_.add(std::move(parts));
+    }
+
+    /// From where the disk begins, and how far it goes around: as core/mesh/disk.cpp has it.
+    [[nodiscard]] std::vector<Part> sector() const {
+        const auto part = [&](float value, const std::string& key) {
+            return number(value, own(key), -1, Literal::Double);
+        };
+        const float start = model_.startAngle;
+        const float sweep = model_.sweepAngle;
+        if (model_.shape == Shape::Disk)
+            return {plain("0.0, 360.0")};
+        if (std::abs(sweep) > 360)
+            return {part(start, keyOf<&Model::startAngle>()), plain(", 360.0")};
+        if (sweep >= 0)
+            return {part(start, keyOf<&Model::startAngle>()), plain(", "),
+                    part(sweep, keyOf<&Model::sweepAngle>())};
+        return {part(start, keyOf<&Model::startAngle>()), plain(" + "),
+                part(sweep, keyOf<&Model::sweepAngle>()), plain(", "),
+                plain(literal(-sweep, Literal::Double))}; // backwards around it is the same sector
     }
 
     /// The size of lines and points, where there are any.
@@ -224,31 +316,28 @@ private:
             writer_.row(holder, memberId<&Model::pointSize>);
     }
 
-    void drawVertices() {
-        writeSize();
+    void compileList() {
+        writer_.add(fmt::format("{} = glGenLists(1);", variable_));
+        writer_.add({call("glNewList"), plain(fmt::format("({}, GL_COMPILE); ", variable_)), nameComment()});
         writer_.add({call("glBegin"), plain("("), primitivePart(), plain(");")});
         std::array<TexCoords, maxUnits> coords;
         for (std::size_t u = 0; u < maxUnits; ++u) {
             if (form_.coords[u])
-                coords[u] = effectiveTexCoords(model_, mesh_, static_cast<int>(u));
+                coords[u] = coordsOf(u);
         }
         std::optional<glm::vec3> normal;
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
             const Vertex& vertex = mesh_.vertices[i];
             if (emission_.needsNormals && normal != normalOf(vertex)) {
                 normal = normalOf(vertex);
-                addIndented(callWith("glNormal3f", numbers({&normal->x, 3})));
+                writer_.add(callWith("glNormal3f", numbers({&normal->x, 3})));
             }
             if (isColored())
-                addIndented(callWith("glColor4f", numbers({&vertex.color.x, 4})));
-            drawVertex(coords, i);
+                writer_.add(callWith("glColor4f", numbers({&vertex.color.x, 4})));
+            writeVertex(coords, i);
         }
         writer_.add("glEnd();");
-    }
-
-    void addIndented(std::vector<Part> parts) {
-        parts.insert(parts.begin(), plain("    "));
-        writer_.add(std::move(parts));
+        writer_.add("glEndList();");
     }
 
     [[nodiscard]] Part primitivePart() const {
@@ -259,15 +348,17 @@ private:
     }
 
     /// Its coordinates and its place, on one line.
-    void drawVertex(const std::array<TexCoords, maxUnits>& coords, std::size_t vertex) {
-        std::vector<Part> parts{plain("    ")};
+    void writeVertex(const std::array<TexCoords, maxUnits>& coords, std::size_t vertex) {
+        std::vector<Part> parts;
         const bool isOne =
             std::none_of(form_.coords.begin() + 1, form_.coords.end(), [](bool on) { return on; });
         for (std::size_t u = 0; u < maxUnits; ++u) {
             if (coords[u].empty())
                 continue;
             const int count = coordCount(coords[u]);
-            const std::string path = fmt::format("{}[{}]", coordsPath(index_, u), vertex);
+            const std::string path = emission_.flipsCoords(index_, u)
+                                         ? std::string()
+                                         : fmt::format("{}[{}]", coordsPath(index_, u), vertex);
             std::vector<Part> arguments;
             if (!isOne)
                 arguments.push_back(plain(fmt::format("{}, ", textureUnitName(u))));
@@ -280,8 +371,54 @@ private:
         writer_.add(std::move(parts));
     }
 
+    void drawShape(const Pass& pass) {
+        const auto pointer = [&](std::string_view array, const std::string& function, std::string_view member) {
+            writer_.add(fmt::format("glEnableClientState({});", array));
+            writer_.add(fmt::format("{}{}, sizeof(Vertex), {}.vertices->{});", function, floatType, variable_,
+                                    member));
+        };
+        writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
+        pointer(vertexArray, "glVertexPointer(3, ", "position");
+        if (emission_.needsNormals)
+            pointer(normalArray, "glNormalPointer(", "normal");
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            if (!takesCoords(pass.units[u]))
+                continue;
+            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)), u != 0 || isSecond(pass));
+            pointer(texCoordArray, "glTexCoordPointer(4, ", "texCoord");
+        }
+        writer_.add(fmt::format("glDrawElements(GL_TRIANGLES, {0}.indexCount, {1}, {0}.indices);", variable_,
+                                unsignedIntType));
+        writer_.add("glPopClientAttrib();");
+    }
+
+    /// Whether a unit beside the first takes coordinates.
+    static bool isSecond(const Pass& pass) {
+        return std::any_of(pass.units.begin() + 1, pass.units.end(), takesCoords);
+    }
+
+    void moveCoords(std::size_t unit, const Unit& of) {
+        const std::string light = fmt::format("{}Light{}", variable_, unit);
+        writer_.add(fmt::format("GLfloat {}[4];", light));
+        writer_.add({plain(fmt::format("lightInModel((const GLfloat[]){{")),
+                     plain(fmt::format("{}", literal(emission_.scene.light.position.x, Literal::Float))),
+                     plain(fmt::format(", {}", literal(emission_.scene.light.position.y, Literal::Float))),
+                     plain(fmt::format(", {}", literal(emission_.scene.light.position.z, Literal::Float))),
+                     plain(fmt::format(", {}", literal(emission_.scene.light.position.w, Literal::Float))),
+                     plain(fmt::format("}}, {}, {});", of.emboss.carrier == LightCarrier::Transpose ? 1 : 0,
+                                       light))});
+        writer_.add(fmt::format("emboss({0}, {1}Positions, {1}GivenCoords{2}, {1}Tangents{2}, {3}, {4}, "
+                                "{1}EmbossedCoords{2});",
+                                mesh_.vertices.size(), variable_, unit, light,
+                                literal(of.emboss.depth, Literal::Float)));
+    }
+
     void drawArrays(const Pass& pass) {
         writeSize();
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            if (takesCoords(pass.units[u]) && pass.units[u].emboss.enabled)
+                moveCoords(u, pass.units[u]);
+        }
         writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
         point(vertexArray, "glVertexPointer(3, ", "Positions");
         if (emission_.needsNormals)
@@ -292,16 +429,16 @@ private:
             const Unit& unit = pass.units[u];
             if (!takesCoords(unit))
                 continue;
-            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)));
+            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)), u != 0 || isSecond(pass));
+            const bool moves = unit.emboss.enabled;
             point(texCoordArray,
-                  fmt::format("glTexCoordPointer({}, ", coordComponents(u, unit.emboss.enabled)),
-                  coordsName(u, unit.emboss.enabled));
+                  fmt::format("glTexCoordPointer({}, ", moves ? 4 : coordComponents(u)),
+                  moves ? fmt::format("EmbossedCoords{}", u) : coordsName(u));
         }
         if (hasIndices(model_)) {
-            const std::string count = form_.isWritten ? fmt::format("{}", validIndices().size())
-                                                      : fmt::format("{}IndexCount", variable_);
             writer_.add({call("glDrawElements"), plain("("), primitivePart(),
-                         plain(fmt::format(", {}, {}, {}Indices);", count, unsignedIntType, variable_))});
+                         plain(fmt::format(", {}, {}, {}Indices);", indicesOf().size(), unsignedIntType,
+                                           variable_))});
         } else {
             writer_.add({call("glDrawArrays"), plain("("), primitivePart(),
                          plain(fmt::format(", 0, {});", vertexCountOf(model_)))});
@@ -328,6 +465,10 @@ private:
 
 void writeModelData(Emission& emission, std::size_t model) {
     ModelWriter(emission, model).declare();
+}
+
+void writeModelSetup(Emission& emission, std::size_t model) {
+    ModelWriter(emission, model).setUp();
 }
 
 void writeModel(Emission& emission, std::size_t pass, std::size_t model) {

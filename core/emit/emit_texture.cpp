@@ -20,6 +20,19 @@ bool hasEffect(const ParamRow& row, const Texture& texture, Target target) {
     return !isOfDepths || isDepth(texture.internalFormat);
 }
 
+/// Where its picture comes from.
+std::string originOf(const Texture& texture) {
+    switch (texture.source) {
+    case SourceKind::Pattern:
+        return fmt::format("the pattern \"{}\"", rowOf(texture.pattern).name);
+    case SourceKind::File:
+        return texture.file.empty() ? "no file" : fmt::format("\"{}\"", texture.file);
+    case SourceKind::LightDepth:
+        break;
+    }
+    return std::string(rowOf(texture.source).label);
+}
+
 void writeTexture(Emission& emission, std::size_t object) {
     static const Texture initial;
     const auto [index, target] = emission.objects[object];
@@ -28,14 +41,16 @@ void writeTexture(Emission& emission, std::size_t object) {
     const Holder holder{textureTable(), &texture, &initial, elementOf<&Scene::textures>(index),
                         variable,       variable, target};
     CodeWriter& writer = emission.writer;
-    writer.heading(fmt::format("texture {}", index));
+    writer.heading(fmt::format("texture {}: {}", index, originOf(texture)));
+    writer.open(fmt::format("static void loadTexture{}(void)", object));
     writer.add(
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
     for (const ParamRow& row : holder.table.params) {
         if (row.glCall.starts_with("glTexParameter") && hasEffect(row, texture, target))
             writer.row(holder, row);
     }
-    writeImages(emission, holder, index);
+    writeTexels(emission, holder, object);
+    writer.close();
 }
 
 } // namespace
@@ -63,12 +78,8 @@ std::vector<TextureObject> textureObjectsOf(const Scene& scene) {
 
 void writeTextures(Emission& emission) {
     const std::size_t count = emission.objects.size();
-    if (count == 0)
-        return;
-    emission.writer.heading("texture objects");
-    emission.writer.add(fmt::format("GLuint textures[{}];", count));
-    emission.writer.add(fmt::format("glGenTextures({}, textures);", count));
-    emission.writer.add("glPixelStorei(GL_UNPACK_ALIGNMENT, 1);");
+    if (count > 0)
+        emission.atStart.add(fmt::format("static GLuint textures[{}];", count));
     for (std::size_t i = 0; i < count; ++i)
         writeTexture(emission, i);
 }

@@ -40,7 +40,8 @@ std::vector<Part> movingNumbers(CodeWriter& writer, const glm::vec3& start, cons
 class StepWriter {
 public:
     StepWriter(Emission& emission, const Holder& unit, std::size_t index)
-        : writer_(emission.writer)
+        : emission_(emission)
+        , writer_(emission.writer)
         , light_(emission.scene.light)
         , step_(static_cast<const Unit*>(unit.values)->matrix[index])
         , path_(fmt::format("{}.{}", unit.path, elementOf<&Unit::matrix>(index)))
@@ -51,17 +52,21 @@ public:
             (step_.op == MatrixOp::Rotate || step_.op == MatrixOp::Scale) && step_.pivot != glm::vec3(0);
         if (pivots)
             move(false);
+        const std::string angle = own(keyOf<&MatrixStep::angle>());
         switch (step_.op) {
         case MatrixOp::Translate:
             writer_.add(callWith("glTranslatef", amount()));
             break;
         case MatrixOp::Rotate: {
+            if (step_.rate == glm::vec3(0) && step_.amount == glm::vec3(0))
+                break; // no axis: OpenGL leaves it undefined
             std::vector<Part> arguments =
-                moving(writer_, number(step_.angle, own(keyOf<&MatrixStep::angle>())),
-                       number(step_.angleRate, own(keyOf<&MatrixStep::angleRate>())), step_.angleRate != 0);
+                turning(writer_, number(step_.angle, angle),
+                        number(step_.angleRate, own(keyOf<&MatrixStep::angleRate>())), step_.angleRate != 0);
             arguments.push_back(plain(", "));
             append(arguments, amount());
-            writer_.add(callWith("glRotatef", std::move(arguments)));
+            writer_.add(callWith("glRotatef", std::move(arguments)),
+                        step_.angle != 0 || step_.angleRate != 0);
             break;
         }
         case MatrixOp::Scale:
@@ -117,10 +122,11 @@ private:
         writer_.add("glScalef(0.5f, 0.5f, 0.5f);");
         std::vector<Part> parts;
         if (light_.position.w == 0) {
-            const std::string half = literal(static_cast<float>(1 / projection[0].x), Literal::Double);
+            const std::string half = fmt::format("{}", 1 / projection[0].x);
             parts = {call("glOrtho"), plain(fmt::format("(-{0}, {0}, -{0}, {0}", half))};
         } else {
-            parts = {call("gluPerspective"), plain("("),
+            emission_.use(CFunction::Perspective);
+            parts = {plain("perspective("),
                      part(projector.fieldOfView,
                           pathOf<&Scene::light, &Light::projector, &Projector::fieldOfView>()),
                      plain(", 1.0")};
@@ -130,6 +136,7 @@ private:
         matrix("glMultMatrixf", glm::mat4(view), {});
     }
 
+    Emission& emission_;
     CodeWriter& writer_;
     const Light& light_;
     const MatrixStep& step_;
@@ -152,6 +159,16 @@ public:
                   joined(emission.passVariable(pass), fmt::format("unit{}", index)),
                   unit_.target} {}
 
+    /// In every frame, where nothing else of the unit is.
+    void writeMoving() {
+        if (!unit_.enabled || !movesMatrix())
+            return;
+        writer_.heading(fmt::format("unit {}", index_));
+        activate(emission_.activeUnit != static_cast<int>(index_));
+        emission_.activeUnit = static_cast<int>(index_);
+        writeMatrix();
+    }
+
     void write() {
         writer_.heading(fmt::format("unit {}", index_));
         if (unit_.enabled)
@@ -161,6 +178,12 @@ public:
     }
 
 private:
+    [[nodiscard]] bool movesMatrix() const {
+        return std::ranges::any_of(unit_.matrix, [](const MatrixStep& step) {
+            return step.rate != glm::vec3(0) || step.angleRate != 0;
+        });
+    }
+
     static const Unit& initialUnit() {
         static const Unit initial;
         return initial;
@@ -188,6 +211,7 @@ private:
         activate(wasOn);
         writer_.add(switching(false, shown.value_or(unit_.target)), wasOn);
         shown.reset();
+        emission_.mayShow[index_] = false;
         if (wasOn)
             emission_.activeUnit = static_cast<int>(index_);
     }
@@ -198,8 +222,9 @@ private:
         std::optional<Target>& shown = emission_.shown[index_];
         if (shown && *shown != unit_.target)
             writer_.add({enabling(false, {}), plain(fmt::format("({});", rowOf(*shown).name))});
-        writer_.add(switching(true, unit_.target), shown != unit_.target);
+        writer_.add(switching(true, unit_.target), shown != unit_.target || emission_.mayShow[index_]);
         shown = unit_.target;
+        emission_.mayShow[index_] = false;
         bind();
         const std::array taken{memberId<&Unit::enabled>, memberId<&Unit::target>, memberId<&Unit::texture>};
         for (const ParamRow& row : holder_.table.params) {
@@ -213,7 +238,9 @@ private:
                 writer_.row(combine, row);
         }
         writeGeneration();
-        writeMatrix();
+        const bool isLeftToTheFrame = !emission_.inFrame && movesMatrix();
+        if (!isLeftToTheFrame)
+            writeMatrix();
     }
 
     void bind() {
@@ -261,23 +288,30 @@ private:
         const ParamRow& row = *findParam(texGenTable(0), keyOf<&TexGen::eyePlane>());
         const bool needed = std::ranges::any_of(
             eyePlanes, [&](const Holder& holder) { return writer_.differs(holder, row); });
-        writer_.add("glPushMatrix();", needed);
-        writer_.add("glLoadIdentity();", needed);
+        const bool hasCamera = needed && emission_.inFrame;
+        writer_.add("glPushMatrix();", hasCamera);
+        writer_.add("glLoadIdentity();", hasCamera);
         for (const Holder& holder : eyePlanes)
             writer_.row(holder, memberId<&TexGen::eyePlane>);
-        writer_.add("glPopMatrix();", needed);
+        writer_.add("glPopMatrix();", hasCamera);
     }
 
     void writeMatrix() {
         bool& hasMatrix = emission_.hasMatrix[index_];
-        if (unit_.matrix.empty() && !hasMatrix)
+        const TextureCode* texels = emission_.codeOf(unit_);
+        const bool flips = texels && texels->lateFlip == LateFlip::Matrix;
+        if (unit_.matrix.empty() && !flips && !hasMatrix)
             return;
         writer_.add(fmt::format("glMatrixMode({});", textureMode));
         writer_.add("glLoadIdentity();");
+        if (flips) {
+            writer_.add("glTranslatef(0.0f, 1.0f, 0.0f); /* t becomes 1 - t: the image is upside down */");
+            writer_.add("glScalef(1.0f, -1.0f, 1.0f);");
+        }
         for (std::size_t i = 0; i < unit_.matrix.size(); ++i)
             StepWriter(emission_, holder_, i).write();
         writer_.add(fmt::format("glMatrixMode({});", modelViewMode));
-        hasMatrix = !unit_.matrix.empty();
+        hasMatrix = flips || !unit_.matrix.empty();
     }
 
     Emission& emission_;
@@ -288,6 +322,11 @@ private:
 };
 
 } // namespace
+
+void writeMovingMatrices(Emission& emission, std::size_t pass) {
+    for (std::size_t i = 0; i < maxUnits; ++i)
+        UnitWriter(emission, pass, i).writeMoving();
+}
 
 void writeUnits(Emission& emission, std::size_t pass) {
     for (const bool on : {true, false}) { // what is off comes last, where all calls are shown

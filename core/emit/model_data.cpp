@@ -1,6 +1,6 @@
 #include "core/emit/model_data.h"
 
-#include "core/emit/emit.h"
+#include "core/emit/program.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 
@@ -9,9 +9,10 @@
 namespace texplorer::emit {
 namespace {
 
-bool isQuadric(Shape shape) {
+/// Turned about an axis: see core/emit/c_functions.h.
+bool isTurned(Shape shape) {
     return shape == Shape::Sphere || shape == Shape::Cylinder || shape == Shape::Disk ||
-           shape == Shape::PartialDisk;
+           shape == Shape::PartialDisk || shape == Shape::Torus;
 }
 
 /// Of squares, four corners each.
@@ -39,7 +40,7 @@ std::string primitiveOf(const Model& model) {
     return std::string(rowOf(isMadeOfQuads(model.shape) ? Primitive::Quads : Primitive::Triangles).name);
 }
 
-ModelForm formOf(const Scene& scene, std::size_t index) {
+ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
     const Model& model = scene.models[index];
     ModelForm form;
     int passes = 0;
@@ -54,20 +55,19 @@ ModelForm formOf(const Scene& scene, std::size_t index) {
     }
     if (passes == 0)
         return form;
-    const auto any = [](const std::array<bool, maxUnits>& units, std::size_t from) {
-        return std::any_of(units.begin() + static_cast<std::ptrdiff_t>(from), units.end(),
-                           [](bool on) { return on; });
-    };
-    const bool isEmbossed = any(form.embossed, 0);
+    const bool isEmbossed = std::ranges::find(form.embossed, true) != form.embossed.end();
     const bool isSmall = vertexCountOf(model) <= mostWrittenVertices;
     const bool isPlain = isMadeOfQuads(model.shape) || model.shape == Shape::Mesh;
-    if (isQuadric(model.shape) && !any(form.coords, 1) && !isEmbossed && model.texCoords[0].empty())
-        form.drawing = Drawing::Quadric;
-    else if (isPlain && isSmall && !hasIndices(model) && !isEmbossed && passes == 1)
-        form.drawing = Drawing::Vertices;
+    bool hasOwnCoords = false;
+    for (std::size_t u = 0; u < maxUnits; ++u)
+        hasOwnCoords |= form.coords[u] && !model.texCoords[u].empty();
+    if (isTurned(model.shape) && !isEmbossed && !hasOwnCoords && !flips)
+        form.drawing = Drawing::Shape;
+    else if (isPlain && isSmall && !hasIndices(model) && !isEmbossed)
+        form.drawing = Drawing::List;
     else
         form.drawing = Drawing::Arrays;
-    form.isWritten = isPlain && isSmall && model.mesh.indices.size() <= mostWrittenVertices;
+    form.isWritten = isPlain && isSmall && !isEmbossed && model.mesh.indices.size() <= mostWrittenVertices;
     return form;
 }
 

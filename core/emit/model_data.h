@@ -13,14 +13,14 @@ namespace texplorer::emit {
 /// How a program draws a model.
 enum class Drawing : std::uint8_t {
     None,
-    Quadric,  ///< with GLU, which gives coordinates to unit 0 alone
-    Vertices, ///< between glBegin and glEnd
-    Arrays,
+    List,   ///< a display list of what stands between glBegin and glEnd
+    Shape,  ///< arrays that a function makes: sphere()
+    Arrays, ///< arrays whose numbers stand in the program
 };
 
 struct ModelForm {
     Drawing drawing = Drawing::None;
-    bool isWritten = false;                ///< of arrays: their numbers, and not only their names
+    bool isWritten = false;                ///< of arrays: a row for each vertex, and not at the end
     std::array<bool, maxUnits> coords{};   ///< which units take coordinates from the vertices as they are
     std::array<bool, maxUnits> embossed{}; ///< which take those that the program makes anew in every frame
 
@@ -30,7 +30,8 @@ struct ModelForm {
 /// Whether any coordinate that the unit's target looks at comes from the vertices.
 [[nodiscard]] bool takesCoords(const Unit& unit);
 
-[[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model);
+/// `flips`: whether t of its coordinates is turned around for some unit.
+[[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model, bool flips);
 
 /// What glBegin is given: GL_QUADS of a cube, the primitive of a mesh; of what is declared as an array of
 /// indices, GL_TRIANGLES.

@@ -1,6 +1,6 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/emit/emit.h"
+#include "core/emit/program.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -26,10 +26,16 @@ std::string callsJson(const std::string& text) {
 }
 
 ExitCode commands(const CallsOptions& options) {
-    const auto opened = openScene(options.scene);
+    auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    const std::string text = textOf(emit::callsOf(opened->scene), options.all);
+    if (const Result<void> loaded = opened->images.load(opened->scene); !loaded)
+        return complain(inScene(options.scene, loaded.error()));
+    emit::TextureCodes codes;
+    const auto lines = emit::fixedProgram(opened->scene, opened->images, {}, codes);
+    if (!lines)
+        return complain(lines.error());
+    const std::string text = textOf(*lines, options.all);
     const Result<void> printed = print(options.json ? callsJson(text) : text);
     return printed ? success : complain(printed.error());
 }

@@ -6,7 +6,6 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/emit/emit.h"
 
 #include <fmt/core.h>
 
@@ -56,14 +55,19 @@ void makeRows(CommandsTabState& state) {
 /// Makes the lines and rows anew where something is another.
 void renew(const Session& session, CommandsTabState& state, std::size_t columns) {
     const Document& document = session.document;
-    const bool isSame = state.scene && *state.scene == document.scene;
+    const bool isSame =
+        state.scene && *state.scene == document.scene && state.images == document.images;
     // The numbers of a list are compared with those before only where something changed.
     if (isSame && state.columns == columns && state.rowsShowAll == state.showsAll &&
         state.lastChanged == document.lastChanged)
         return;
     state.changed = changedPaths(document);
     if (!isSame) {
-        std::vector<emit::Line> lines = emit::callsOf(document.scene);
+        const emit::ProgramOptions options{.title = "Texplorer"};
+        std::vector<emit::Line> lines =
+            emit::fixedProgram(document.scene, document.images, options, state.texels)
+                .value_or(std::vector<emit::Line>{});
+        state.texels.forgetUnused();
         const auto haveChanged = [&](const std::vector<emit::Line>& among) {
             return std::ranges::any_of(
                 among, [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
@@ -72,6 +76,7 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
         if (!ImGui::IsAnyItemActive() || haveChanged(lines) || !haveChanged(state.lines)) {
             state.lines = std::move(lines);
             state.scene = document.scene;
+            state.images = document.images;
         }
     }
     state.columns = columns;

@@ -2,7 +2,7 @@
 
 #include "app/ui/details/changed_paths.h"
 #include "app/ui/model/session.h"
-#include "core/emit/code.h"
+#include "core/emit/program.h"
 
 #include <optional>
 #include <string>
@@ -24,6 +24,8 @@ struct CommandsTabState {
 
     // What was made of the scene, until it is another one.
     std::optional<Scene> scene;
+    ImageSource images;
+    emit::TextureCodes texels;
     std::vector<emit::Line> lines;
     std::vector<CodeRow> rows;
     ChangedPaths changed; ///< whose lines glow, and stay though OpenGL has their values

@@ -1,0 +1,99 @@
+#include "core/emit/emission.h"
+
+#include "core/scene/drawn_models.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::emit {
+namespace {
+
+/// Whether anything looks at normals: light, and coordinates that reflect.
+bool looksAtNormals(const Pass& pass) {
+    const auto reflects = [](const TexGen& generated) {
+        return generated.enabled && generated.mode != TexGenMode::ObjectLinear &&
+               generated.mode != TexGenMode::EyeLinear;
+    };
+    return pass.enabled && (pass.lighting || std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                                return unit.enabled && (reflects(unit.texGenS) || reflects(unit.texGenT) ||
+                                                        reflects(unit.texGenR) || reflects(unit.texGenQ));
+                            }));
+}
+
+} // namespace
+
+Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& given,
+                   TextureCodes& codes)
+    : scene(drawn)
+    , options(given)
+    , objects(textureObjectsOf(drawn))
+    , needsNormals(std::ranges::any_of(drawn.passes, looksAtNormals)) {
+    writer.explain(given.explained);
+    for (const TextureObject& object : objects) {
+        const Texture& texture = drawn.textures[object.texture];
+        const TexturePictures pictures = images.picturesOf(texture);
+        texels.push_back(pictures.base && hasPixels(*pictures.base)
+                             ? codes.of(texture, pictures, object.target, false)
+                             : nullptr);
+    }
+    for (std::size_t i = 0; i < drawn.models.size(); ++i) {
+        bool flips = false;
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            flips |= flipsCoords(i, u);
+        models.push_back(formOf(drawn, i, flips));
+    }
+}
+
+std::string Emission::passVariable(std::size_t pass) const {
+    const auto drawn =
+        std::ranges::count_if(scene.passes, [&](const Pass& each) { return drawsAnything(scene, each); });
+    return drawn > 1 ? fmt::format("pass{}", pass) : std::string();
+}
+
+const TextureCode* Emission::codeOf(const Unit& unit) const {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i] == TextureObject{static_cast<std::size_t>(unit.texture), unit.target})
+            return texels[i] && *texels[i] ? &**texels[i] : nullptr;
+    }
+    return nullptr;
+}
+
+bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
+        const TextureCode* code = pass.units[unit].enabled ? codeOf(pass.units[unit]) : nullptr;
+        return code && code->lateFlip == LateFlip::Coordinates &&
+               std::ranges::find(drawn, model) != drawn.end();
+    });
+}
+
+void Emission::addData(const std::string& type, const std::string& name, std::size_t count,
+                       std::string numbers) {
+    const std::string declaration = fmt::format("static const {} {}[{}]", type, name, count);
+    atStart.add({plain(declaration + "; "), {Part::Kind::Comment, "/* at the end */"}});
+    atEnd.data(declaration, count, std::move(numbers));
+}
+
+std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& texture,
+                                                            const TexturePictures& pictures, Target target,
+                                                            bool reads) {
+    const LevelsRequest request{pictures, imageSettings(texture), target};
+    for (Kept& each : kept_) {
+        if (each.request == request && each.reads == reads) {
+            each.used = true;
+            return each.code;
+        }
+    }
+    auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reads));
+    kept_.push_back({request, reads, code});
+    return code;
+}
+
+void TextureCodes::forgetUnused() {
+    std::erase_if(kept_, [](const Kept& each) { return !each.used; });
+    for (Kept& each : kept_)
+        each.used = false;
+}
+
+} // namespace texplorer::emit

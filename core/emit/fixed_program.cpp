@@ -1,0 +1,198 @@
+// OpenGL 2.1 and C99.
+
+#include "core/emit/emission.h"
+#include "core/emit/program_frame.h"
+#include "core/gl/argument_names.h"
+#include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::emit {
+namespace {
+
+/// Of fog, only what its mode looks at.
+bool hasEffect(const ParamRow& row, const Fog& fog) {
+    if (row.member == memberId<&Fog::enabled>)
+        return true;
+    const bool isLinear = fog.mode == FogMode::Linear;
+    if (row.member == memberId<&Fog::density>)
+        return fog.enabled && !isLinear;
+    if (row.member == memberId<&Fog::start> || row.member == memberId<&Fog::end>)
+        return fog.enabled && isLinear;
+    return fog.enabled;
+}
+
+/// A driver of OpenGL 2.1 doesn't know the name.
+bool hasCubeMap(const Pass& pass) {
+    return std::ranges::any_of(
+        pass.units, [](const Unit& unit) { return unit.enabled && unit.target == Target::CubeMap; });
+}
+
+void writePassState(Emission& emission, std::size_t index) {
+    static const Pass initial;
+    const Pass& pass = emission.scene.passes[index];
+    const std::string path = elementOf<&Scene::passes>(index);
+    CodeWriter& writer = emission.writer;
+    if (emission.passVariable(index).empty())
+        writer.heading("lighting, tests, blending and fog");
+    else if (pass.name.empty())
+        writer.heading(fmt::format("pass {}", index));
+    else
+        writer.heading(fmt::format("pass {}: {}", index, pass.name));
+    const Holder holder{passTable(), &pass, &initial, path, "pass", emission.passVariable(index)};
+    for (const ParamRow& row : holder.table.params) {
+        const bool isUnknown = row.member == memberId<&Pass::seamlessCubeMap> && !hasCubeMap(pass);
+        if (!row.glCall.empty() && !isUnknown)
+            writer.row(holder, row);
+    }
+    const std::string& fog = keyOf<&Pass::fog>();
+    const Holder fogHolder{fogTable(),   &pass.fog,
+                           &initial.fog, fmt::format("{}.{}", path, fog),
+                           fog,          joined(holder.variable, fog)};
+    for (const ParamRow& row : fogHolder.table.params) {
+        if (hasEffect(row, pass.fog))
+            writer.row(fogHolder, row);
+    }
+}
+
+/// The passes that draw something.
+std::vector<std::size_t> drawnPasses(const Scene& scene) {
+    std::vector<std::size_t> passes;
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        if (drawsAnything(scene, scene.passes[p]))
+            passes.push_back(p);
+    }
+    return passes;
+}
+
+/// init(), and draw() with what each frame does.
+class FixedWriter {
+public:
+    FixedWriter(Emission& emission, const FrameStart& start)
+        : emission_(emission)
+        , writer_(emission.writer)
+        , start_(start)
+        , passes_(drawnPasses(emission.scene)) {}
+
+    void write() {
+        writeTextures(emission_);
+        for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
+            writeModelData(emission_, m);
+        writeInit();
+        writeDraw();
+    }
+
+    /// What the second frame begins with otherwise than the first.
+    [[nodiscard]] FrameStart end() const {
+        FrameStart found;
+        for (const auto& [key, value] : writer_.state()) {
+            const auto before = before_.find(key);
+            const auto initial = writer_.initialState().find(key);
+            const bool wasKnown = before != before_.end();
+            if (wasKnown ? before->second != value
+                         : initial == writer_.initialState().end() || initial->second != value)
+                found.unknown.insert(key);
+        }
+        for (std::size_t i = 0; i < maxUnits; ++i) {
+            found.mayShow[i] = emission_.shown[i] != shownBefore_[i];
+            found.shown[i] = emission_.shown[i] ? emission_.shown[i] : shownBefore_[i];
+            found.hasMatrix[i] = emission_.hasMatrix[i];
+        }
+        found.unitIsUnknown = emission_.activeUnit != unitBefore_;
+        return found;
+    }
+
+private:
+    void writePass(std::size_t pass) {
+        writePassState(emission_, pass);
+        writeUnits(emission_, pass);
+    }
+
+    void writeInit() {
+        writer_.heading("what is set once");
+        writer_.open("static void init(void)");
+        writer_.heading(keyOf<&Scene::textures>());
+        if (!emission_.objects.empty()) {
+            writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
+            writer_.add("glPixelStorei(GL_UNPACK_ALIGNMENT, 1); /* rows of texels follow each other without a gap */");
+            for (std::size_t i = 0; i < emission_.objects.size(); ++i)
+                writer_.add(fmt::format("loadTexture{}();", i));
+        }
+        writer_.heading(keyOf<&Scene::models>());
+        for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
+            writeModelSetup(emission_, m);
+        writeLight(emission_);
+        writeMaterial(emission_);
+        if (passes_.size() == 1)
+            writePass(passes_.front());
+        writer_.close();
+    }
+
+    void beginFrame() {
+        for (const std::string& key : start_.unknown)
+            writer_.forget(key);
+        before_ = writer_.state();
+        shownBefore_ = emission_.shown;
+        unitBefore_ = emission_.activeUnit;
+        for (std::size_t i = 0; i < maxUnits; ++i) {
+            if (start_.mayShow[i])
+                emission_.shown[i] = start_.shown[i];
+            emission_.mayShow[i] = start_.mayShow[i];
+            emission_.hasMatrix[i] |= start_.hasMatrix[i];
+        }
+        if (start_.unitIsUnknown)
+            emission_.activeUnit = -1;
+        emission_.inFrame = true;
+    }
+
+    void writeDraw() {
+        writer_.heading("a frame");
+        writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
+                                                     : "static void draw(int width, int height)");
+        beginFrame();
+        writeProjection(emission_);
+        writeCamera(emission_);
+        for (const std::size_t pass : passes_) {
+            if (passes_.size() > 1)
+                writePass(pass);
+            else
+                writeMovingMatrices(emission_, pass);
+            for (const std::size_t model : drawnModels(emission_.scene, emission_.scene.passes[pass]))
+                writeModel(emission_, pass, model);
+        }
+        writer_.close();
+    }
+
+    Emission& emission_;
+    CodeWriter& writer_;
+    const FrameStart& start_;
+    std::vector<std::size_t> passes_;
+    CodeWriter::State before_;
+    std::array<std::optional<Target>, maxUnits> shownBefore_{};
+    int unitBefore_ = 0;
+};
+
+} // namespace
+
+Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
+                                       const ProgramOptions& options, TextureCodes& codes) {
+    FrameStart start;
+    bool moves = false;
+    { // once to see what a frame leaves behind, and whether anything moves
+        Emission trial(scene, images, options, codes);
+        FixedWriter writer(trial, start);
+        writer.write();
+        start = writer.end();
+        moves = trial.writer.usesSeconds();
+    }
+    Emission emission(scene, images, options, codes);
+    emission.moves = moves;
+    FixedWriter(emission, start).write();
+    return framed(std::move(emission), {});
+}
+
+} // namespace texplorer::emit

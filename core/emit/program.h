@@ -1,0 +1,60 @@
+#pragma once
+
+// A whole program that draws a scene, as a student would write it: in C with GLFW, or as a page.
+
+#include "core/emit/code.h"
+#include "core/emit/texel_code.h"
+#include "core/gl/enum_row.h"
+#include "core/scene/scene.h"
+#include "core/texture/image_source.h"
+#include "core/texture/levels_source.h"
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace texplorer::emit {
+
+/// What the texels of textures become, kept as long as a program needs them: to make them takes longer than
+/// to write a program.
+class TextureCodes {
+public:
+    [[nodiscard]] std::shared_ptr<const Result<TextureCode>> of(const Texture& texture,
+                                                                const TexturePictures& pictures, Target target,
+                                                                bool reads);
+    /// Forgets those that were not asked for since the last call.
+    void forgetUnused();
+
+private:
+    struct Kept {
+        LevelsRequest request;
+        bool reads;
+        std::shared_ptr<const Result<TextureCode>> code;
+        bool used = true;
+    };
+    std::vector<Kept> kept_;
+};
+
+struct ProgramOptions {
+    std::string title = "Texplorer"; ///< of the window
+    std::string about{};             ///< what the comment at its top says beside: sentences
+    std::string source = "demo.c";   ///< what the file is called: for the line that compiles it
+    int width = 640;                 ///< of the window, in pixels
+    int height = 480;
+    /// Parameters whose calls have a word on what they do before them.
+    std::set<std::string, std::less<>> explained{};
+    /// Whether BMP and TGA files that lie in a folder are read by the program: by these names; else their
+    /// texels stand in it.
+    bool readsFiles = true;
+};
+
+/// The program. What the scene's textures hold comes from `images`; one that has none is left out, as
+/// renderers leave it out. Unsupported: what the scene says that such a program can't, in one sentence.
+[[nodiscard]] Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
+                                                     const ProgramOptions& options, TextureCodes& codes);
+
+/// Meshes of more vertices are data at the end of the program.
+inline constexpr std::size_t mostWrittenVertices = 64;
+
+} // namespace texplorer::emit

@@ -1,0 +1,160 @@
+#include "core/emit/program_frame.h"
+
+#include "core/base/printable.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace texplorer::emit {
+namespace {
+
+constexpr std::size_t commentColumns = 100;
+
+/// A C string of one line.
+std::string stringLiteral(std::string_view words) {
+    std::string text = "\"";
+    for (const char c : printable(words)) {
+        if (c == '"' || c == '\\')
+            text += '\\';
+        text += c;
+        if (text.ends_with("??")) // which C99 reads as the beginning of a trigraph
+            text.insert(text.size() - 1, "\\");
+    }
+    return text + "\"";
+}
+
+/// Where shells and eyes agree: letters, digits and a few others.
+std::string fileName(const std::string& name) {
+    std::string text;
+    for (const char c : name)
+        text += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ? c : '_';
+    return text.empty() || text.front() == '-' ? "demo.c" : text;
+}
+
+std::string stemOf(const std::string& name) {
+    return name.ends_with(".c") ? name.substr(0, name.size() - 2) : name + ".out";
+}
+
+/// "/*" and lines of words that begin with " * ".
+void addComment(std::vector<Line>& lines, const std::vector<std::string>& paragraphs) {
+    std::string text;
+    for (const std::string& paragraph : paragraphs) {
+        std::string rest = inComment(paragraph);
+        do {
+            std::size_t cut = rest.size();
+            if (rest.size() > commentColumns)
+                cut = std::min(rest.rfind(' ', commentColumns), rest.size());
+            text += (text.empty() ? "/* " : " * ") + rest.substr(0, cut) + "\n";
+            rest.erase(0, std::min(cut + 1, rest.size()));
+        } while (!rest.empty());
+    }
+    text.insert(text.size() - 1, " */");
+    for (Line& line : linesOf(text))
+        lines.push_back(std::move(line));
+}
+
+constexpr std::string_view mouse = R"(/* Dragging turns the view, the wheel goes nearer. */
+static void onMove(GLFWwindow *window, double x, double y)
+{
+    static double lastX, lastY;
+    if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+        azimuth -= (GLfloat)(x - lastX) / 2;
+        elevation += (GLfloat)(y - lastY) / 2;
+    }
+    lastX = x;
+    lastY = y;
+}
+
+static void onScroll(GLFWwindow *window, double x, double y)
+{
+    (void)window;
+    (void)x;
+    distance *= powf(0.9f, (GLfloat)y);
+}
+)";
+
+std::string mainFunction(const Emission& emission, const CProgram& program) {
+    std::string hints;
+    for (const std::string& hint : program.hints)
+        hints += fmt::format("    glfwWindowHint({});\n", hint);
+    const bool moves = emission.moves;
+    return fmt::format(R"(
+int main(void)
+{{
+    if (!glfwInit()) {{
+        fputs("GLFW can't be initialised\n", stderr);
+        return EXIT_FAILURE;
+    }}
+{}    GLFWwindow *window = glfwCreateWindow({}, {}, {}, NULL, NULL);
+    if (!window) {{
+        fputs("there is no window with OpenGL\n", stderr);
+        glfwTerminate();
+        return EXIT_FAILURE;
+    }}
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1); /* a frame for each picture of the screen */
+    glfwSetCursorPosCallback(window, onMove);
+    glfwSetScrollCallback(window, onScroll);
+    init();
+    while (!glfwWindowShouldClose(window)) {{
+        int width, height;
+        glfwGetFramebufferSize(window, &width, &height);
+        if (height > 0)
+            draw(width, height{});
+        glfwSwapBuffers(window);
+        {}
+    }}
+    glfwTerminate();
+    return EXIT_SUCCESS;
+}}
+)",
+                       hints, emission.options.width, emission.options.height, stringLiteral(emission.options.title),
+                       moves ? ", glfwGetTime()" : "",
+                       moves ? "glfwPollEvents();" : "glfwWaitEvents(); /* nothing moves by itself */");
+}
+
+void append(std::vector<Line>& lines, std::vector<Line> more) {
+    std::ranges::move(more, std::back_inserter(lines));
+}
+
+} // namespace
+
+std::vector<Line> framed(Emission&& emission, const CProgram& program) {
+    const ProgramOptions& options = emission.options;
+    std::vector<Line> lines;
+    const std::string file = fileName(options.source);
+    std::vector<std::string> about{options.title,
+                                   fmt::format("cc {} -o {} -lglfw -lGL -lm", file, stemOf(file))};
+    if (!options.about.empty())
+        about.insert(about.begin() + 1, options.about);
+    addComment(lines, about);
+    const std::string headers = "#define GL_GLEXT_PROTOTYPES /* functions of OpenGL after 1.1, as glActiveTexture */\n"
+                          "#define GLFW_INCLUDE_GLEXT\n"
+                          "#include <GLFW/glfw3.h>\n"
+                          "#include <math.h>\n"
+                          "#include <stdio.h>\n"
+                          "#include <stdlib.h>\n" +
+                          std::string(emission.functions.contains(CFunction::Unpack) ? "#include <string.h>\n"
+                                                                                     : "") +
+                          "\n";
+    append(lines, linesOf(headers));
+    if (emission.functions.erase(CFunction::MeshTypes) > 0) {
+        append(lines, linesOf({CFunction::MeshTypes}));
+        append(lines, linesOf("\n"));
+    }
+    append(lines, std::move(emission.atStart).take());
+    if (emission.needsPi || emission.functions.contains(CFunction::Turned) ||
+        emission.functions.contains(CFunction::Perspective))
+        append(lines, linesOf("static const double pi = 3.14159265358979323846;\n"));
+    append(lines, linesOf(emission.functions));
+    append(lines, std::move(emission.writer).take());
+    append(lines, linesOf(mouse));
+    append(lines, linesOf(mainFunction(emission, program)));
+    append(lines, std::move(emission.atEnd).take());
+    finish(lines);
+    return lines;
+}
+
+} // namespace texplorer::emit

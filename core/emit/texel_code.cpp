@@ -1,0 +1,283 @@
+#include "core/emit/texel_code.h"
+
+#include "core/image/convert.h"
+#include "core/image/mipmaps.h"
+#include "core/texture/target_image.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+namespace texplorer::emit {
+namespace {
+
+/// The levels of one number, one for each face.
+struct Faces {
+    int number;
+    std::vector<const Surface*> surfaces;
+};
+
+std::vector<Faces> facesOf(const TextureLevels& levels) {
+    std::vector<Faces> all;
+    for (const TextureLevel& level : levels.levels) {
+        auto found = std::ranges::find(all, level.number, &Faces::number);
+        if (found == all.end())
+            found = all.insert(all.end(), {level.number, {}});
+        found->surfaces.push_back(&*level.surface);
+    }
+    std::ranges::sort(all, {}, &Faces::number);
+    return all;
+}
+
+Image asRgba(const Image& image) {
+    if (image.format == PixelFormat::Rgba8)
+        return image;
+    Image out = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height, image.depth);
+    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
+    for (std::size_t from = 0, to = 0; from < image.pixels.size(); from += step, to += 4) {
+        const auto texel = rgbaOf(image.format, image.pixels.data() + from);
+        std::memcpy(out.pixels.data() + to, texel.data(), texel.size());
+    }
+    return out;
+}
+
+bool isFlat(const Bytes& texels) {
+    return texels.size() > 4 && std::memcmp(texels.data(), texels.data() + 4, texels.size() - 4) == 0;
+}
+
+/// What halve() of the program makes: averages of four, or of two where there is one row or column.
+bool isHalfOf(const Image& half, const Image& whole) {
+    if (whole.depth != 1 || (whole.width > 1 && whole.width % 2 != 0) ||
+        (whole.height > 1 && whole.height % 2 != 0) || half.width != std::max(1, whole.width / 2) ||
+        half.height != std::max(1, whole.height / 2))
+        return false;
+    const int right = whole.width > 1 ? 1 : 0;
+    const int up = whole.height > 1 ? 1 : 0;
+    for (int y = 0; y < half.height; ++y) {
+        for (int x = 0; x < half.width; ++x) {
+            const int left = x << right;
+            const int low = y << up;
+            const std::array corners{whole.at(left, low), whole.at(left + right, low),
+                                     whole.at(left, low + up), whole.at(left + right, low + up)};
+            const ByteView found = half.at(x, y);
+            for (std::size_t i = 0; i < 4; ++i) {
+                int sum = 2;
+                for (const ByteView& corner : corners)
+                    sum += std::to_integer<int>(corner[i]);
+                if (sum / 4 != std::to_integer<int>(found[i]))
+                    return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Whether some lines of C draw it.
+bool isComputed(LevelCode& level, const Texture& texture, const Image& image, Target target) {
+    if (texture.source != SourceKind::Pattern)
+        return false;
+    const bool isBoard = texture.pattern == Pattern::Checker || texture.pattern == Pattern::CheckerRed;
+    if ((!isBoard && texture.pattern != Pattern::Gradient) || target == Target::CubeMap ||
+        imageForTarget(drawPattern(texture.pattern), target) != image || image.height == 1)
+        return false;
+    level.source = isBoard ? TexelSource::Checker : TexelSource::Gradient;
+    level.color = {255, 255, 255, 255};
+    level.square = 8;
+    if (texture.pattern == Pattern::CheckerRed) {
+        level.color = {255, 0, 0, 255};
+        level.square = 16;
+    }
+    return true;
+}
+
+class CodeMaker {
+public:
+    CodeMaker(const Texture& texture, Target target, bool reads)
+        : texture_(texture)
+        , target_(target)
+        , reads_(reads) {}
+
+    TextureCode make(const TextureLevels& levels) {
+        out_.border = levels.border;
+        out_.lastLevel = levels.lastLevel;
+        out_.lateFlip = levels.lateFlip;
+        out_.driverCompresses = levels.driverFormat.has_value();
+        for (const Faces& faces : facesOf(levels)) {
+            out_.faces = static_cast<int>(faces.surfaces.size());
+            if (const auto* blocks = std::get_if<BlockImage>(faces.surfaces.front()))
+                addBlocks(faces, *blocks);
+            else
+                addPixels(faces, std::get<Image>(*faces.surfaces.front()));
+        }
+        return std::move(out_);
+    }
+
+private:
+    static Bytes joined(const Faces& faces) {
+        Bytes bytes;
+        for (const Surface* surface : faces.surfaces) {
+            const auto* image = std::get_if<Image>(surface);
+            const auto* blocks = std::get_if<BlockImage>(surface);
+            const Bytes& from = image ? image->pixels : blocks->blocks;
+            bytes.insert(bytes.end(), from.begin(), from.end());
+        }
+        return bytes;
+    }
+
+    void addBlocks(const Faces& faces, const BlockImage& first) {
+        out_.blocks = first.format;
+        out_.levels.push_back({faces.number, first.width, first.height, 1, TexelSource::Compressed, {}, 0,
+                               joined(faces)});
+    }
+
+    void addPixels(const Faces& faces, const Image& first) {
+        LevelCode level{faces.number, first.width, first.height, first.depth};
+        if (first.format == PixelFormat::Depth32) {
+            level.source = TexelSource::Depths;
+            level.bytes = joined(faces);
+            out_.levels.push_back(std::move(level));
+            return;
+        }
+        std::vector<Image> images;
+        Bytes texels;
+        for (const Surface* surface : faces.surfaces) {
+            images.push_back(asRgba(std::get<Image>(*surface)));
+            texels.insert(texels.end(), images.back().pixels.begin(), images.back().pixels.end());
+        }
+        const bool isBase = out_.levels.empty();
+        if (!isBase && out_.border == 0 && isHalved(faces.number, images))
+            level.source = TexelSource::Halved;
+        else if (isBase && reads_)
+            level.source = TexelSource::Read;
+        else if (isBase && out_.border == 0 && isComputed(level, texture_, images.front(), target_)) {
+        } else if (isFlat(texels)) {
+            level.source = TexelSource::Flat;
+            std::memcpy(level.color.data(), texels.data(), 4);
+        } else if (texels.size() <= std::size_t{4} * mostListed)
+            level.bytes = std::move(texels);
+        else {
+            level.source = TexelSource::Packed;
+            level.bytes = packed(texels);
+        }
+        last_ = std::move(images);
+        lastNumber_ = faces.number;
+        out_.levels.push_back(std::move(level));
+    }
+
+    [[nodiscard]] bool isHalved(int number, const std::vector<Image>& images) const {
+        std::vector<Image> whole = last_;
+        if (number == lastNumber_ + 2) { // one is left out
+            for (Image& image : whole)
+                image = mipLevelsAbove(MipPolicy::Generated, image).at(0);
+        } else if (number != lastNumber_ + 1)
+            return false;
+        for (std::size_t i = 0; i < images.size() && i < whole.size(); ++i) {
+            if (!isHalfOf(images[i], whole[i]))
+                return false;
+        }
+        return images.size() == whole.size();
+    }
+
+    const Texture& texture_;
+    Target target_;
+    bool reads_;
+    TextureCode out_;
+    std::vector<Image> last_;
+    int lastNumber_ = -1;
+};
+
+} // namespace
+
+Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
+                                bool reads) {
+    return prepareLevels(texture, pictures, target).map([&](const TextureLevels& levels) {
+        return CodeMaker(texture, target, reads).make(levels);
+    });
+}
+
+Bytes packed(ByteView texels) {
+    using Texel = std::array<std::uint8_t, 4>;
+    Bytes out;
+    out.reserve(texels.size() / 2);
+    const auto put = [&](int byte) { out.push_back(static_cast<std::byte>(byte)); };
+    std::array<Texel, 64> seen{};
+    Texel before{0, 0, 0, 255};
+    int run = 0;
+    for (std::size_t at = 0; at < texels.size(); at += 4) {
+        Texel texel{};
+        std::memcpy(texel.data(), texels.data() + at, 4);
+        if (texel == before) {
+            if (++run == 62 || at + 4 == texels.size()) {
+                put(0xC0 | (run - 1));
+                run = 0;
+            }
+            continue;
+        }
+        if (run > 0)
+            put(0xC0 | (run - 1));
+        run = 0;
+        const auto place = static_cast<std::size_t>(texel[0] * 3 + texel[1] * 5 + texel[2] * 7 +
+                                                    texel[3] * 11) %
+                           seen.size();
+        const auto change = [&](std::size_t i) { return static_cast<std::int8_t>(texel[i] - before[i]); };
+        const int red = change(0);
+        const int green = change(1);
+        const int blue = change(2);
+        const auto fits = [](int value, int most) { return value >= -most && value < most; };
+        if (seen.at(place) == texel)
+            put(static_cast<int>(place));
+        else if (texel[3] != before[3]) {
+            put(0xFF);
+            for (const std::uint8_t each : texel)
+                put(each);
+        } else if (fits(red, 2) && fits(green, 2) && fits(blue, 2))
+            put(0x40 | (red + 2) << 4 | (green + 2) << 2 | (blue + 2));
+        else if (fits(green, 32) && fits(red - green, 8) && fits(blue - green, 8)) {
+            put(0x80 | (green + 32));
+            put((red - green + 8) << 4 | (blue - green + 8));
+        } else {
+            put(0xFE);
+            for (std::size_t i = 0; i < 3; ++i)
+                put(texel[i]);
+        }
+        seen.at(place) = texel;
+        before = texel;
+    }
+    return out;
+}
+
+std::string numbersText(ByteView bytes, bool wide) {
+    constexpr std::size_t margin = 4;
+    constexpr std::size_t columns = 100;
+    std::string text;
+    text.reserve(bytes.size() * 5);
+    std::size_t column = 0;
+    std::array<char, 16> digits{};
+    const std::size_t step = wide ? 4 : 1;
+    for (std::size_t at = 0; at + step <= bytes.size(); at += step) {
+        std::uint32_t value = 0;
+        std::memcpy(&value, bytes.data() + at, step);
+        const auto end =
+            std::to_chars(digits.data(), digits.data() + digits.size(), value, wide ? 16 : 10).ptr;
+        const std::string_view number(digits.data(), static_cast<std::size_t>(end - digits.data()));
+        const std::size_t length = number.size() + (wide ? 3 : 1);
+        if (column == 0 || column + 1 + length > columns) {
+            if (column != 0)
+                text += '\n';
+            text.append(margin, ' ');
+            column = margin;
+        } else {
+            text += ' ';
+            ++column;
+        }
+        text += wide ? "0x" : "";
+        text += number;
+        text += ',';
+        column += length;
+    }
+    if (!text.empty())
+        text += '\n';
+    return text;
+}
+
+} // namespace texplorer::emit

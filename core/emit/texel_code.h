@@ -1,0 +1,66 @@
+#pragma once
+
+// How a program comes by the texels of a texture: what it computes in a few lines, what it has to be given.
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/gl/sampling.h"
+#include "core/texture/texture_levels.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace texplorer::emit {
+
+/// Where the texels of a level come from.
+enum class TexelSource : std::uint8_t {
+    Checker,    ///< the board of a pattern: checkerboard()
+    Gradient,   ///< gradient()
+    Flat,       ///< one colour everywhere: fill()
+    Halved,     ///< the level before it, by averages of four: halve()
+    Read,       ///< an image file of which a few lines read the picture
+    Listed,     ///< few: their numbers stand in the program
+    Packed,     ///< many: packed, and unpack() makes them
+    Compressed, ///< blocks, as they are
+    Depths,     ///< 32 bits each
+};
+
+/// A level of all faces.
+struct LevelCode {
+    int number = 0;
+    int width = 0; ///< with a border
+    int height = 1;
+    int depth = 1;
+    TexelSource source = TexelSource::Listed;
+    std::array<std::uint8_t, 4> color{}; ///< of Flat; what is light of Checker
+    int square = 0;                      ///< of Checker: texels
+    /// Of all faces, one after the other: RGBA texels of Listed, the packed ones, blocks, depths of 32 bits.
+    Bytes bytes{};
+};
+
+struct TextureCode {
+    std::vector<LevelCode> levels; ///< ascending
+    int faces = 1;
+    int border = 0;
+    int lastLevel = 1000; ///< as TextureLevels has it
+    LateFlip lateFlip = LateFlip::None;
+    std::optional<BlockFormat> blocks{}; ///< of Compressed
+    bool driverCompresses = false;
+};
+
+/// Most texels that are listed.
+inline constexpr int mostListed = 64;
+
+/// `reads`: whether the program reads the file itself. Errors: those of prepareLevels.
+[[nodiscard]] Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures,
+                                              Target target, bool reads = false);
+
+/// RGBA texels as the "Quite OK Image Format" packs them (qoiformat.org), without its header and end.
+[[nodiscard]] Bytes packed(ByteView texels);
+
+/// "12, 255, 0,\n": C's numbers, in rows of up to 100 letters. Of elements of 4 bytes each where `wide` says
+/// so, as hexadecimal numbers.
+[[nodiscard]] std::string numbersText(ByteView bytes, bool wide = false);
+
+} // namespace texplorer::emit
