@@ -25,6 +25,7 @@ void addProbe(CommandLine& line);
 void addCheck(CommandLine& line);
 void addCompare(CommandLine& line);
 void addCommands(CommandLine& line);
+void addEmit(CommandLine& line);
 void addParams(CommandLine& line);
 void addPresets(CommandLine& line);
 void addScene(CommandLine& line);

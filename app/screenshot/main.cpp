@@ -34,7 +34,7 @@ struct CommandGroup {
 };
 
 const std::vector<CommandGroup> groups{
-    {"Draw", {addShot, addSweep, addAnimate, addProbe, addTexture, addCommands}},
+    {"Draw", {addShot, addSweep, addAnimate, addProbe, addTexture, addCommands, addEmit}},
     {"Compare", {addTest, addMerge, addCompare, addConform, addDiff}},
     {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons, addSchema}},
     {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},

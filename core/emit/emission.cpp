@@ -90,6 +90,15 @@ std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& textu
     return code;
 }
 
+Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
+                                  const ProgramOptions& options, TextureCodes& codes) {
+    switch (flavour) {
+    case Flavour::Fixed:
+        return fixedProgram(scene, images, options, codes);
+    }
+    return fail(ErrorCode::OutOfRange, "there is no such flavour");
+}
+
 void TextureCodes::forgetUnused() {
     std::erase_if(kept_, [](const Kept& each) { return !each.used; });
     for (Kept& each : kept_)

@@ -49,12 +49,28 @@ struct ProgramOptions {
     bool readsFiles = true;
 };
 
+/// What a program is written for.
+enum class Flavour : std::uint32_t { Fixed };
+
+inline constexpr std::array flavourRows{
+    row(Flavour::Fixed, "fixed", "Fixed function", "C99 with GLFW, OpenGL 2.1 without shaders."),
+};
+
 /// The program. What the scene's textures hold comes from `images`; one that has none is left out, as
 /// renderers leave it out. Unsupported: what the scene says that such a program can't, in one sentence.
 [[nodiscard]] Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                                      const ProgramOptions& options, TextureCodes& codes);
 
+/// The same for any flavour.
+[[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
+                                                const ProgramOptions& options, TextureCodes& codes);
+
 /// Meshes of more vertices are data at the end of the program.
 inline constexpr std::size_t mostWrittenVertices = 64;
 
 } // namespace texplorer::emit
+
+template<>
+struct texplorer::EnumTable<texplorer::emit::Flavour> {
+    static constexpr std::span<const EnumRow> rows = texplorer::emit::flavourRows;
+};

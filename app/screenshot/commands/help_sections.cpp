@@ -39,6 +39,8 @@ const std::vector<CommandExamples>& commandExamples() {
         {"texture",
          {"texshot texture --example cube -o base.png",
           "texshot texture --example earth --level 2 -o small.png"}},
+        {"emit",
+         {"texshot emit --example cube -o cube.c", "texshot emit --lesson filters --step 3 -o filters.c"}},
         {"commands", {"texshot commands", "texshot commands --example fog --all"}},
         {"test",
          {R"(echo '{"suite": 1, "cases": [{"scene": {"example": "cube"}}]}' > my.suite.json)",
