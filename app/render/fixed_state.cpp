@@ -101,11 +101,14 @@ float angleAt(float start, float rate, double time) {
 
 /// From eye coordinates to the light's picture: see MatrixOp::Projector.
 void multiplyProjector(const Light& light) {
-    const auto [view, projection] = lightView(light);
+    const LightView seen = lightView(light);
     glTranslatef(0.5F, 0.5F, 0.5F); // what glViewport and glDepthRange do to a picture
     glScalef(0.5F, 0.5F, 0.5F);
-    glMultMatrixd(glm::value_ptr(projection));
-    glMultMatrixd(glm::value_ptr(view));
+    if (light.position.w == 0)
+        glOrtho(-seen.extent, seen.extent, -seen.extent, seen.extent, seen.nearest, seen.farthest);
+    else
+        glFrustum(-seen.extent, seen.extent, -seen.extent, seen.extent, seen.nearest, seen.farthest);
+    glMultMatrixf(glm::value_ptr(glm::mat4(seen.view)));
 }
 
 void applyStep(const MatrixStep& step, double time, const Light& light) {

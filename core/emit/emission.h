@@ -77,7 +77,18 @@ void writeTexels(Emission& emission, const Holder& holder, std::size_t object);
 /// glClear, and the projection for a picture of `width` times `height`.
 void writeProjection(Emission& emission);
 void writeLight(Emission& emission);
+/// The camera's calls, on the matrix that there is; before them the variables that the mouse changes.
 void writeCamera(Emission& emission);
+void declareCamera(Emission& emission);
+/// What multiplies by the projection of what the light sees, and by its view of eye coordinates, whose array's
+/// name begins with `variable`.
+void writeLightProjection(Emission& emission);
+void writeLightView(Emission& emission, const std::string& variable);
+/// The function that draws what the light sees, for the textures that show it; its call in a frame.
+void writeShadowMaps(Emission& emission);
+void writeShadowMapCalls(Emission& emission);
+/// Where a program can't draw what the light sees: why.
+[[nodiscard]] Result<void> checkShadowMaps(const Scene& scene);
 /// The scene's: all of it.
 void writeMaterial(Emission& emission);
 /// A model's: what differs from the one that was written before.
@@ -90,5 +101,7 @@ void writeModelData(Emission& emission, std::size_t model);
 /// What is made of them once.
 void writeModelSetup(Emission& emission, std::size_t model);
 void writeModel(Emission& emission, std::size_t pass, std::size_t model);
+/// Its surface alone, on the matrix that there is.
+void writeModelShape(Emission& emission, std::size_t model);
 
 } // namespace texplorer::emit

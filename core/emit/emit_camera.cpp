@@ -4,6 +4,7 @@
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
@@ -49,7 +50,7 @@ void writeProjection(Emission& emission) {
     writer.add(fmt::format("glMatrixMode({});", projectionMode));
     writer.add("glLoadIdentity();");
     const Part angle =
-        number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>(), -1, Literal::Double);
+        number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
     if (view.projection == Projection::Orthographic) {
         writer.add({plain("const GLdouble half = distance * tan("), angle, plain(" * pi / 180 / 2);")});
         writer.add("glOrtho(-half * aspect, half * aspect, -half, half, -farthest, farthest);");
@@ -78,19 +79,57 @@ void writeLight(Emission& emission) {
         writer.row(holder, row);
 }
 
-void writeCamera(Emission& emission) {
-    CodeWriter& writer = emission.writer;
+void declareCamera(Emission& emission) {
     declareVariable(emission, memberId<&View::azimuth>, "degrees around the y axis");
     declareVariable(emission, memberId<&View::elevation>, "degrees above the horizon");
     declareVariable(emission, memberId<&View::distance>, "of the eye from what it looks at");
+}
+
+void writeCamera(Emission& emission) {
+    CodeWriter& writer = emission.writer;
+    const View& view = emission.scene.view;
     const Holder holder = viewHolder(emission.scene);
-    writer.heading("camera");
-    writer.add("glLoadIdentity();");
     writer.add("glTranslatef(0.0f, 0.0f, -distance);");
-    writer.row(holder, memberId<&View::roll>);
+    if (view.roll != 0)
+        writer.add(callWith("glRotatef", {number(view.roll, pathOf<&Scene::view, &View::roll>()),
+                                          plain(", 0.0f, 0.0f, 1.0f")}));
     rotate(writer, "elevation", "1.0f, 0.0f, 0.0f");
     rotate(writer, "-azimuth", "0.0f, 1.0f, 0.0f");
-    writer.row(holder, memberId<&View::target>);
+    writer.add(callWith("glTranslatef", numbers({&view.target.x, 3}, pathOf<&Scene::view, &View::target>(),
+                                                Literal::Float, true)),
+               view.target != glm::vec3(0));
+}
+
+void writeLightProjection(Emission& emission) {
+    const Light& light = emission.scene.light;
+    const Projector& projector = light.projector;
+    const LightView seen = lightView(light);
+    const bool isCut = seen.farthest != double{projector.farthest};
+    std::vector<Part> range{
+        plain(", "),
+        number(projector.nearest, pathOf<&Scene::light, &Light::projector, &Projector::nearest>()),
+        plain(", "),
+        isCut ? plain(fmt::format("{}", seen.farthest))
+              : number(projector.farthest, pathOf<&Scene::light, &Light::projector, &Projector::farthest>()),
+        plain(");")};
+    std::vector<Part> parts;
+    if (light.position.w == 0) {
+        parts = {call("glOrtho"), plain(fmt::format("(-{0}, {0}, -{0}, {0}", seen.extent))};
+    } else {
+        emission.use(CFunction::Perspective);
+        parts = {plain("perspective("),
+                 number(projector.fieldOfView,
+                        pathOf<&Scene::light, &Light::projector, &Projector::fieldOfView>()),
+                 plain(", 1.0")};
+    }
+    append(parts, std::move(range));
+    emission.writer.add(std::move(parts));
+}
+
+void writeLightView(Emission& emission, const std::string& variable) {
+    const glm::mat4 view(lightView(emission.scene.light).view);
+    emission.writer.floats(variable, numbers({glm::value_ptr(view), 16}));
+    emission.writer.add({call("glMultMatrixf"), plain(fmt::format("({});", variable))});
 }
 
 } // namespace texplorer::emit

@@ -73,6 +73,11 @@ private:
             writer_.add(fmt::format("GLubyte *image = {};", faceOf(texels, level)));
             texels = "image";
         }
+        const bool isApart = !isCube() && first > 0; // its variables have the names of others before them
+        if (isApart) {
+            writer_.add("{");
+            writer_.indent();
+        }
         writer_.add(fmt::format("GLsizei width = {}, height = {};", level.width, level.height));
         writer_.add(fmt::format("for (GLint level = {}; level <= {}; ++level) {{", level.number, last));
         writer_.indent();
@@ -88,7 +93,7 @@ private:
                      {Part::Kind::Comment, "/* the next mip level */"}});
         writer_.outdent();
         writer_.add("}");
-        if (isCube()) {
+        if (isCube() || isApart) {
             writer_.outdent();
             writer_.add("}");
         }
@@ -257,11 +262,34 @@ private:
     const TextureCode& code_;
 };
 
+/// Room for them, and the framebuffer object that they are drawn into.
+void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture& texture, std::size_t object) {
+    CodeWriter& writer = emission.writer;
+    const Part size =
+        whole(texture.depthSize, fmt::format("{}.{}", holder.path, keyOf<&Texture::depthSize>()));
+    writer.add({call("glTexImage2D"), plain(fmt::format("({}, 0, ", rowOf(holder.target).name)),
+                choice(rowOf(texture.internalFormat).name,
+                       fmt::format("{}.{}", holder.path, keyOf<&Texture::internalFormat>())),
+                plain(", "), size, plain(", "), size,
+                plain(fmt::format(", 0, {}, {}, NULL);", depthPixels, unsignedIntType))});
+    emission.atStart.add({plain(fmt::format("static GLuint shadowMap{}; ", object)),
+                          {Part::Kind::Comment, "/* a framebuffer object */"}});
+    writer.add(fmt::format("glGenFramebuffers(1, &shadowMap{});", object));
+    writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", object));
+    writer.add(fmt::format("glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, {}, textures[{}], 0);",
+                           rowOf(holder.target).name, object));
+    writer.add("glDrawBuffer(GL_NONE); /* it has no colours */");
+    writer.add("glReadBuffer(GL_NONE);");
+    writer.add("glBindFramebuffer(GL_FRAMEBUFFER, 0);");
+}
+
 } // namespace
 
 void writeTexels(Emission& emission, const Holder& holder, std::size_t object) {
     const auto& code = emission.texels[object];
     const Texture& texture = emission.scene.textures[emission.objects[object].texture];
+    if (texture.source == SourceKind::LightDepth)
+        return writeDepthsOfLight(emission, holder, texture, object);
     if (!code)
         return emission.writer.comment(texture.file.empty() ? "no file is chosen" : "the file isn't there");
     if (!*code)

@@ -85,6 +85,33 @@ public:
             compileList();
     }
 
+    void drawShape() {
+        writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
+        writer_.add("glPushMatrix();");
+        place(false);
+        const auto sized = [&](const std::string& stride, const std::string& vertices) {
+            writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
+            writer_.add(fmt::format("glEnableClientState({});", vertexArray));
+            writer_.add(fmt::format("glVertexPointer(3, {}, {}, {});", floatType, stride, vertices));
+        };
+        switch (form_.drawing) {
+        case Drawing::None:
+            break;
+        case Drawing::List:
+            writer_.add(fmt::format("glCallList({});", variable_));
+            break;
+        case Drawing::Shape:
+            sized("sizeof(Vertex)", variable_ + ".vertices->position");
+            drawElements();
+            break;
+        case Drawing::Arrays:
+            sized("0", variable_ + "Positions");
+            drawElements();
+            break;
+        }
+        writer_.add("glPopMatrix();");
+    }
+
     void draw(const Pass& pass) {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
         writer_.add("glPushMatrix();");
@@ -139,7 +166,7 @@ private:
             table("Colors", 4, [](const Vertex& vertex, std::size_t) { return vertex.color; });
         for (std::size_t u = 0; u < maxUnits; ++u)
             declareCoords(u);
-        if (hasIndices(model_))
+        if (drawsByIndices())
             declareIndices();
     }
 
@@ -216,11 +243,18 @@ private:
         writer_.add(fmt::format("static const GLuint {}Indices[] = {{{}}};", variable_, list));
     }
 
+    /// Mesa divides the quadrilaterals of arrays without indices the other way (core/mesh/mesh.h).
+    [[nodiscard]] bool drawsByIndices() const {
+        return hasIndices(model_) || model_.shape != Shape::Mesh || model_.mesh.primitive == Primitive::Quads;
+    }
+
     /// Of a mesh those that name a vertex, in its order: the others are left out. Of a shape its triangles.
     [[nodiscard]] std::vector<std::uint32_t> indicesOf() const {
         std::vector<std::uint32_t> indices = mesh_.triangles;
         if (model_.shape == Shape::Mesh) {
             indices.clear();
+            for (std::size_t i = 0; i < mesh_.vertices.size() && model_.mesh.indices.empty(); ++i)
+                indices.push_back(static_cast<std::uint32_t>(i));
             for (const int each : model_.mesh.indices) {
                 if (each >= 0 && static_cast<std::size_t>(each) < mesh_.vertices.size())
                     indices.push_back(static_cast<std::uint32_t>(each));
@@ -231,8 +265,8 @@ private:
         return indices;
     }
 
-    void place() {
-        if (model_.attachment == Attachment::Eye)
+    void place(bool beforeTheEye = true) {
+        if (model_.attachment == Attachment::Eye && beforeTheEye)
             writer_.add("glLoadIdentity();");
         writer_.add(
             callWith("glTranslatef", numbers({&model_.position.x, 3}, own(keyOf<&Model::position>()))),
@@ -289,7 +323,7 @@ private:
     /// From where the disk begins, and how far it goes around: as core/mesh/disk.cpp has it.
     [[nodiscard]] std::vector<Part> sector() const {
         const auto part = [&](float value, const std::string& key) {
-            return number(value, own(key), -1, Literal::Double);
+            return number(value, own(key));
         };
         const float start = model_.startAngle;
         const float sweep = model_.sweepAngle;
@@ -302,7 +336,7 @@ private:
                     part(sweep, keyOf<&Model::sweepAngle>())};
         return {part(start, keyOf<&Model::startAngle>()), plain(" + "),
                 part(sweep, keyOf<&Model::sweepAngle>()), plain(", "),
-                plain(literal(-sweep, Literal::Double))}; // backwards around it is the same sector
+                plain(literal(-sweep, Literal::Float))}; // backwards around it is the same sector
     }
 
     /// The size of lines and points, where there are any.
@@ -387,8 +421,23 @@ private:
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)), u != 0 || isSecond(pass));
             pointer(texCoordArray, "glTexCoordPointer(4, ", "texCoord");
         }
-        writer_.add(fmt::format("glDrawElements(GL_TRIANGLES, {0}.indexCount, {1}, {0}.indices);", variable_,
-                                unsignedIntType));
+        drawElements();
+    }
+
+    /// With the arrays that are set, which are set back.
+    void drawElements() {
+        if (form_.drawing == Drawing::Shape) {
+            writer_.add(fmt::format("glDrawElements(GL_TRIANGLES, {0}.indexCount, {1}, {0}.indices);",
+                                    variable_, unsignedIntType));
+        } else if (drawsByIndices()) {
+            writer_.add({call("glDrawElements"), plain("("),
+                         model_.shape == Shape::Mesh ? primitivePart() : plain("GL_TRIANGLES"),
+                         plain(fmt::format(", {}, {}, {}Indices);", indicesOf().size(), unsignedIntType,
+                                           variable_))});
+        } else {
+            writer_.add({call("glDrawArrays"), plain("("), primitivePart(),
+                         plain(fmt::format(", 0, {});", vertexCountOf(model_)))});
+        }
         writer_.add("glPopClientAttrib();");
     }
 
@@ -435,15 +484,7 @@ private:
                   fmt::format("glTexCoordPointer({}, ", moves ? 4 : coordComponents(u)),
                   moves ? fmt::format("EmbossedCoords{}", u) : coordsName(u));
         }
-        if (hasIndices(model_)) {
-            writer_.add({call("glDrawElements"), plain("("), primitivePart(),
-                         plain(fmt::format(", {}, {}, {}Indices);", indicesOf().size(), unsignedIntType,
-                                           variable_))});
-        } else {
-            writer_.add({call("glDrawArrays"), plain("("), primitivePart(),
-                         plain(fmt::format(", 0, {});", vertexCountOf(model_)))});
-        }
-        writer_.add("glPopClientAttrib();");
+        drawElements();
     }
 
     void point(std::string_view array, const std::string& function, std::string_view name) {
@@ -469,6 +510,10 @@ void writeModelData(Emission& emission, std::size_t model) {
 
 void writeModelSetup(Emission& emission, std::size_t model) {
     ModelWriter(emission, model).setUp();
+}
+
+void writeModelShape(Emission& emission, std::size_t model) {
+    ModelWriter(emission, model).drawShape();
 }
 
 void writeModel(Emission& emission, std::size_t pass, std::size_t model) {

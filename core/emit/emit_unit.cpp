@@ -107,33 +107,10 @@ private:
     /// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from
     /// -1 to 1 to 0 to 1.
     void lightView() {
-        const auto [view, projection] = texplorer::lightView(light_);
-        const Projector& projector = light_.projector;
-        const auto part = [](float value, const std::string& path) {
-            return number(value, path, -1, Literal::Double);
-        };
-        std::vector<Part> range{
-            plain(", "),
-            part(projector.nearest, pathOf<&Scene::light, &Light::projector, &Projector::nearest>()),
-            plain(", "),
-            part(projector.farthest, pathOf<&Scene::light, &Light::projector, &Projector::farthest>()),
-            plain(");")};
         writer_.add("glTranslatef(0.5f, 0.5f, 0.5f);");
         writer_.add("glScalef(0.5f, 0.5f, 0.5f);");
-        std::vector<Part> parts;
-        if (light_.position.w == 0) {
-            const std::string half = fmt::format("{}", 1 / projection[0].x);
-            parts = {call("glOrtho"), plain(fmt::format("(-{0}, {0}, -{0}, {0}", half))};
-        } else {
-            emission_.use(CFunction::Perspective);
-            parts = {plain("perspective("),
-                     part(projector.fieldOfView,
-                          pathOf<&Scene::light, &Light::projector, &Projector::fieldOfView>()),
-                     plain(", 1.0")};
-        }
-        append(parts, std::move(range));
-        writer_.add(std::move(parts));
-        matrix("glMultMatrixf", glm::mat4(view), {});
+        writeLightProjection(emission_);
+        writeLightView(emission_, variable_);
     }
 
     Emission& emission_;

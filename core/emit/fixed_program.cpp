@@ -82,7 +82,9 @@ public:
         writeTextures(emission_);
         for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
             writeModelData(emission_, m);
+        declareCamera(emission_);
         writeInit();
+        writeShadowMaps(emission_);
         writeDraw();
     }
 
@@ -154,7 +156,10 @@ private:
         writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
                                                      : "static void draw(int width, int height)");
         beginFrame();
+        writeShadowMapCalls(emission_);
         writeProjection(emission_);
+        writer_.heading("camera");
+        writer_.add("glLoadIdentity();");
         writeCamera(emission_);
         for (const std::size_t pass : passes_) {
             if (passes_.size() > 1)
@@ -180,6 +185,8 @@ private:
 
 Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                        const ProgramOptions& options, TextureCodes& codes) {
+    if (const Result<void> possible = checkShadowMaps(scene); !possible)
+        return fail(possible.error());
     FrameStart start;
     bool moves = false;
     { // once to see what a frame leaves behind, and whether anything moves

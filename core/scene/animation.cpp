@@ -63,8 +63,8 @@ glm::dmat4 stepMatrix(const MatrixStep& step, double time, const Light& light) {
     case MatrixOp::Load:
         return glm::dmat4(step.matrix);
     case MatrixOp::Projector: {
-        const auto [view, projection] = lightView(light);
-        return toPicture * projection * view;
+        const LightView seen = lightView(light);
+        return toPicture * seen.projection * seen.view;
     }
     }
     return glm::dmat4(1);
@@ -137,7 +137,8 @@ LightView lightView(const Light& light) {
     const double extent = slope * (parallel ? middle : nearest);
     return {glm::translate(turn, -eye),
             parallel ? glm::ortho(-extent, extent, -extent, extent, nearest, farthest)
-                     : glm::frustum(-extent, extent, -extent, extent, nearest, farthest)};
+                     : glm::frustum(-extent, extent, -extent, extent, nearest, farthest),
+            extent, nearest, farthest};
 }
 
 glm::mat4 modelMatrix(const Model& model, double time) {

@@ -22,6 +22,9 @@ namespace texplorer {
 struct LightView {
     glm::dmat4 view;
     glm::dmat4 projection;
+    double extent; ///< from the middle of its picture to a side: what glOrtho and glFrustum take
+    double nearest;
+    double farthest;
 };
 [[nodiscard]] LightView lightView(const Light& light);
 

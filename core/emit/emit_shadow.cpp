@@ -1,0 +1,119 @@
+// Textures that show what the light sees: a framebuffer object without colours, drawn into in every frame.
+
+#include "core/emit/emission.h"
+#include "core/gl/argument_names.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+namespace texplorer::emit {
+namespace {
+
+bool isShown(const Scene& scene, const TextureObject& object) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                   return unit.enabled && unit.target == object.target &&
+                          static_cast<std::size_t>(unit.texture) == object.texture;
+               });
+    });
+}
+
+/// No texture takes part, least of all the one that is drawn into.
+void writeUnitOff(Emission& emission, std::size_t unit) {
+    std::set<Target> targets;
+    for (const Pass& pass : emission.scene.passes) {
+        if (drawsAnything(emission.scene, pass) && pass.units.at(unit).enabled)
+            targets.insert(pass.units.at(unit).target);
+    }
+    if (!targets.empty())
+        emission.writer.add(fmt::format("glActiveTexture({});", textureUnitName(unit)));
+    for (const Target target : targets)
+        emission.writer.add(fmt::format("glDisable({});", rowOf(target).name));
+}
+
+/// The objects that show it.
+std::vector<std::size_t> shadowMapsOf(const Emission& emission) {
+    std::vector<std::size_t> maps;
+    for (std::size_t i = 0; i < emission.objects.size(); ++i) {
+        if (emission.scene.textures[emission.objects[i].texture].source == SourceKind::LightDepth &&
+            isShown(emission.scene, emission.objects[i]))
+            maps.push_back(i);
+    }
+    return maps;
+}
+
+} // namespace
+
+Result<void> checkShadowMaps(const Scene& scene) {
+    for (const TextureObject& object : textureObjectsOf(scene)) {
+        const Texture& texture = scene.textures[object.texture];
+        if (texture.source != SourceKind::LightDepth || !isShown(scene, object))
+            continue;
+        const std::string path = elementOf<&Scene::textures>(object.texture);
+        if (object.target != Target::Texture2D)
+            return fail(ErrorCode::Unsupported,
+                        fmt::format("a program draws what the light sees for {}, not for {}",
+                                    rowOf(Target::Texture2D).name, rowOf(object.target).name),
+                        path);
+        if (!isDepth(texture.internalFormat))
+            return fail(ErrorCode::Unsupported,
+                        fmt::format("a program draws what the light sees into a texture of depths, not {}",
+                                    rowOf(texture.internalFormat).name),
+                        fmt::format("{}.{}", path, keyOf<&Texture::internalFormat>()));
+    }
+    return {};
+}
+
+void writeShadowMaps(Emission& emission) {
+    CodeWriter& writer = emission.writer;
+    const Scene& scene = emission.scene;
+    for (const std::size_t map : shadowMapsOf(emission)) {
+        const Texture& texture = scene.textures[emission.objects[map].texture];
+        const Part size = whole(texture.depthSize,
+                                fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
+                                            keyOf<&Texture::depthSize>()));
+        writer.heading("the depths that the light sees");
+        writer.open(emission.moves ? fmt::format("static void drawShadowMap{}(double seconds)", map)
+                                   : fmt::format("static void drawShadowMap{}(void)", map));
+        writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
+        writer.add("glPushAttrib(GL_ALL_ATTRIB_BITS);");
+        writer.add("glDisable(GL_ALPHA_TEST);");
+        for (std::size_t unit = 0; unit < maxUnits; ++unit)
+            writeUnitOff(emission, unit);
+        writer.add(callWith("glViewport", {plain("0, 0, "), size, plain(", "), size}));
+        writer.add("glEnable(GL_DEPTH_TEST);");
+        writer.add("glDepthFunc(GL_LESS);");
+        writer.add("glClear(GL_DEPTH_BUFFER_BIT);");
+        writer.add(fmt::format("glMatrixMode({});", projectionMode));
+        writer.add("glLoadIdentity();");
+        writeLightProjection(emission);
+        writer.add(fmt::format("glMatrixMode({});", modelViewMode));
+        writer.add("glLoadIdentity();");
+        writeLightView(emission, "lightView");
+        for (const Attachment attachment : {Attachment::Eye, Attachment::World}) {
+            std::vector<std::size_t> models;
+            for (std::size_t m = 0; m < scene.models.size(); ++m) {
+                if (scene.models[m].attachment == attachment && isDrawn(scene, m))
+                    models.push_back(m);
+            }
+            if (attachment == Attachment::World && !models.empty())
+                writeCamera(emission);
+            for (const std::size_t model : models)
+                writeModelShape(emission, model);
+        }
+        writer.add("glPopAttrib();");
+        writer.add("glBindFramebuffer(GL_FRAMEBUFFER, 0);");
+        writer.close();
+    }
+}
+
+void writeShadowMapCalls(Emission& emission) {
+    for (const std::size_t map : shadowMapsOf(emission))
+        emission.writer.add(fmt::format("drawShadowMap{}({});", map, emission.moves ? "seconds" : ""));
+}
+
+} // namespace texplorer::emit
