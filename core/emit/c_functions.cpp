@@ -230,21 +230,6 @@ static void circle(double quarters, GLfloat *sine, GLfloat *cosine)
     }
 }
 
-/* A row of vertices around the y axis, eastwards from the back: s goes around once. `outwards` and `up` say
- * where the normals point. */
-static void ring(Mesh *mesh, int row, int slices, GLfloat t, GLfloat radius, GLfloat height, GLfloat outwards,
-                 GLfloat up)
-{
-    for (int slice = 0; slice <= slices; ++slice) {
-        GLfloat sine, cosine;
-        circle(4.0 * slice / slices, &sine, &cosine);
-        const Vertex vertex = {{-radius * sine, height, -radius * cosine},
-                               {-outwards * sine, up, -outwards * cosine},
-                               {(GLfloat)slice / (GLfloat)slices, t, 0, 1}};
-        mesh->vertices[row * (slices + 1) + slice] = vertex;
-    }
-}
-
 static void triangle(Mesh *mesh, GLuint a, GLuint b, GLuint c)
 {
     GLuint *indices = mesh->indices + mesh->indexCount;
@@ -275,6 +260,23 @@ static void band(Mesh *mesh, int slices, int row)
             triangle(mesh, a, b, d);
         if (lower == upper || lower)
             triangle(mesh, b, c, d);
+    }
+}
+)";
+
+constexpr std::string_view ring =
+    R"(/* A row of vertices around the y axis, eastwards from the back: s goes around once. `outwards` and `up` say
+ * where the normals point. */
+static void ring(Mesh *mesh, int row, int slices, GLfloat t, GLfloat radius, GLfloat height, GLfloat outwards,
+                 GLfloat up)
+{
+    for (int slice = 0; slice <= slices; ++slice) {
+        GLfloat sine, cosine;
+        circle(4.0 * slice / slices, &sine, &cosine);
+        const Vertex vertex = {{-radius * sine, height, -radius * cosine},
+                               {-outwards * sine, up, -outwards * cosine},
+                               {(GLfloat)slice / (GLfloat)slices, t, 0, 1}};
+        mesh->vertices[row * (slices + 1) + slice] = vertex;
     }
 }
 )";
@@ -440,9 +442,10 @@ const std::vector<Row>& rows() {
         {CFunction::ReadTga, readTga},
         {CFunction::MeshTypes, meshTypes},
         {CFunction::Turned, turned, {CFunction::MeshTypes}},
-        {CFunction::Sphere, sphere, {CFunction::Turned}},
-        {CFunction::Cylinder, cylinder, {CFunction::Turned}},
-        {CFunction::Torus, torus, {CFunction::Turned}},
+        {CFunction::Ring, ring, {CFunction::Turned}},
+        {CFunction::Sphere, sphere, {CFunction::Ring}},
+        {CFunction::Cylinder, cylinder, {CFunction::Ring}},
+        {CFunction::Torus, torus, {CFunction::Ring}},
         {CFunction::Disk, disk, {CFunction::Turned}},
         {CFunction::Perspective, perspective},
         {CFunction::LightInModel, lightInModel},

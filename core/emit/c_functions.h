@@ -21,6 +21,7 @@ enum class CFunction : std::uint8_t {
     ReadTga,
     MeshTypes,  ///< no function: what a mesh is made of
     Turned,     ///< a surface that is turned about an axis, and its quadrilaterals
+    Ring,
     Sphere,
     Cylinder,
     Torus,

@@ -446,20 +446,24 @@ private:
         return std::any_of(pass.units.begin() + 1, pass.units.end(), takesCoords);
     }
 
+    /// In braces, for several passes may do it.
     void moveCoords(std::size_t unit, const Unit& of) {
-        const std::string light = fmt::format("{}Light{}", variable_, unit);
-        writer_.add(fmt::format("GLfloat {}[4];", light));
-        writer_.add({plain(fmt::format("lightInModel((const GLfloat[]){{")),
-                     plain(fmt::format("{}", literal(emission_.scene.light.position.x, Literal::Float))),
-                     plain(fmt::format(", {}", literal(emission_.scene.light.position.y, Literal::Float))),
-                     plain(fmt::format(", {}", literal(emission_.scene.light.position.z, Literal::Float))),
-                     plain(fmt::format(", {}", literal(emission_.scene.light.position.w, Literal::Float))),
-                     plain(fmt::format("}}, {}, {});", of.emboss.carrier == LightCarrier::Transpose ? 1 : 0,
-                                       light))});
-        writer_.add(fmt::format("emboss({0}, {1}Positions, {1}GivenCoords{2}, {1}Tangents{2}, {3}, {4}, "
+        const glm::vec4& light = emission_.scene.light.position;
+        writer_.add("{");
+        writer_.indent();
+        std::vector<Part> parts{plain("const GLfloat position[4] = {")};
+        append(parts, numbers({&light.x, 4}, pathOf<&Scene::light, &Light::position>()));
+        parts.push_back(plain("};"));
+        writer_.add(std::move(parts));
+        writer_.add("GLfloat light[4];");
+        writer_.add(fmt::format("lightInModel(position, {}, light);",
+                                of.emboss.carrier == LightCarrier::Transpose ? 1 : 0));
+        writer_.add(fmt::format("emboss({0}, {1}Positions, {1}GivenCoords{2}, {1}Tangents{2}, light, {3}, "
                                 "{1}EmbossedCoords{2});",
-                                mesh_.vertices.size(), variable_, unit, light,
+                                mesh_.vertices.size(), variable_, unit,
                                 literal(of.emboss.depth, Literal::Float)));
+        writer_.outdent();
+        writer_.add("}");
     }
 
     void drawArrays(const Pass& pass) {

@@ -17,9 +17,21 @@ struct Faces {
     std::vector<const Surface*> surfaces;
 };
 
-std::vector<Faces> facesOf(const TextureLevels& levels) {
+/// What OpenGL takes: square faces, and no level whose base would be larger than most drivers' textures are.
+bool isAccepted(const TextureLevel& level, int border, Target target) {
+    constexpr int most = 16384;
+    constexpr int mostLevels = 15;
+    const Surface& surface = level.surface;
+    const int extent = std::max({widthOf(surface), heightOf(surface), depthOf(surface)}) - 2 * border;
+    return level.number < mostLevels && extent <= most >> level.number &&
+           (target != Target::CubeMap || widthOf(surface) == heightOf(surface));
+}
+
+std::vector<Faces> facesOf(const TextureLevels& levels, Target target) {
     std::vector<Faces> all;
     for (const TextureLevel& level : levels.levels) {
+        if (!isAccepted(level, levels.border, target))
+            continue;
         auto found = std::ranges::find(all, level.number, &Faces::number);
         if (found == all.end())
             found = all.insert(all.end(), {level.number, {}});
@@ -102,7 +114,7 @@ public:
         out_.lastLevel = levels.lastLevel;
         out_.lateFlip = levels.lateFlip;
         out_.driverCompresses = levels.driverFormat.has_value();
-        for (const Faces& faces : facesOf(levels)) {
+        for (const Faces& faces : facesOf(levels, target_)) {
             out_.faces = static_cast<int>(faces.surfaces.size());
             if (const auto* blocks = std::get_if<BlockImage>(faces.surfaces.front()))
                 addBlocks(faces, *blocks);

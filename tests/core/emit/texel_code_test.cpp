@@ -1,0 +1,91 @@
+#include "core/emit/texel_code.h"
+
+#include "core/image/patterns/pattern.h"
+#include "core/texture/image_source.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <numeric>
+#include <random>
+
+namespace texplorer::emit_test {
+namespace {
+
+using emit::LevelCode;
+using emit::TexelSource;
+using testing::Each;
+using testing::ElementsAre;
+using testing::Field;
+
+Bytes bytesOf(std::initializer_list<int> values) {
+    Bytes bytes;
+    for (const int value : values)
+        bytes.push_back(static_cast<std::byte>(value));
+    return bytes;
+}
+
+// By hand, from the "Quite OK Image Format" (qoiformat.org): a run, a small and a larger difference, a whole
+// colour, one that was seen before, an alpha.
+TEST(PackedTexels, AreThoseOfTheFormat) {
+    EXPECT_EQ(emit::packed(bytesOf({0, 0, 0, 255, 0, 0, 0, 255})), bytesOf({0xC1}));
+    EXPECT_EQ(emit::packed(bytesOf({1, 255, 0, 255})), bytesOf({0x40 | 3 << 4 | 1 << 2 | 2}));
+    EXPECT_EQ(emit::packed(bytesOf({10, 12, 8, 255})), bytesOf({0x80 | 44, 6 << 4 | 4}));
+    EXPECT_EQ(emit::packed(bytesOf({100, 0, 0, 255})), bytesOf({0xFE, 100, 0, 0}));
+    EXPECT_EQ(emit::packed(bytesOf({100, 0, 0, 255, 0, 200, 0, 255, 100, 0, 0, 255})),
+              bytesOf({0xFE, 100, 0, 0, 0xFE, 0, 200, 0, (300 + 11 * 255) % 64}));
+    EXPECT_EQ(emit::packed(bytesOf({0, 0, 0, 7})), bytesOf({0xFF, 0, 0, 0, 7}));
+}
+
+TEST(PackedTexels, BreakLongRuns) {
+    Bytes same;
+    for (int i = 0; i < 100; ++i)
+        for (const int value : {0, 0, 0, 255})
+            same.push_back(static_cast<std::byte>(value));
+    EXPECT_EQ(emit::packed(same), bytesOf({0xC0 | 61, 0xC0 | 37}));
+}
+
+TEST(NumbersText, FillsRowsOfAHundredLetters) {
+    EXPECT_EQ(emit::numbersText(bytesOf({1, 20, 255})), "    1, 20, 255,\n");
+    EXPECT_EQ(emit::numbersText(bytesOf({1, 0, 0, 0, 255, 255, 255, 255}), true), "    0x1, 0xffffffff,\n");
+    EXPECT_EQ(emit::numbersText({}), "");
+    const std::string text = emit::numbersText(Bytes(100, std::byte{123}));
+    EXPECT_EQ(text.find('\n'), 98U) << "four spaces and 19 numbers";
+}
+
+std::vector<TexelSource> sourcesOf(const Texture& texture, Target target = Target::Texture2D) {
+    const ImageSource images;
+    const auto code = emit::textureCode(texture, images.picturesOf(texture), target);
+    EXPECT_TRUE(code);
+    std::vector<TexelSource> sources;
+    for (const LevelCode& level : code->levels)
+        sources.push_back(level.source);
+    return sources;
+}
+
+TEST(TexelCode, IsWhatTakesTheFewestLines) {
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::Checker}), ElementsAre(TexelSource::Checker));
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::Gradient}), ElementsAre(TexelSource::Gradient));
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::Brick}), ElementsAre(TexelSource::Packed));
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::ColorLine}), ElementsAre(TexelSource::Listed));
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::MipColors, .mipmaps = MipPolicy::Colored}), Each(TexelSource::Flat));
+    const std::vector<TexelSource> chain =
+        sourcesOf({.pattern = Pattern::Checker, .mipmaps = MipPolicy::Generated});
+    ASSERT_EQ(chain.size(), 7U);
+    EXPECT_EQ(chain.front(), TexelSource::Checker);
+    EXPECT_THAT(std::vector(chain.begin() + 1, chain.end()), Each(TexelSource::Halved));
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::Checker, .internalFormat = InternalFormat::DepthComponent16}),
+                ElementsAre(TexelSource::Depths));
+    EXPECT_THAT(sourcesOf({.pattern = Pattern::Brick, .compression = Compression::Cached}),
+                ElementsAre(TexelSource::Compressed));
+}
+
+// Levels that somebody else's filter makes are no averages of four.
+TEST(TexelCode, HalvesOnlyWhatIsTheAverage) {
+    const std::vector<TexelSource> chain = sourcesOf(
+        {.pattern = Pattern::Brick, .mipmaps = MipPolicy::Generated, .mipFilter = MipFilter::Mitchell});
+    EXPECT_THAT(std::vector(chain.begin(), chain.begin() + 4), Each(TexelSource::Packed));
+}
+
+} // namespace
+} // namespace texplorer::emit_test
