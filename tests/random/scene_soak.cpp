@@ -57,12 +57,20 @@ Subject randomScenes(const SceneSoak& soak) {
 }
 
 Result<void> writeScenes(const SceneFiles& files) {
-    for (int number = 0; number < files.count; ++number) {
+    int written = 0;
+    for (int number = 0; written < files.count; ++number) {
+        RandomScene random = randomScene(files.seed, number, {});
+        if (files.comparable && random.temper != Temper::Comparable)
+            continue;
+        for (Texture& texture : random.scene.textures) {
+            if (files.isotropic)
+                texture.maxAnisotropy = 1;
+        }
         const std::filesystem::path file =
             std::filesystem::path(files.folder) / ("scene-" + std::to_string(number) + ".json");
-        const Scene scene = randomScene(files.seed, number, {}).scene;
-        if (const auto written = writeFileAtomically(file, viewBytes(writeScene(scene))); !written)
-            return written;
+        if (const auto done = writeFileAtomically(file, viewBytes(writeScene(random.scene))); !done)
+            return done;
+        ++written;
     }
     return {};
 }

@@ -22,6 +22,8 @@ struct SceneFiles {
     std::string folder;
     unsigned seed = 1;
     int count = 100;
+    bool comparable = false; ///< of this temper alone
+    bool isotropic = false;  ///< without anisotropy, of which llvmpipe doesn't survive everything
 };
 
 /// Random scenes that name no images, as folder/scene-0.json and so on.

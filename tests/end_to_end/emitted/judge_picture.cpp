@@ -1,0 +1,125 @@
+// judge_picture SCENE FOLDER SECONDS PICTURE: whether a picture that somebody drew of a scene is one that
+// OpenGL allows, by the rules by which "texshot conform" holds renderers against the reference. FOLDER has
+// the images that the scene names. It prints how many pixels there are, how many are over the rule's bound,
+// and how many of them no freedom of a driver explains. Exit status: 0 it has judged, 2 it can't.
+
+#include "core/base/file_io.h"
+#include "core/codec/registry.h"
+#include "core/conform/judge.h"
+#include "core/conform/lambda_range.h"
+#include "core/reference/draw.h"
+#include "core/scene/params/json.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+namespace texplorer {
+namespace {
+
+constexpr int unable = 2;
+
+int complain(const Error& error) {
+    fmt::print(stderr, "judge_picture: {}\n", describe(error));
+    return unable;
+}
+
+/// No screen shows alpha.
+void makeOpaque(Image& image) {
+    for (std::size_t i = 3; i < image.pixels.size(); i += 4)
+        image.pixels[i] = std::byte{255};
+}
+
+/// The reference at a time and in a size.
+class Reference : public conform::Explainer {
+public:
+    Reference(ImageSource images, double seconds, int width, int height)
+        : images_(std::move(images))
+        , seconds_(seconds)
+        , width_(width)
+        , height_(height) {}
+
+    Result<Frame> draw(const Scene& scene) override {
+        Result<Frame> frame = renderer_.draw(requestFor(scene), {.threads = 1});
+        if (frame)
+            makeOpaque(frame->image);
+        return frame;
+    }
+    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
+                                                          reference::PixelPlace pixel) override {
+        auto colors = conform::colorsOverLambda(renderer_, requestFor(scene), pixel, {.threads = 1});
+        if (colors)
+            std::ranges::for_each(*colors, [](reference::PixelBytes& each) { each[3] = 255; });
+        return colors;
+    }
+    const ImageSource& images() const override { return images_; }
+
+private:
+    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
+        return {scene, images_, seconds_, width_, height_, reference::AnisotropyMethod::Ellipse};
+    }
+
+    reference::ReferenceRenderer renderer_;
+    ImageSource images_;
+    double seconds_;
+    int width_;
+    int height_;
+};
+
+/// As the features of conform are held: whatever a texture's levels, filters and anisotropy leave open.
+conform::Rule ruleFor(const Scene& scene) {
+    const auto any = [&](auto condition) { return std::ranges::any_of(scene.textures, condition); };
+    conform::Rule rule = conform::rules::levelBlend;
+    if (any([](const Texture& texture) { return texture.maxAnisotropy > 1; }))
+        rule = conform::rules::ellipse;
+    else if (any([](const Texture& texture) { return texture.mipmaps == MipPolicy::Given; }))
+        rule = conform::rules::foreignLevels;
+    rule.bound += static_cast<int>(scene.passes.size()) - 1; // each rounds what the next one reads
+    return rule;
+}
+
+int judge(std::span<char*> words) {
+    const Result<std::string> text = readText(words[1]);
+    const Result<Scene> scene = text ? parseScene(*text) : fail(text.error());
+    if (!scene)
+        return complain(scene.error());
+    ImageSource images{words[2]};
+    if (const Result<void> loaded = images.load(*scene); !loaded)
+        return complain(loaded.error());
+    const Result<Bytes> file = readFile(words[4]);
+    Result<Image> found = file ? decodeImage(*file) : fail(file.error());
+    if (!found)
+        return complain(found.error());
+    if (found->format != PixelFormat::Rgba8)
+        return complain({ErrorCode::Unsupported, "expected a picture of RGBA", words[4]});
+    makeOpaque(*found);
+
+    Reference reference(std::move(images), std::strtod(words[3], nullptr), found->width, found->height);
+    const Result<Frame> drawn = reference.draw(*scene);
+    if (!drawn)
+        return complain(drawn.error());
+    const conform::Rule rule = ruleFor(*scene);
+    const auto judgement = conform::judge(rule, *scene, drawn->image, *found, reference);
+    if (!judgement)
+        return complain(judgement.error());
+    fmt::print(
+        "{{\"rule\": \"{}\", \"bound\": {}, \"share\": {}, \"explained\": {}, \"explainedScene\": {}, \"pixels\": {}, "
+        "\"over\": {}, \"unexplained\": {}, \"max\": {}}}\n",
+        rule.name, rule.bound, rule.share, rule.explained, rule.explainedScene, judgement->difference.pixels,
+        judgement->difference.over, judgement->unexplained, judgement->difference.max);
+    return 0;
+}
+
+} // namespace
+} // namespace texplorer
+
+int main(int argc, char** argv) {
+    if (argc != 5) {
+        fmt::print(stderr, "judge_picture SCENE FOLDER SECONDS PICTURE\n");
+        return texplorer::unable;
+    }
+    return texplorer::judge({argv, static_cast<std::size_t>(argc)});
+}

@@ -1,0 +1,106 @@
+"""A program that texshot emits against texshot itself: compiled, run, and its pictures compared."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy
+from PIL import Image
+
+from capture import DRIVER, PATIENCE, ProgramError, compile_program, differing
+
+TIMES = ("0", "1.75")  # seconds
+
+
+class Flavour(NamedTuple):
+    name: str  # as texshot emit has it
+    file: str
+    renderer: str  # which draws what the program is to draw
+    bound: int  # by how much a component may differ, in 255ths
+
+
+FIXED = Flavour("fixed", "demo.c", "fixed", 0)
+GLSL = Flavour("glsl", "demo.c", "shader", 1)
+
+
+class Refused(Exception):
+    """The sentence in which texshot says what of a scene the flavour has no words for."""
+
+
+class Verdict(NamedTuple):
+    case: object
+    wrong: str  # empty: nothing is
+    refused: str  # empty: there is a program
+
+
+class Proof:
+    """Of one flavour. What is wrong is kept in a folder: the program, its pictures, those of texshot, and what differs."""
+
+    def __init__(self, texshot, flavour, capture, keep):
+        self.texshot, self.flavour, self.capture = os.path.abspath(texshot), flavour, capture
+        self.keep = Path(keep) / flavour.name
+
+    def of_all(self, cases):
+        """The verdicts in the order of the cases."""
+        shutil.rmtree(self.keep, ignore_errors=True)
+        with ThreadPoolExecutor(os.cpu_count()) as threads:
+            return list(threads.map(self.of, cases))
+
+    def of(self, case):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder)
+            try:
+                self.emit(case, path / self.flavour.file)
+                self.compare(case, path, self.draw(path))
+            except Refused as sentence:
+                return Verdict(case, "", str(sentence))
+            except ProgramError as wrong:
+                shutil.copytree(path, self.keep / case.name, dirs_exist_ok=True)
+                return Verdict(case, f"{wrong}; see {self.keep / case.name}", "")
+        return Verdict(case, "", "")
+
+    def run(self, *words, cwd):
+        return subprocess.run([self.texshot, *words], cwd=cwd, env={**os.environ, **DRIVER}, capture_output=True, text=True,
+                              timeout=PATIENCE)
+
+    def emit(self, case, file):
+        done = self.run("emit", *case.words, "--as", self.flavour.name, "-o", file.name, cwd=file.parent)
+        if done.returncode == 0 and not done.stderr:
+            return
+        if done.returncode != 1 or not re.fullmatch(r"texshot: [^\n]+\n", done.stderr) or file.exists():
+            raise ProgramError(f"texshot emit ends with {done.returncode}: {done.stderr}")
+        raise Refused(done.stderr.strip())
+
+    def draw(self, path):
+        """What the program draws at each time."""
+        compile_program(path / self.flavour.file, path / "demo")
+        return self.capture.run(path / "demo", path, TIMES)
+
+    def compare(self, case, path, drawn):
+        height, width, _ = drawn[0].shape
+        done = self.run("shot", *case.words, "--renderer", self.flavour.renderer, "--size", f"{width}x{height}", "--no-metadata",
+                        "--time", ",".join(TIMES), "-o", "texshot-{time}.png", cwd=path)
+        if done.returncode != 0:
+            raise ProgramError(f"texshot shot ends with {done.returncode}: {done.stderr}")
+        wrong = []
+        for time, picture in zip(TIMES, drawn):
+            sentence = self.difference(case, path, time, picture)
+            if sentence:
+                Image.fromarray(picture).save(path / f"program-{time}.png")
+                self.run("compare", f"texshot-{time}.png", f"program-{time}.png", "--rgb", "--tolerance", str(self.flavour.bound),
+                         "-o", f"difference-{time}.png", cwd=path)
+                wrong.append(f"at {time} s {sentence}")
+        if wrong:
+            raise ProgramError("; ".join(wrong) + "".join(f" ({line})" for line in done.stderr.splitlines()))
+
+    def difference(self, case, path, time, picture):
+        """What differs, or nothing."""
+        expected = numpy.asarray(Image.open(path / f"texshot-{time}.png").convert("RGB"))
+        count = differing(picture, expected, self.flavour.bound)
+        worst = int(numpy.abs(picture.astype(int) - expected).max())
+        return f"{count} of {picture.shape[0] * picture.shape[1]} pixels differ, by up to {worst}/255" if count else ""

@@ -1,0 +1,63 @@
+"""The programs and pages of scenes that nobody would make. TEXPLORER_PROGRAMS says of how many, TEXPLORER_SEED of which;
+./dev soak programs takes hundreds."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from canvas import Pages
+from capture import Capture, Display
+from proof import FIXED, GLSL, Proof
+from scenes import Case
+from web_proof import PagesProof
+
+TEXSHOT, SOAK, LIBRARY, JUDGE, KEEP = (sys.argv.pop(1) for _ in range(5))
+COUNT = int(os.environ.get("TEXPLORER_PROGRAMS", "12"))
+SEED = os.environ.get("TEXPLORER_SEED", "1")
+
+
+class RandomScenes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = Path(folder.name)
+
+    def cases(self, *kind):
+        subprocess.run([SOAK, "write", str(self.path), "--count", str(COUNT), "--seed", SEED, *kind], check=True)
+        numbers = sorted(int(file.stem.split("-")[1]) for file in self.path.glob("scene-*.json"))
+        self.assertEqual(len(numbers), COUNT)
+        return [Case(f"scene-{number}", (str(self.path / f"scene-{number}.json"),)) for number in numbers]
+
+    def hold(self, proof, cases, least):
+        """All that are drawn are right, and that is at least this share."""
+        verdicts = proof.of_all(cases)
+        for verdict in verdicts:
+            with self.subTest(verdict.case.name):
+                if verdict.wrong:
+                    self.fail(verdict.wrong)
+        refused = [verdict.refused for verdict in verdicts if verdict.refused]
+        self.assertLessEqual(len(refused), (1 - least) * COUNT, refused)
+
+    def of_program(self, flavour, least):
+        display = Display()
+        self.addCleanup(display.close)
+        self.hold(Proof(TEXSHOT, flavour, Capture(LIBRARY, display), Path(KEEP) / "random"), self.cases("--isotropic"), least)
+
+    def test_fixed_function(self):
+        self.of_program(FIXED, 1)
+
+    def test_glsl(self):
+        self.of_program(GLSL, 0.9)
+
+    def test_webgl(self):
+        browsers = [Pages(), Pages()]
+        for each in browsers:
+            self.addCleanup(each.quit)
+        self.hold(PagesProof(TEXSHOT, JUDGE, browsers, Path(KEEP) / "random"), self.cases("--comparable"), 0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()
