@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
         write.number("--seed", files.seed, 0, std::numeric_limits<unsigned>::max(),
                      "Others; the same number gives the same ones.", {.showsDefault = true});
         write.flag("--comparable", files.comparable, "Only those by which renderers can be compared.");
-        write.flag("--isotropic", files.isotropic,
-                   "Without anisotropy, of which llvmpipe doesn't survive everything.");
+        write.flag("--tame", files.tame,
+                   "Without numbers at their limits and without anisotropy: what llvmpipe survives.");
         write.onCall([&] {
             const Result<void> written = random::writeScenes(files);
             return written ? 0 : complain(describe(written.error()));

@@ -57,13 +57,16 @@ Subject randomScenes(const SceneSoak& soak) {
 }
 
 Result<void> writeScenes(const SceneFiles& files) {
+    const Temper wildest = files.comparable ? Temper::Comparable
+                           : files.tame     ? Temper::Ordinary
+                                            : Temper::Wild;
     int written = 0;
     for (int number = 0; written < files.count; ++number) {
         RandomScene random = randomScene(files.seed, number, {});
-        if (files.comparable && random.temper != Temper::Comparable)
+        if (random.temper > wildest)
             continue;
-        for (Texture& texture : random.scene.textures) {
-            if (files.isotropic)
+        if (files.tame) {
+            for (Texture& texture : random.scene.textures)
                 texture.maxAnisotropy = 1;
         }
         const std::filesystem::path file =

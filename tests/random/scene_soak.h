@@ -23,7 +23,7 @@ struct SceneFiles {
     unsigned seed = 1;
     int count = 100;
     bool comparable = false; ///< of this temper alone
-    bool isotropic = false;  ///< without anisotropy, of which llvmpipe doesn't survive everything
+    bool tame = false;       ///< what llvmpipe survives: without numbers at their limits and anisotropy
 };
 
 /// Random scenes that name no images, as folder/scene-0.json and so on.

@@ -96,7 +96,8 @@ class Proof:
                          "-o", f"difference-{time}.png", cwd=path)
                 wrong.append(f"at {time} s {sentence}")
         if wrong:
-            raise ProgramError("; ".join(wrong) + "".join(f" ({line})" for line in done.stderr.splitlines()))
+            (path / "texshot-said.txt").write_text(done.stderr)
+            raise ProgramError("; ".join(wrong))
 
     def difference(self, case, path, time, picture):
         """What differs, or nothing."""

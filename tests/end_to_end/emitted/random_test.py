@@ -44,7 +44,7 @@ class RandomScenes(unittest.TestCase):
     def of_program(self, flavour, least):
         display = Display()
         self.addCleanup(display.close)
-        self.hold(Proof(TEXSHOT, flavour, Capture(LIBRARY, display), Path(KEEP) / "random"), self.cases("--isotropic"), least)
+        self.hold(Proof(TEXSHOT, flavour, Capture(LIBRARY, display), Path(KEEP) / "random"), self.cases("--tame"), least)
 
     def test_fixed_function(self):
         self.of_program(FIXED, 1)
