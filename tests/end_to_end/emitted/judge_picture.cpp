@@ -1,7 +1,7 @@
 // judge_picture SCENE FOLDER SECONDS PICTURE: whether a picture that somebody drew of a scene is one that
-// OpenGL allows, by the rules by which "texshot conform" holds renderers against the reference. FOLDER has
-// the images that the scene names. It prints how many pixels there are, how many are over the rule's bound,
-// and how many of them no freedom of a driver explains. Exit status: 0 it has judged, 2 it can't.
+// OpenGL allows, by the rules by which "texshot test" holds one against the reference. FOLDER has the images
+// that the scene names. It prints the rule, how many pixels there are, how many are over its bound, and how
+// many of them no freedom of a driver explains, as JSON. Exit status: 0 it has judged, 2 it can't.
 
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
@@ -9,6 +9,7 @@
 #include "core/conform/lambda_range.h"
 #include "core/reference/draw.h"
 #include "core/scene/params/json.h"
+#include "core/suite/rule_choice.h"
 
 #include <fmt/core.h>
 
@@ -69,18 +70,6 @@ private:
     int height_;
 };
 
-/// As the features of conform are held: whatever a texture's levels, filters and anisotropy leave open.
-conform::Rule ruleFor(const Scene& scene) {
-    const auto any = [&](auto condition) { return std::ranges::any_of(scene.textures, condition); };
-    conform::Rule rule = conform::rules::levelBlend;
-    if (any([](const Texture& texture) { return texture.maxAnisotropy > 1; }))
-        rule = conform::rules::ellipse;
-    else if (any([](const Texture& texture) { return texture.mipmaps == MipPolicy::Given; }))
-        rule = conform::rules::foreignLevels;
-    rule.bound += static_cast<int>(scene.passes.size()) - 1; // each rounds what the next one reads
-    return rule;
-}
-
 int judge(std::span<char*> words) {
     const Result<std::string> text = readText(words[1]);
     const Result<Scene> scene = text ? parseScene(*text) : fail(text.error());
@@ -101,15 +90,14 @@ int judge(std::span<char*> words) {
     const Result<Frame> drawn = reference.draw(*scene);
     if (!drawn)
         return complain(drawn.error());
-    const conform::Rule rule = ruleFor(*scene);
+    const conform::Rule& rule = suite::ruleFor(*scene);
     const auto judgement = conform::judge(rule, *scene, drawn->image, *found, reference);
     if (!judgement)
         return complain(judgement.error());
-    fmt::print(
-        "{{\"rule\": \"{}\", \"bound\": {}, \"share\": {}, \"explained\": {}, \"explainedScene\": {}, \"pixels\": {}, "
-        "\"over\": {}, \"unexplained\": {}, \"max\": {}}}\n",
-        rule.name, rule.bound, rule.share, rule.explained, rule.explainedScene, judgement->difference.pixels,
-        judgement->difference.over, judgement->unexplained, judgement->difference.max);
+    fmt::print("{{\"rule\": \"{}\", \"bound\": {}, \"explained\": {}, \"pixels\": {}, \"over\": {}, "
+               "\"unexplained\": {}, \"max\": {}}}\n",
+               rule.name, rule.bound, rule.explainedScene, judgement->difference.pixels,
+               judgement->difference.over, judgement->unexplained, judgement->difference.max);
     return 0;
 }
 

@@ -47,10 +47,10 @@ class RandomScenes(unittest.TestCase):
         self.hold(Proof(TEXSHOT, flavour, Capture(LIBRARY, display), Path(KEEP) / "random"), self.cases("--tame"), least)
 
     def test_fixed_function(self):
-        self.of_program(FIXED, 1)
+        self.of_program(FIXED, 0.5)
 
     def test_glsl(self):
-        self.of_program(GLSL, 0.9)
+        self.of_program(GLSL, 0.5)
 
     def test_webgl(self):
         browsers = [Pages(), Pages()]

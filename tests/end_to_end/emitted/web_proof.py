@@ -22,7 +22,6 @@ class PagesProof(Proof):
         self.judge, self.free = judge, SimpleQueue()
         for each in browsers:
             self.free.put(each)
-        self.judgements = []
 
     def draw(self, path):
         browser = self.free.get()
@@ -41,8 +40,7 @@ class PagesProof(Proof):
         if done.returncode != 0:
             raise ProgramError(f"it can't be judged: {done.stderr}")
         judgement = json.loads(done.stdout)
-        self.judgements.append(judgement)
-        allowed = 1 - judgement["explainedScene"]
+        allowed = 1 - judgement["explained"]
         if judgement["unexplained"] <= allowed * judgement["pixels"]:
             return ""
         return (f"{judgement['unexplained']} of {judgement['pixels']} pixels differ by more than {judgement['bound']}/255 and are not "
