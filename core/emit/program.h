@@ -39,7 +39,7 @@ private:
 struct ProgramOptions {
     std::string title = "Texplorer"; ///< of the window
     std::string about{};             ///< what the comment at its top says beside: sentences
-    std::string source = "demo.c";   ///< what the file is called: for the line that compiles it
+    std::string source = "demo.c";    ///< what the file is called: for the line that compiles it
     int width = 640;                 ///< of the window, in pixels
     int height = 480;
     /// Parameters whose calls have a word on what they do before them.
@@ -53,13 +53,16 @@ struct ProgramOptions {
 enum class Flavour : std::uint32_t { Fixed };
 
 inline constexpr std::array flavourRows{
-    row(Flavour::Fixed, "fixed", "Fixed function", "C99 with GLFW, OpenGL 2.1 without shaders."),
+    row(Flavour::Fixed, "fixed", "C with OpenGL 2.1", "C99 with GLFW, fixed function: no shaders."),
 };
 
 /// The program. What the scene's textures hold comes from `images`; one that has none is left out, as
 /// renderers leave it out. Unsupported: what the scene says that such a program can't, in one sentence.
 [[nodiscard]] Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                                      const ProgramOptions& options, TextureCodes& codes);
+
+/// Its extension, with the dot.
+[[nodiscard]] std::string_view extensionOf(Flavour flavour);
 
 /// The same for any flavour.
 [[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,

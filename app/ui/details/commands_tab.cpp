@@ -63,9 +63,11 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
         return;
     state.changed = changedPaths(document);
     if (!isSame) {
+        state.refused.clear();
         const emit::ProgramOptions options{.title = "Texplorer"};
         std::vector<emit::Line> lines =
-            emit::fixedProgram(document.scene, document.images, options, state.texels)
+            emit::program(emit::Flavour::Fixed, document.scene, document.images, options, state.texels)
+                .or_else([&](const Error& error) { state.refused = describe(error); })
                 .value_or(std::vector<emit::Line>{});
         state.texels.forgetUnused();
         const auto haveChanged = [&](const std::vector<emit::Line>& among) {
@@ -140,6 +142,8 @@ void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row
 
 void drawCommandsTab(Session& session, CommandsTabState& state) {
     toolRow(state);
+    if (!state.refused.empty())
+        wrappedText(state.refused);
     ImGui::BeginChild("commands");
     ImGui::PushFont(codeFont());
     constexpr int sample = 64; // letters: the width of one may be rounded

@@ -26,6 +26,7 @@ struct CommandsTabState {
     std::optional<Scene> scene;
     ImageSource images;
     emit::TextureCodes texels;
+    std::string refused; ///< why there is no program; empty: there is one
     std::vector<emit::Line> lines;
     std::vector<CodeRow> rows;
     ChangedPaths changed; ///< whose lines glow, and stay though OpenGL has their values

@@ -16,6 +16,7 @@
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/emit/program.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/picking.h"
 
@@ -52,6 +53,7 @@ enum class Dialog {
     SaveScene,
     SaveAnswers,
     SaveSheet,
+    SaveProgram,
     Discard,
     Help,
     Restore,
@@ -108,6 +110,7 @@ struct WindowState {
     std::string hoveringParam; ///< the same of this frame, said by the panel that draws it
 
     Dialog dialog = Dialog::None;
+    emit::Flavour flavour = emit::Flavour::Fixed; ///< of Dialog::SaveProgram
     std::string imageParam; ///< OpenImage: what shall name it; empty: the texture that is bound
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;

@@ -2,6 +2,7 @@
 
 #include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/model/program_file.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
@@ -40,6 +41,7 @@ constexpr std::array browserRows{
     BrowserRow{Dialog::SaveScene, "Save the scene", true, false},
     BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false},
     BrowserRow{Dialog::SaveSheet, "Save the sheet", true, false},
+    BrowserRow{Dialog::SaveProgram, "Export as program", true, false},
 };
 
 std::vector<std::string> imageExtensions() {
@@ -66,10 +68,12 @@ void beginBrowsing(DialogsState& state, const Session& session) {
     const Document& document = session.document;
     const bool opens = dialog == Dialog::OpenScene;
     const bool isSheet = dialog == Dialog::SaveSheet;
+    const bool isProgram = dialog == Dialog::SaveProgram;
     beginBrowsing(state.browser, row.title,
                   row.thumbnails ? imageExtensions()
                   : opens        ? std::vector<std::string>{".json", ".png"}
                   : isSheet      ? std::vector<std::string>{".png"}
+                  : isProgram    ? std::vector{std::string(emit::extensionOf(session.window.flavour))}
                                  : std::vector<std::string>{".json"},
                   row.saving, document.file.empty() ? document.suggested : document.file,
                   opens ? maybeScene : nullptr);
@@ -80,6 +84,8 @@ void beginBrowsing(DialogsState& state, const Session& session) {
         state.browser.typed = "answers.json"; // never the scene's file
     if (isSheet)
         state.browser.typed = sheetFileName(document);
+    if (isProgram)
+        state.browser.typed = programFileName(document, session.window.flavour);
 }
 
 void drawDiscard(Session& session) {
@@ -192,6 +198,8 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
         return saveAnswers(session, chosen);
     if (dialog == Dialog::SaveSheet)
         return saveSheet(session, chosen);
+    if (dialog == Dialog::SaveProgram)
+        return saveProgram(session, chosen);
     const std::string param = std::exchange(session.window.imageParam, {});
     if (param.empty())
         importImage(session, chosen);

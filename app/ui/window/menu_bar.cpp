@@ -105,6 +105,14 @@ void fileMenu(Session& session) {
         save(session);
     if (item("Save as…", "save as"))
         askSaveAs(session);
+    if (menu("Export as program")) {
+        for (const EnumRow& row : emit::flavourRows) {
+            if (item(std::string(row.label)))
+                askSaveProgram(session, static_cast<emit::Flavour>(row.value));
+            helpTip(std::string(row.help));
+        }
+        ImGui::EndMenu();
+    }
     ImGui::Separator();
     if (item("Picture of the view", "view picture"))
         session.window.wantedCapture = Capture::View;

@@ -1,7 +1,6 @@
-"""texshot commands: the OpenGL calls of a scene, which a C compiler takes."""
+"""texshot commands: the program of a scene, as the window shows it."""
 
-import shutil
-import subprocess
+import json
 import unittest
 
 from texshot import Texshot, texshot
@@ -15,15 +14,12 @@ class Commands(Texshot):
         everything = self.succeeds("commands", "--all").decode()
         self.assertIn("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);\n", everything)
 
-    @unittest.skipUnless(shutil.which("cc"), "there is no C compiler")
-    def test_a_c_compiler_takes_them(self):
-        source = self.path / "calls.c"
-        source.write_text("#define GL_GLEXT_PROTOTYPES\n#include <GL/gl.h>\n#include <GL/glext.h>\n"
-                          "#include <GL/glu.h>\nint main(void) {\n" + self.succeeds("commands").decode()
-                          + "return 0;\n}\n")
-        result = subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", source],
-                                capture_output=True)
-        self.assertEqual((result.returncode, result.stderr), (0, b""))
+    def test_it_is_the_program_of_emit(self):
+        text = self.succeeds("commands", "--example", "cube").decode()
+        self.assertEqual(self.succeeds("emit", "--example", "cube").decode(), text)
+        told = json.loads(self.succeeds("commands", "--example", "cube", "--json"))
+        self.assertEqual(told["language"], "C99")
+        self.assertEqual("".join(line + "\n" for line in told["lines"]), text)
 
     def test_a_scene_that_is_not_there_is_one_sentence(self):
         result = texshot("commands", self.path / "nothing.json")

@@ -1,0 +1,42 @@
+#include "app/ui/model/program_file.h"
+
+#include "app/ui/model/scene_files.h"
+#include "core/base/file_io.h"
+#include "core/base/printable.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::ui {
+namespace {
+
+std::string stemOf(const Document& document) {
+    const std::filesystem::path& named = document.file.empty() ? document.suggested : document.file;
+    std::string stem = named.filename().string();
+    stem.erase(std::min(stem.find('.'), stem.size()));
+    return stem.empty() ? "scene" : stem;
+}
+
+} // namespace
+
+std::string programFileName(const Document& document, emit::Flavour flavour) {
+    return stemOf(document) + std::string(emit::extensionOf(flavour));
+}
+
+Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
+    const Document& document = session.document;
+    emit::TextureCodes codes;
+    const emit::ProgramOptions options{.title = stemOf(document), .source = file.filename().string()};
+    const auto lines =
+        emit::program(session.window.flavour, document.scene, document.images, options, codes);
+    if (!lines)
+        return fail(lines.error().code, describe(lines.error()));
+    const std::string text = textOf(*lines, false);
+    const Result<void> written = writeFileAtomically(file, viewBytes(text));
+    if (written)
+        tell(session, fmt::format("Written: {}", printable(file.string())));
+    return written;
+}
+
+} // namespace texplorer::ui

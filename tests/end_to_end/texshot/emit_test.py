@@ -1,0 +1,128 @@
+"""texshot emit: a scene as a program. What programs draw, tests/end_to_end/emitted looks at."""
+
+import json
+import os
+import re
+import subprocess
+import unittest
+
+from PIL import Image
+
+from texshot import Texshot, texshot
+
+
+class Emit(Texshot):
+    def emitted(self, *arguments):
+        file = self.path / "demo.c"
+        self.succeeds("emit", *arguments, "-o", file)
+        return file.read_text()
+
+    def refused(self, *arguments, code=1):
+        """The sentence, after a look at whether anything was written."""
+        file = self.path / "demo.c"
+        result = texshot("emit", *arguments, "-o", file)
+        self.assertEqual((result.returncode, result.stdout), (code, b""), result.stderr)
+        self.assertFalse(file.exists())
+        sentence = result.stderr.decode()
+        self.assertRegex(sentence, r"\Atexshot: [^\n]+\n\Z")
+        return sentence
+
+    def test_the_line_at_its_top_compiles_it(self):
+        text = self.emitted("--example", "cube")
+        command = re.search(r"\bcc (\S+) -o (\S+) (.*?) \*/", text)
+        self.assertEqual(command.groups(), ("demo.c", "demo", "-lglfw -lGL -lm"))
+        done = subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "demo.c", "-o", "demo", *command[3].split()],
+                              cwd=self.path, capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_a_lesson_says_why(self):
+        lesson = json.loads(self.succeeds("lessons", "--json"))["lessons"]
+        title = next(each for each in lesson if each["name"] == "filters")["title"]
+        text = self.emitted("--lesson", "filters", "--step", "1")
+        self.assertTrue(text.startswith(f"/* {title}: Texels are squares\n"), text[:200])
+        self.assertIn("This image has 16", text[:400])
+        self.assertRegex(text, r"/\* How a colour is found where a texel covers more than a pixel: [^\n]*\*/\n"
+                               r" *glTexParameteri\(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST\);")
+
+    def test_the_texels_of_an_image_are_in_it(self):
+        """Unpacked here by the format's own words, qoiformat.org, from the numbers in the program."""
+        picture = Image.effect_noise((32, 16), 60).convert("RGBA")
+        picture.putpixel((3, 4), (1, 2, 3, 77))
+        picture.save(self.path / "noise.png")
+        (self.path / "scene.json").write_text(json.dumps({
+            "version": 1, "textures": [{"source": "file", "file": "noise.png"}],
+            "models": [{"shape": "quad"}], "passes": [{"units": [{"enabled": True}]}]}))
+        text = self.emitted(self.path / "scene.json")
+        numbers = re.search(r"texture0Packed\[\d+\] = \{\n(.*?)\};", text, re.DOTALL)[1]
+        texels = unpacked([int(each) for each in re.findall(r"\d+", numbers)])
+        turned = picture.transpose(Image.Transpose.FLIP_TOP_BOTTOM)
+        self.assertEqual(bytes(texels), turned.tobytes())
+
+    def test_what_a_program_has_no_words_for_is_one_sentence(self):
+        self.assertIn("key frames", self.refused("--set", "view.azimuth=3", self.keyed()))
+        self.assertIn("--as", self.refused("--as", "assembler", code=2))
+        self.assertIn("internalFormat", self.refused("--preset", "shadow-map", "--set", "textures[0].internalFormat=GL_RGBA",
+                                                     self.shadowed()))
+
+    def keyed(self):
+        file = self.path / "keyed.json"
+        file.write_text(json.dumps({"version": 1, "timeline": [{"time": 1, "path": "view.azimuth", "value": 9}]}))
+        return file
+
+    def shadowed(self):
+        file = self.path / "shadowed.json"
+        file.write_text(json.dumps({"version": 1, "textures": [{"source": "light-depth"}], "models": [{}],
+                                    "passes": [{"units": [{"enabled": True}]}]}))
+        return file
+
+    def test_an_output_that_cannot_be_written_is_named_before_any_work(self):
+        result = texshot("emit", "-o", self.path / "nowhere" / "demo.c")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"nowhere", result.stderr)
+        scene = self.path / "scene.json"
+        self.succeeds("scene", "-o", scene)
+        before = scene.read_bytes()
+        self.assertEqual(texshot("emit", scene, "-o", scene).returncode, 2)
+        self.assertEqual(scene.read_bytes(), before)
+
+    def test_a_hostile_name_stays_within_its_comment(self):
+        (self.path / "scene.json").write_text(json.dumps({
+            "version": 1, "textures": [{"source": "file", "file": "*/ int broken; /*.png"}],
+            "models": [{"name": "*/ int x; /* \n #error"}], "passes": [{"name": "??/\n#error", "units": [{"enabled": True}]}]}))
+        Image.new("RGB", (4, 4)).save(self.path / "other.png")
+        result = texshot("emit", self.path / "scene.json", "--set", "textures[0].source=pattern")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        file = self.path / "demo.c"
+        file.write_bytes(result.stdout)
+        done = subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", os.fspath(file)], capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+
+def unpacked(codes):
+    texels, seen, texel, at = bytearray(), [(0, 0, 0, 0)] * 64, (0, 0, 0, 255), 0
+    while at < len(codes):
+        code = codes[at]
+        at += 1
+        run = 1
+        if code in (0xFE, 0xFF):
+            count = code - 0xFB
+            texel = tuple(codes[at:at + count]) + texel[count:]
+            at += count
+        elif code < 64:
+            texel = seen[code]
+        elif code < 128:
+            texel = tuple((value + (code >> shift & 3) - 2) % 256 for value, shift in zip(texel, (4, 2, 0))) + texel[3:]
+        elif code < 192:
+            green, others = code - 160, codes[at]
+            at += 1
+            changes = (green + (others >> 4) - 8, green, green + (others & 15) - 8)
+            texel = tuple((value + change) % 256 for value, change in zip(texel, changes)) + texel[3:]
+        else:
+            run = code - 191
+        seen[sum(value * factor for value, factor in zip(texel, (3, 5, 7, 11))) % 64] = texel
+        texels += bytes(texel) * run
+    return texels
+
+
+if __name__ == "__main__":
+    unittest.main()
