@@ -226,7 +226,8 @@ std::vector<int> durationsFor(const Motion& motion, std::size_t pictures, animat
         settings.unitsPerSecond = static_cast<int>(even);
     std::vector<int> durations = animation::durationsOf(pictures, even, seconds, settings.unitsPerSecond);
     const auto [shortest, longest] = std::ranges::minmax(durations);
-    if (shortest != longest && format.format == animation::Format::Gif)
+    const double hundredths = format.unitsPerSecond / even;
+    if (format.format == animation::Format::Gif && hundredths != std::round(hundredths))
         warn({ErrorCode::Unsupported,
               fmt::format(
                   "a GIF counts in hundredths of a second: with {} pictures a second they are shown for "

@@ -9,12 +9,12 @@ constexpr std::array keyFrameRows{
     param<&KeyFrame::time>("time", "Key", "Time", "", "When the parameter has this value.",
                            {0, maxKeyTime, 0.02F, "s"}),
     param<&KeyFrame::path>("path", "Key", "Parameter", "",
-                           "Which parameter it is, by its path: \"view.azimuth\", \"textures[0].wrapS\"."),
+                           "Which parameter it is, by its path, as --set has it."),
     param<&KeyFrame::value>(
         "value", "Key", "Value", "",
-        "What the parameter is then: \"45\", \"1,0,0,1\", \"GL_REPEAT\". Between two keys there is what lies "
-        "between them; names, and what is on or off, stay until the next key comes. In a file, numbers and "
-        "arrays of numbers may stand without quotes."),
+        "What the parameter is then, as --set takes it. Between two keys there is what lies between them; "
+        "names, and what is on or off, stay until the next key comes. In a file, numbers and arrays of "
+        "numbers may stand without quotes."),
     param<&KeyFrame::easing>("easing", "Key", "Easing", "", "How it goes from here to its next key."),
 };
 static_assert(keyFrameRows.size() == 4 && keyFrameRows.size() == build::memberCount<KeyFrame>());

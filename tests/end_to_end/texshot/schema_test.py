@@ -155,6 +155,11 @@ class Schema(Texshot):
             "a coordinate beyond floats": {"models": [{"shape": "mesh", "mesh": {**mesh, "positions": [[0, 0, 1e39]]}}]},
             "an index below 0": {"models": [{"shape": "mesh", "mesh": {**mesh, "indices": [-1]}}]},
             "a pass of no model": {"models": [{}], "passes": [{"models": []}]},
+            "too many keys": {"timeline": [{"path": "view.azimuth", "value": 1}] * 1025},
+            "a key too late": {"timeline": [{"path": "view.azimuth", "value": 1, "time": 3601}]},
+            "a key of no easing that there is": {"timeline": [{"path": "view.azimuth", "value": 1, "easing": "bounce"}]},
+            "a key's object": {"timeline": [{"path": "view.azimuth", "value": {}}]},
+            "a key of too many numbers": {"timeline": [{"path": "view.azimuth", "value": [1] * 17}]},
             "a model twice": {"models": [{}], "passes": [{"models": [0, 0]}]},
         }
         for name, scene in wrong.items():
@@ -174,6 +179,8 @@ class Schema(Texshot):
             "no models": {"models": []},
             "a long text": {"textures": [{"file": "a" * 4096}]},
             "letters of several bytes": {"models": [{"name": "\u00e9\U0001f600"}]},
+            "keys of every kind": {"timeline": [{"path": "view.azimuth", "value": 1.5}, {"path": "view.target", "value": [1, 2, 3], "time": 2},
+                                                {"path": "passes[0].blend", "value": True}, {"path": "models[0].name", "value": "a"}]},
             "some units": {"passes": [{"units": [{}, {}]}]},
         }
         for name, scene in right.items():
@@ -183,8 +190,8 @@ class Schema(Texshot):
 
     def test_both_draw_the_same_limits(self):
         """Each number at its limits and beyond them, each enumerant and one that there isn't."""
-        start = {"models": [{}], "textures": [{}], "passes": [{}]}
-        places = {"Projector": "light/projector", "Material": "material", "View": "view", "Light": "light",
+        start = {"models": [{}], "textures": [{}], "passes": [{}], "timeline": [{"path": "view.azimuth", "value": 1}]}
+        places = {"KeyFrame": "timeline/0", "Projector": "light/projector", "Material": "material", "View": "view", "Light": "light",
                   "Texture": "textures/0", "Level": "textures/0/levels/0", "ImageStep": "textures/0/preparation/0",
                   "Model": "models/0", "ModelMaterial": "models/0/material", "Mesh": "models/0/mesh",
                   "Pass": "passes/0", "Fog": "passes/0/fog", "Unit": "passes/0/units/0",
