@@ -185,18 +185,18 @@ TEST_F(LoopTest, ASheetIsWrittenWhileTheWindowSleeps) {
     const ui::Services all = services.lend();
     session.emplace(ui::Services{all.files, all.levels, all.reference, all.kept, all.probe, all.levelMap,
                                  all.patterns, all.levelPictures, all.lessons, all.environments,
-                                 all.plainProbe, all.sheet, beside});
+                                 all.plainProbe, all.sheet, beside, all.recordings});
     loop.emplace(graphics, *session, wide, Clipboard{});
     session->window.sheet.width = session->window.sheet.height = 16;
     ASSERT_TRUE(ui::saveSheet(*session, folder / "sheet.png"));
     begun.wait();
     run({Refresh{}});
-    EXPECT_TRUE(places.items.contains("drawing sheet"));
+    EXPECT_TRUE(places.items.contains("drawing file"));
     EXPECT_EQ(last.wake, std::nullopt) << "the thread wakes it when there is news";
     goOn.count_down();
     beside.wait();
     run({Refresh{}});
-    EXPECT_FALSE(places.items.contains("drawing sheet"));
+    EXPECT_FALSE(places.items.contains("drawing file"));
     EXPECT_THAT(session->window.notice.text, HasSubstr("Written: "));
     EXPECT_EQ(last.wake, std::nullopt);
 }

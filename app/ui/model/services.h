@@ -6,6 +6,7 @@
 #include "app/ui/model/lesson_work.h"
 #include "app/ui/model/level_pictures.h"
 #include "app/ui/model/pattern_pictures.h"
+#include "app/ui/model/recordings.h"
 #include "app/ui/model/settings_file.h"
 #include "app/ui/model/sheet_files.h"
 #include "app/ui/model/sheet_pictures.h"
@@ -34,6 +35,7 @@ struct Services {
     reference::ProbeWorker& plainProbe;  ///< of the same pixel for that table, whatever the texture's format
     SheetPictures& sheet;                ///< of the sheet of variations
     SheetFiles& sheetFiles;              ///< of the same as files
+    Recordings& recordings;              ///< of animations
     UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
     SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
     Captures* captures = nullptr;        ///< nullptr: no pictures are written
@@ -56,11 +58,13 @@ public:
         , environments_(When::WhenReady, wake)
         , plainProbe_(When::WhenReady, wake, {cache})
         , sheet_(When::WhenReady, wake, {cache})
-        , sheetFiles_(When::WhenReady, wake, {cache}) {}
+        , sheetFiles_(When::WhenReady, wake, {cache})
+        , recordings_(When::WhenReady, wake, {cache}) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_,   patterns_,
-                levelPictures_, lessons_, environments_, plainProbe_, sheet_, sheetFiles_, unsaved};
+        return {files_,      levels_,   reference_,     kept_,       probe_,
+                levelMap_,   patterns_, levelPictures_, lessons_,    environments_,
+                plainProbe_, sheet_,    sheetFiles_,    recordings_, unsaved};
     }
 
 private:
@@ -77,6 +81,7 @@ private:
     reference::ProbeWorker plainProbe_;
     SheetPictures sheet_;
     SheetFiles sheetFiles_;
+    Recordings recordings_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -95,11 +100,13 @@ public:
         , environments_(When::AtOnce)
         , plainProbe_(When::AtOnce, {}, work)
         , sheet_(When::AtOnce, {}, work)
-        , sheetFiles_(When::AtOnce, {}, work) {}
+        , sheetFiles_(When::AtOnce, {}, work)
+        , recordings_(When::AtOnce, {}, work) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_,   patterns_,
-                levelPictures_, lessons_, environments_, plainProbe_, sheet_, sheetFiles_, unsaved};
+        return {files_,      levels_,   reference_,     kept_,       probe_,
+                levelMap_,   patterns_, levelPictures_, lessons_,    environments_,
+                plainProbe_, sheet_,    sheetFiles_,    recordings_, unsaved};
     }
 
 private:
@@ -116,6 +123,7 @@ private:
     reference::ProbeWorker plainProbe_;
     SheetPictures sheet_;
     SheetFiles sheetFiles_;
+    Recordings recordings_;
 };
 
 } // namespace texplorer::ui

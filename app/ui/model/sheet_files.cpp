@@ -22,7 +22,7 @@ namespace {
 constexpr FailureWords sheetFileFailure{"there is no memory for the sheet", "the sheet can't be made"};
 constexpr std::string_view referenceName = rowOf(RendererKind::Reference).name;
 
-SheetFiles::News unwritten(const Error& error) {
+FileNews unwritten(const Error& error) {
     return {fmt::format("The sheet can't be written: {}.", describe(error)), false};
 }
 
@@ -52,7 +52,7 @@ struct SheetFiles::State {
         sheet::Layout layout;
         const sheet::Lettering* lettering = nullptr;
     };
-    using Writing = Worker<Job, News, Progress>;
+    using Writing = Worker<Job, FileNews, FileProgress>;
 
     /// nullptr and why: there are no fonts.
     [[nodiscard]] Result<const sheet::Lettering*> pen() {
@@ -63,7 +63,7 @@ struct SheetFiles::State {
         return (*lettering)->get();
     }
 
-    std::optional<News> work(const Writing::Task& task);
+    std::optional<FileNews> work(const Writing::Task& task);
 
     std::optional<Result<std::unique_ptr<sheet::Lettering>>> lettering; ///< once it was asked for
     const LevelWork levels;
@@ -71,7 +71,7 @@ struct SheetFiles::State {
     Writing worker; // last: it ends before the rest does
 };
 
-std::optional<SheetFiles::News> SheetFiles::State::work(const Writing::Task& task) {
+std::optional<FileNews> SheetFiles::State::work(const Writing::Task& task) {
     const auto& [order, layout, pen] = task.job();
     if (!task.atOnce())
         giveWay(); // the window goes on
@@ -106,9 +106,10 @@ std::optional<SheetFiles::News> SheetFiles::State::work(const Writing::Task& tas
             firstRefusal = words;
     }
     if (refused == all)
-        return News{fmt::format("The sheet is not written, because none of its pictures can be drawn: {}.",
-                                firstRefusal),
-                    false};
+        return FileNews{
+            fmt::format("The sheet is not written, because none of its pictures can be drawn: {}.",
+                        firstRefusal),
+            false};
     const Result<Bytes> bytes =
         encodePng(std::move(picture).take(*pen), WriteOptions{.texts = textsOfSheet(order)});
     if (!bytes)
@@ -118,10 +119,10 @@ std::optional<SheetFiles::News> SheetFiles::State::work(const Writing::Task& tas
     if (const Result<void> written = writeFileAtomically(order.file, *bytes); !written)
         return unwritten(written.error());
     const std::string file = printable(order.file.string());
-    return refused == 0 ? News{fmt::format("Written: {}", file), true}
-                        : News{fmt::format("Written: {}. {} of {} can't be drawn, and say why.", file,
-                                           refused, countOf(all, "picture")),
-                               false};
+    return refused == 0 ? FileNews{fmt::format("Written: {}", file), true}
+                        : FileNews{fmt::format("Written: {}. {} of {} can't be drawn, and say why.", file,
+                                               refused, countOf(all, "picture")),
+                                   false};
 }
 
 SheetFiles::SheetFiles(When when, std::function<void()> wake, LevelWork levels)
@@ -140,12 +141,12 @@ Result<void> SheetFiles::write(Order order) {
     Result<sheet::Layout> layout = layoutOf(order.content);
     if (!layout)
         return fail(layout.error());
-    Progress progress{order.file, 0, layout->cells.size()};
+    FileProgress progress{order.file, 0, layout->cells.size()};
     state_->worker.ask({std::move(order), *std::move(layout), *state_->pen()}, std::move(progress));
     return {};
 }
 
-std::optional<SheetFiles::Progress> SheetFiles::progress() const {
+std::optional<FileProgress> SheetFiles::progress() const {
     return state_->worker.progress();
 }
 
@@ -153,8 +154,8 @@ void SheetFiles::cancel() {
     state_->worker.drop([](const State::Job&) { return true; });
 }
 
-std::optional<SheetFiles::News> SheetFiles::takeNews() {
-    std::vector<News> news = state_->worker.take();
+std::optional<FileNews> SheetFiles::takeNews() {
+    std::vector<FileNews> news = state_->worker.take();
     if (news.empty())
         return std::nullopt;
     return std::move(news.back());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/model/file_news.h"
 #include "core/base/worker.h"
 #include "core/reference/draw.h"
 #include "core/scene/params/sweep_axis.h"
@@ -41,24 +42,14 @@ public:
     /// One sheet after the other. Errors: those of layoutOf.
     [[nodiscard]] Result<void> write(Order order);
 
-    struct Progress {
-        std::filesystem::path file;
-        std::size_t done = 0; ///< pictures
-        std::size_t all = 0;
-    };
     /// Of the sheet that is drawn; nothing: none is.
-    [[nodiscard]] std::optional<Progress> progress() const;
+    [[nodiscard]] std::optional<FileProgress> progress() const;
 
     /// Gives up all that isn't written yet: its files stay what they were.
     void cancel();
 
-    /// A sentence for the user.
-    struct News {
-        std::string text;
-        bool isGood = false; ///< the sheet is written, with all its pictures
-    };
     /// What there is to say of the last sheet that was written, or couldn't be: once.
-    [[nodiscard]] std::optional<News> takeNews();
+    [[nodiscard]] std::optional<FileNews> takeNews();
 
     /// Sleeps until all is written.
     void wait() const;

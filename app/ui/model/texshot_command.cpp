@@ -68,7 +68,7 @@ std::string shellWord(std::string_view text) {
 namespace {
 
 /// " earth.json --set …", with " --time …" where it isn't 0: what leads to the session's scene.
-Result<std::string> sceneWords(const Session& session) {
+Result<std::string> sceneWords(const Session& session, double time) {
     const Document& document = session.document;
     const bool hasFile = !document.file.empty();
     const Scene base = hasFile ? document.saved : defaultScene();
@@ -86,15 +86,15 @@ Result<std::string> sceneWords(const Session& session) {
         words += ' ' + shellWord(document.file.string());
     for (const Assignment& each : assignments)
         words += " --set " + shellWord(each.path + '=' + each.value);
-    if (session.window.playback.time != 0)
-        words += fmt::format(" --time {}", session.window.playback.time);
+    if (time != 0)
+        words += fmt::format(" --time {}", time);
     return words;
 }
 
 } // namespace
 
 Result<std::string> texshotCommand(const Session& session, view::Size picture) {
-    const Result<std::string> scene = sceneWords(session);
+    const Result<std::string> scene = sceneWords(session, session.window.playback.time);
     if (!scene)
         return fail(scene.error());
     std::string command = "texshot shot" + *scene;
@@ -108,7 +108,7 @@ Result<std::string> texshotCommand(const Session& session, view::Size picture) {
 Result<std::string> sweepCommand(const Session& session) {
     if (const Result<SheetFiles::Order> order = sheetOrder(session); !order)
         return fail(order.error());
-    const Result<std::string> scene = sceneWords(session);
+    const Result<std::string> scene = sceneWords(session, session.window.playback.time);
     if (!scene)
         return fail(scene.error());
     const SheetChoice& choice = session.window.sheet;
@@ -122,6 +122,23 @@ Result<std::string> sweepCommand(const Session& session) {
         command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
     return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
                        shellWord(sheetFileName(session.document)));
+}
+
+Result<std::string> animateCommand(const Session& session) {
+    const Result<Recordings::Order> order = recordingOrder(session);
+    if (!order)
+        return fail(order.error());
+    const RecordingChoice& choice = session.window.recording;
+    const Result<std::string> scene = sceneWords(session, order->picture.time);
+    if (!scene)
+        return fail(scene.error());
+    std::string command = "texshot animate" + *scene;
+    command += fmt::format(" --fps {} --seconds {} --renderer {}", choice.perSecond, recordedSeconds(session),
+                           rowOf(RendererKind::Reference).name);
+    if (session.window.view.anisotropy != reference::AnisotropyMethod::Probes)
+        command += fmt::format(" --anisotropy {}", texplorer::rowOf(session.window.view.anisotropy).name);
+    return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
+                       shellWord(recordingFileName(session)));
 }
 
 } // namespace texplorer::ui

@@ -16,6 +16,10 @@ namespace texplorer::ui {
 /// Errors: those, and of sheetOrder.
 [[nodiscard]] Result<std::string> sweepCommand(const Session& session);
 
+/// The same for the animation that the window would record: "texshot animate earth.json --fps … -o
+/// earth.webp". Errors: those, and of recordingOrder.
+[[nodiscard]] Result<std::string> animateCommand(const Session& session);
+
 /// As one word of a POSIX shell.
 [[nodiscard]] std::string shellWord(std::string_view text);
 

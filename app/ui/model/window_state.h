@@ -9,6 +9,7 @@
 #include "app/ui/model/load.h"
 #include "app/ui/model/notes.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/model/recordings.h"
 #include "app/ui/model/sections.h"
 #include "app/ui/model/selection.h"
 #include "app/ui/model/settings.h"
@@ -54,6 +55,8 @@ enum class Dialog {
     SaveAnswers,
     SaveSheet,
     SaveProgram,
+    Record,
+    SaveRecording,
     Discard,
     Help,
     Restore,
@@ -133,6 +136,7 @@ struct WindowState {
     Explaining explaining;
     Figure figure = Figure::Environments; ///< of the tab of figures
     SheetChoice sheet;
+    RecordingChoice recording;
     LevelView levels;
     InspectedFile fileView;
     Notice notice;

@@ -11,6 +11,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_button.h"
 #include "app/ui/window/help_dialog.h"
+#include "app/ui/window/record_dialog.h"
 #include "app/ui/window/recovery_dialog.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
@@ -42,6 +43,7 @@ constexpr std::array browserRows{
     BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false},
     BrowserRow{Dialog::SaveSheet, "Save the sheet", true, false},
     BrowserRow{Dialog::SaveProgram, "Export as program", true, false},
+    BrowserRow{Dialog::SaveRecording, "Save the animation", true, false},
 };
 
 std::vector<std::string> imageExtensions() {
@@ -69,11 +71,14 @@ void beginBrowsing(DialogsState& state, const Session& session) {
     const bool opens = dialog == Dialog::OpenScene;
     const bool isSheet = dialog == Dialog::SaveSheet;
     const bool isProgram = dialog == Dialog::SaveProgram;
+    const bool isRecording = dialog == Dialog::SaveRecording;
     beginBrowsing(state.browser, row.title,
                   row.thumbnails ? imageExtensions()
                   : opens        ? std::vector<std::string>{".json", ".png"}
                   : isSheet      ? std::vector<std::string>{".png"}
                   : isProgram    ? std::vector{std::string(emit::extensionOf(session.window.flavour))}
+                  : isRecording  ? std::vector<std::string>{recordingFileName(session).substr(
+                                       recordingFileName(session).rfind('.'))}
                                  : std::vector<std::string>{".json"},
                   row.saving, document.file.empty() ? document.suggested : document.file,
                   opens ? maybeScene : nullptr);
@@ -82,6 +87,8 @@ void beginBrowsing(DialogsState& state, const Session& session) {
         state.browser.suffix = sceneExtension;
     if (dialog == Dialog::SaveAnswers)
         state.browser.typed = "answers.json"; // never the scene's file
+    if (isRecording)
+        state.browser.typed = recordingFileName(session);
     if (isSheet)
         state.browser.typed = sheetFileName(document);
     if (isProgram)
@@ -200,6 +207,8 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
         return saveSheet(session, chosen);
     if (dialog == Dialog::SaveProgram)
         return saveProgram(session, chosen);
+    if (dialog == Dialog::SaveRecording)
+        return saveRecording(session, chosen);
     const std::string param = std::exchange(session.window.imageParam, {});
     if (param.empty())
         importImage(session, chosen);
@@ -245,6 +254,8 @@ void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures
         drawDiscard(session);
     else if (dialog == Dialog::Picture)
         drawPictureQuestion(session);
+    else if (dialog == Dialog::Record)
+        drawRecord(session);
     else if (dialog == Dialog::Help)
         drawHelp(session);
     else if (dialog == Dialog::Restore)

@@ -125,6 +125,9 @@ void fileMenu(Session& session) {
     helpTip(
         "The scene with every pair of values of two parameters, to look at, to choose from, or as a file. "
         "A right click on a parameter puts it there.");
+    if (item("Record animation…"))
+        session.window.dialog = Dialog::Record;
+    helpTip("Writes what moves as a GIF, a WebP or a PNG, drawn beside the window.");
     if (item("Copy link to this scene"))
         copySceneLink(session);
     helpTip(

@@ -53,15 +53,16 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
     helpTip("What was drawn before stays until they are there.");
 }
 
-/// The same for a sheet that is drawn for a file.
-void drawProgress(Session& session, const SheetFiles::Progress& progress) {
+/// The same for pictures that are drawn for a file.
+template<class Files>
+void drawProgress(Files& files, const FileProgress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
-        session.services.sheetFiles.cancel();
-    noteItem("cancel sheet");
+        files.cancel();
+    noteItem("cancel drawing");
     ImGui::SameLine();
     text(fmt::format("Drawing {} · {} of {}", printable(progress.file.filename().string()), progress.done,
                      countOf(progress.all, "picture")));
-    noteItem("drawing sheet");
+    noteItem("drawing file");
     helpTip(printable(progress.file.string()));
 }
 
@@ -170,7 +171,9 @@ void drawNews(Session& session, const Pictures& pictures) {
     else if (const auto making = session.services.levels.progress())
         drawProgress(session, *making);
     else if (const auto sheet = session.services.sheetFiles.progress())
-        drawProgress(session, *sheet);
+        drawProgress(session.services.sheetFiles, *sheet);
+    else if (const auto recording = session.services.recordings.progress())
+        drawProgress(session.services.recordings, *recording);
     else if (!session.window.notice.text.empty())
         drawNotice(session);
     else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {

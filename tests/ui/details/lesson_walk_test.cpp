@@ -186,7 +186,8 @@ TEST_P(LessonWalk, CutsNoWordsInASmallWindow) {
     LessonWork beside(When::WhenReady); // pictures aren't waited for
     const Services all = atOnce.lend();
     lend({all.files, all.levels, all.reference, all.kept, all.probe, all.levelMap, all.patterns,
-          all.levelPictures, beside, all.environments, all.plainProbe, all.sheet, all.sheetFiles});
+          all.levelPictures, beside, all.environments, all.plainProbe, all.sheet, all.sheetFiles,
+          all.recordings});
     speak(GetParam());
     for (const std::string& name : lesson::builtInLessons()) {
         SCOPED_TRACE(name);

@@ -53,7 +53,7 @@ TEST(SheetFiles, HaveTheReferencesPicturesWhereTheLayoutPutsThem) {
     SheetFiles files(When::AtOnce);
     const SheetFiles::Order asked = order(folder / "sheet.png");
     ASSERT_TRUE(files.write(asked));
-    const std::optional<SheetFiles::News> news = files.takeNews();
+    const std::optional<FileNews> news = files.takeNews();
     ASSERT_TRUE(news);
     EXPECT_EQ(news->text, "Written: " + asked.file.string());
     EXPECT_TRUE(news->isGood);
@@ -110,7 +110,7 @@ TEST(SheetFiles, AnUnwritableFileIsOneSentence) {
     const test::TempDir folder;
     SheetFiles files(When::AtOnce);
     ASSERT_TRUE(files.write(order(folder / "missing" / "sheet.png")));
-    const std::optional<SheetFiles::News> news = files.takeNews();
+    const std::optional<FileNews> news = files.takeNews();
     EXPECT_THAT(news->text,
                 testing::AllOf(testing::StartsWith("The sheet can't be written: "), HasSubstr("missing")));
     EXPECT_FALSE(news->isGood);
@@ -141,7 +141,7 @@ TEST(SheetFiles, AreGivenUpWithoutATrace) {
     });
     ASSERT_TRUE(files.write(order(file)));
     begun.wait();
-    const std::optional<SheetFiles::Progress> progress = files.progress();
+    const std::optional<FileProgress> progress = files.progress();
     ASSERT_TRUE(progress);
     EXPECT_EQ(progress->all, 6U);
     EXPECT_EQ(progress->file, file);

@@ -1,0 +1,161 @@
+#include "app/ui/window/record_dialog.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/texshot_command.h"
+#include "app/ui/widgets/drag_number.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/modal.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/window/dialog_button.h"
+#include "core/base/count.h"
+#include "core/scene/animation.h"
+
+#include <fmt/core.h>
+
+#include <string>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float nameColumn = 9; // in heights of a letter
+constexpr float numberWidth = 5.5F;
+
+void lineName(const char* words) {
+    ImGui::AlignTextToFramePadding();
+    dimText(words);
+    ImGui::SameLine(ImGui::GetFontSize() * nameColumn);
+}
+
+bool secondsField(const char* id, float& value, float least) {
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
+    const bool changed =
+        ImGui::DragFloat(id, &value, 0.05F, least, maxKeyTime, "%.2f s", ImGuiSliderFlags_AlwaysClamp);
+    markDraggable();
+    noteItem(fmt::format("record:{}", id + 2));
+    return changed;
+}
+
+void extentField(const char* id, int& value) {
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
+    ImGui::DragInt(id, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp);
+    markDraggable();
+    noteItem(fmt::format("record:{}", id + 2));
+}
+
+void formatLine(RecordingChoice& choice) {
+    lineName("Format");
+    for (const animation::FormatRow& row : animation::formatRows) {
+        if (&row != &animation::formatRows.front())
+            ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
+        if (ImGui::RadioButton(std::string(row.name).c_str(), choice.format == row.format))
+            choice.format = row.format;
+        noteItem(fmt::format("record:{}", row.name));
+        helpTip(row.format == animation::Format::Gif
+                    ? "Shown everywhere. Each picture has 256 colours, and there are at most 50 a second."
+                : row.format == animation::Format::WebP
+                    ? "Shown by browsers; small, and every pixel as it is drawn."
+                    : "A PNG that moves: every pixel as it is drawn.");
+    }
+}
+
+void lengthLines(Session& session) {
+    RecordingChoice& choice = session.window.recording;
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    lineName("Begins at");
+    secondsField("##begin", choice.begin, 0);
+    lineName("Length");
+    float seconds = recordedSeconds(session);
+    if (secondsField("##seconds", seconds, 0.01F))
+        choice.seconds = seconds;
+    if (lengthOf(session.document.scene.timeline) > 0) {
+        ImGui::SameLine(0, inner);
+        ImGui::BeginDisabled(!choice.seconds);
+        if (ImGui::Button(label("As the key frames")))
+            choice.seconds.reset();
+        ImGui::EndDisabled();
+        noteItem("record:as keys");
+        helpTip(
+            "Up to the last key frame: where that says what the first one does, the animation goes round.");
+    }
+    lineName("Pictures a second");
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
+    ImGui::DragFloat("##perSecond", &choice.perSecond, 0.2F, 1, 100, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    markDraggable();
+    noteItem("record:perSecond");
+}
+
+/// What it will be, or why it can't.
+void summary(const Session& session, const Result<Recordings::Order>& order) {
+    const ImVec2 from = ImGui::GetCursorPos();
+    if (!order) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        wrappedText(describe(order.error()));
+        ImGui::PopStyleColor();
+        noteItem("record:problem");
+    } else if (!isAnimated(session.document.scene)) {
+        wrappedText("Nothing moves in this scene: all pictures will be the same.");
+        noteItem("record:still");
+    } else {
+        dimText(fmt::format("{}, drawn by the reference. The window goes on meanwhile.",
+                            countOf(order->pictures(), "picture")));
+    }
+    // As high whatever it says, so that the buttons stay where they are.
+    ImGui::SetCursorPos({from.x, from.y + ImGui::GetTextLineHeightWithSpacing() * 2.2F});
+}
+
+void copyCommand(Session& session) {
+    const Result<std::string> command = animateCommand(session);
+    if (!command)
+        return say(session,
+                   fmt::format("There is no command for this animation: {}.", describe(command.error())));
+    ImGui::SetClipboardText(command->c_str());
+    tell(session, "The clipboard has a command that draws this animation without a window.");
+}
+
+} // namespace
+
+void drawRecord(Session& session) {
+    if (!beginModal("Record an animation"))
+        return;
+    RecordingChoice& choice = session.window.recording;
+    const float em = ImGui::GetFontSize();
+    ImGui::Dummy({em * 34, 0}); // as wide as its sentences need it
+    formatLine(choice);
+    lengthLines(session);
+    lineName("Each picture");
+    extentField("##width", choice.width);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextUnformatted("×");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    extentField("##height", choice.height);
+    ImGui::Dummy({0, em * 0.3F});
+    const Result<Recordings::Order> order = recordingOrder(session);
+    summary(session, order);
+    const bool typing = ImGui::GetIO().WantTextInput;
+    ImGui::BeginDisabled(!order);
+    const bool goesOn =
+        dialogButton("Choose a file…") || (order && !typing && ImGui::IsKeyPressed(key::enter, false));
+    ImGui::EndDisabled();
+    noteItem("record:choose");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!order);
+    const bool copies = dialogButton("Copy command");
+    ImGui::EndDisabled();
+    noteItem("record:copy");
+    helpTip("A \"texshot animate\" that writes the same file without a window, for scripts.");
+    ImGui::SameLine();
+    const bool stays = dialogButton("Cancel") || (!typing && ImGui::IsKeyPressed(key::escape, false));
+    noteItem("record:cancel");
+    if (copies)
+        copyCommand(session);
+    if (goesOn || copies || stays) {
+        session.window.dialog = goesOn ? Dialog::SaveRecording : Dialog::None;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,158 @@
+#include "app/ui/model/recordings.h"
+#include "app/ui/model/session.h"
+#include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/codec/png/png_text.h"
+#include "core/image/convert.h"
+#include "core/link/scene_file.h"
+#include "core/scene/params/json.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+
+#include <latch>
+#include <span>
+
+namespace texplorer::ui::recordings_test {
+namespace {
+
+using testing::HasSubstr;
+
+Scene turning() {
+    Scene scene = defaultScene();
+    scene.timeline.keys = {{0, "view.azimuth", "0"}, {2, "view.azimuth", "90"}};
+    return scene;
+}
+
+Recordings::Order order(const std::filesystem::path& file, animation::Format format) {
+    return {{turning(), {}, 0.5, 48, 36}, format, 1, 8, file};
+}
+
+std::string start(const std::filesystem::path& file, std::size_t bytes) {
+    const Bytes read = readFileStart(file, bytes).value();
+    return {reinterpret_cast<const char*>(read.data()), read.size()};
+}
+
+TEST(Recordings, AreOfTheFormatThatWasChosen) {
+    const test::TempDir folder;
+    Recordings recordings(When::AtOnce);
+    const auto written = [&](std::string_view name, animation::Format format) {
+        recordings.write(order(folder / name, format));
+        const std::optional<FileNews> news = recordings.takeNews();
+        EXPECT_EQ(news->text, "Written: " + (folder / name).string());
+        EXPECT_TRUE(news->isGood);
+        return start(folder / name, 64);
+    };
+    EXPECT_THAT(written("a.gif", animation::Format::Gif), testing::StartsWith("GIF89a"));
+    EXPECT_EQ(written("a.webp", animation::Format::WebP).substr(8, 4), "WEBP");
+    EXPECT_THAT(written("a.png", animation::Format::Apng), HasSubstr("acTL"));
+    EXPECT_FALSE(recordings.takeNews());
+}
+
+TEST(Recordings, BeginWithTheReferencesPictureOfTheirTime) {
+    const test::TempDir folder;
+    Recordings recordings(When::AtOnce);
+    recordings.write(order(folder / "a.png", animation::Format::Apng));
+    const Bytes bytes = readFile(folder / "a.png").value();
+    const Image first = withoutAlpha(std::get<Image>(decodePng(bytes).value().surface(0, 0)));
+    Scene scene = defaultScene();
+    scene.view.azimuth = 22.5F; // a quarter of the way
+    EXPECT_EQ(first, withoutAlpha(reference::drawReference({scene, {}, 0.5, 48, 36}).value().image));
+    const std::optional<std::string> said = findPngText(bytes, sceneKeyword, 1 << 20).value();
+    EXPECT_EQ(parseScene(said.value()).value(), turning());
+}
+
+TEST(Recordings, AnUnwritableFileIsOneSentence) {
+    const test::TempDir folder;
+    Recordings recordings(When::AtOnce);
+    recordings.write(order(folder / "missing" / "a.gif", animation::Format::Gif));
+    const std::optional<FileNews> news = recordings.takeNews();
+    EXPECT_THAT(news->text, testing::AllOf(testing::StartsWith("The animation can't be written: "),
+                                           HasSubstr("missing")));
+    EXPECT_FALSE(news->isGood);
+}
+
+TEST(Recordings, AreGivenUpWithoutATrace) {
+    const test::TempDir folder;
+    const std::filesystem::path file = folder / "a.gif";
+    ASSERT_TRUE(writeFileAtomically(file, std::as_bytes(std::span("before", 6))));
+    std::latch begun(1);
+    std::latch goOn(1);
+    bool first = true; // of the thread that works alone
+    Recordings recordings(When::WhenReady, [&] {
+        if (std::exchange(first, false)) {
+            begun.count_down();
+            goOn.wait();
+        }
+    });
+    recordings.write(order(file, animation::Format::Gif));
+    begun.wait();
+    const std::optional<FileProgress> progress = recordings.progress();
+    ASSERT_TRUE(progress);
+    EXPECT_EQ(progress->all, 8U);
+    recordings.cancel();
+    EXPECT_FALSE(recordings.progress());
+    goOn.count_down();
+    recordings.write(order(folder / "next.gif", animation::Format::Gif));
+    recordings.wait();
+    EXPECT_THAT(recordings.takeNews()->text, HasSubstr("next.gif"));
+    EXPECT_EQ(readText(file).value(), "before");
+}
+
+class RecordingOrder : public testing::Test {
+protected:
+    RecordingOrder() { session.document.scene = turning(); }
+
+    [[nodiscard]] std::string problem() const {
+        const Result<Recordings::Order> order = recordingOrder(session);
+        return order ? std::string() : describe(order.error());
+    }
+
+    ServicesAtOnce services;
+    Session session{services.lend()};
+    RecordingChoice& choice = session.window.recording;
+};
+
+TEST_F(RecordingOrder, IsAsLongAsTheKeyFrames) {
+    EXPECT_EQ(recordingOrder(session).value().seconds, 2);
+    EXPECT_EQ(recordingOrder(session).value().pictures(), 50U);
+    choice.begin = 0.5F;
+    EXPECT_EQ(recordedSeconds(session), 1.5F);
+    EXPECT_EQ(recordingOrder(session).value().picture.time, 0.5);
+    choice.begin = 3;
+    EXPECT_EQ(recordedSeconds(session), usualSeconds) << "behind them";
+    choice.seconds = 1;
+    choice.perSecond = 12.5F;
+    EXPECT_EQ(recordingOrder(session).value().pictures(), 13U);
+    choice.seconds = 0.01F;
+    EXPECT_EQ(recordingOrder(session).value().pictures(), 1U);
+}
+
+TEST_F(RecordingOrder, SaysWhatAFormatCant) {
+    EXPECT_EQ(problem(), "");
+    choice.format = animation::Format::Gif;
+    choice.perSecond = 60;
+    EXPECT_THAT(problem(), HasSubstr("up to 50 pictures a second in a GIF, found 60"));
+    choice.perSecond = 50;
+    EXPECT_EQ(problem(), "");
+    choice.format = animation::Format::WebP;
+    choice.width = 16384;
+    EXPECT_THAT(problem(), HasSubstr("up to 16383 × 16383 pixels in a WebP, found 16384 × 400"));
+    choice.width = 640;
+    choice.seconds = 3600;
+    EXPECT_THAT(problem(), HasSubstr("at most 10000 pictures, found 180000"));
+    choice.begin = 1;
+    EXPECT_THAT(problem(), HasSubstr("an end within 3600 s, found 3601 s"));
+}
+
+TEST_F(RecordingOrder, ItsFileIsNamedForItsFormat) {
+    EXPECT_EQ(recordingFileName(session), "scene.webp");
+    choice.format = animation::Format::Apng;
+    session.document.suggested = "/somewhere/earth.texplorer.json";
+    EXPECT_EQ(recordingFileName(session), "earth.png");
+    EXPECT_THAT(describe(saveRecording(session, "earth.gif").error()),
+                HasSubstr("ends with .png, found \"earth.gif\""));
+}
+
+} // namespace
+} // namespace texplorer::ui::recordings_test
