@@ -32,8 +32,8 @@ struct Edit {
 };
 
 /// What Look::tab may say: the window's tabs, but that of the lesson and that of the figures.
-inline constexpr std::array<std::string_view, 9> lookTabs{
-    "vertices", "levels", "commands", "glsl", "explain", "file", "memory", "a-b", "history"};
+inline constexpr std::array<std::string_view, 10> lookTabs{
+    "vertices", "levels", "commands", "glsl", "explain", "file", "memory", "a-b", "history", "timeline"};
 
 /// What Look::figure may say: the figures of the window's tab of that name.
 inline constexpr std::array<std::string_view, 7> lookFigures{"environments", "sheet",  "block", "flip",

@@ -121,8 +121,7 @@ void drawPlaybackControls(Session& session) {
     const bool running = playback.playing && animated;
     if (signButton("play", animated, running ? pauseSign : playSign))
         playback.playing = !playback.playing;
-    helpTip(!animated
-                ? "Nothing moves: give a matrix step a rate, a model a spin, or any parameter key frames."
+    helpTip(!animated          ? "Nothing moves: add a rate, a spin or key frames."
             : playback.playing ? "Pause (Space)"
                                : "Play (Space)");
     ImGui::SameLine(0, 0);
