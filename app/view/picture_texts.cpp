@@ -9,17 +9,18 @@
 namespace texplorer::view {
 
 std::vector<PictureText> textsOf(const PictureFacts& facts) {
-    std::vector<PictureText> texts{{"Software", fmt::format("{} {}", facts.program, TEXPLORER_VERSION)},
-                                   {"Texplorer renderer", facts.renderer}};
+    std::vector<PictureText> texts{
+        PictureText{"Software", fmt::format("{} {}", facts.program, TEXPLORER_VERSION)},
+        PictureText{"Texplorer renderer", facts.renderer}};
     if (!facts.driver.name.empty())
-        texts.push_back(
-            {"Texplorer driver", printable(fmt::format("{}, {}", facts.driver.name, facts.driver.version))});
+        texts.push_back(PictureText{
+            "Texplorer driver", printable(fmt::format("{}, {}", facts.driver.name, facts.driver.version))});
     if (!facts.context.empty())
-        texts.push_back({"Texplorer context", facts.context});
-    texts.push_back({"Texplorer time", fmt::format("{}", facts.time)});
-    texts.push_back({"Texplorer size", fmt::format("{}x{}", facts.size.width, facts.size.height)});
+        texts.push_back(PictureText{"Texplorer context", facts.context});
+    texts.push_back(PictureText{"Texplorer time", fmt::format("{}", facts.time)});
+    texts.push_back(PictureText{"Texplorer size", fmt::format("{}x{}", facts.size.width, facts.size.height)});
     if (!facts.axes.empty())
-        texts.push_back({"Texplorer axes", fmt::format("{}", fmt::join(facts.axes, "\n"))});
+        texts.push_back(PictureText{"Texplorer axes", fmt::format("{}", fmt::join(facts.axes, "\n"))});
     texts.push_back({sceneKeyword, writeScene(facts.scene)});
     return texts;
 }

@@ -35,7 +35,8 @@ CATALOGUES = {
                "app/screenshot/reports/lesson_page"],
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/autosave/", "core/codec/", "core/compare/difference", "core/image/",
-                 "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
+                 "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "core/sheet/", "core/animation/", "app/animation/", "app/lettering/",
+                 "app/render/", "app/opengl/", "app/explorer/"],
 }
 
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P<text>(?:[^"\\\n]|\\.)*)"'
@@ -43,7 +44,7 @@ TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P
 ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "0": "\0", "'": "'"}
 # Calls whose literals no reader sees.
 UNSEEN = re.compile(r'(noteItem|noteBox|PushID|GetID|BeginChild|InvisibleButton|wasUsed|static_assert|assert|getenv|rule'
-                    r'|CallRow|[cC]odeLine|emit|cStyle)\(\s*(std::string\()?$|#include\s*$|extern\s*$|since\s*=\s*$')
+                    r'|CallRow|[cC]odeLine|emit|cStyle)\(\s*(std::string\()?$|#include\s*$|PictureText\{\s*$|extern\s*$|since\s*=\s*$')
 ALWAYS = re.compile(r'\b(words|tr|label|unit|word)\(\s*$')
 COUNT = re.compile(r'\bcountOf\([^"]*,\s*$')
 
