@@ -19,6 +19,7 @@ enum class CFunction : std::uint8_t {
     Halve,
     ReadBmp,
     ReadTga,
+    ReadDds,
     MeshTypes,  ///< no function: what a mesh is made of
     Turned,     ///< a surface that is turned about an axis, and its quadrilaterals
     Ring,

@@ -169,6 +169,18 @@ filled(std::string_view words,
     return parts;
 }
 
+std::string stringLiteral(std::string_view words) {
+    std::string text = "\"";
+    for (const char c : printable(words)) {
+        if (c == '"' || c == '\\')
+            text += '\\';
+        text += c;
+        if (text.ends_with("??")) // which C99 reads as the beginning of a trigraph
+            text.insert(text.size() - 1, "\\");
+    }
+    return text + "\"";
+}
+
 std::string inComment(std::string_view words) {
     const std::string clean = printable(words);
     std::string text;

@@ -130,6 +130,9 @@ private:
     bool usesSeconds_ = false;
 };
 
+/// A C string of one line, with nothing that isn't printable.
+[[nodiscard]] std::string stringLiteral(std::string_view words);
+
 /// Words that stand in a comment: none of them ends it.
 [[nodiscard]] std::string inComment(std::string_view words);
 

@@ -1,5 +1,6 @@
 #include "core/emit/emission.h"
 
+#include "core/base/file_io.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
@@ -22,6 +23,16 @@ bool looksAtNormals(const Pass& pass) {
                             }));
 }
 
+/// What of a program may read the texture's file.
+FileReader readerFor(const Texture& texture, const ImageSource& images, const ProgramOptions& options) {
+    constexpr std::size_t header = 128;
+    if (texture.source != SourceKind::File || !options.fileName || images.fileInMemory(texture.file) ||
+        options.fileName(texture.file).empty())
+        return FileReader::None;
+    const Result<Bytes> start = readFileStart(images.directory() / texture.file, header);
+    return start ? readerOf(*start) : FileReader::None;
+}
+
 } // namespace
 
 Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& given,
@@ -35,7 +46,7 @@ Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramO
         const Texture& texture = drawn.textures[object.texture];
         const TexturePictures pictures = images.picturesOf(texture);
         texels.push_back(pictures.base && hasPixels(*pictures.base)
-                             ? codes.of(texture, pictures, object.target, false)
+                             ? codes.of(texture, pictures, object.target, readerFor(texture, images, given))
                              : nullptr);
     }
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
@@ -78,16 +89,16 @@ void Emission::addData(const std::string& type, const std::string& name, std::si
 
 std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& texture,
                                                             const TexturePictures& pictures, Target target,
-                                                            bool reads) {
+                                                            FileReader reader) {
     const LevelsRequest request{pictures, imageSettings(texture), target};
     for (Kept& each : kept_) {
-        if (each.request == request && each.reads == reads) {
+        if (each.request == request && each.reader == reader) {
             each.used = true;
             return each.code;
         }
     }
-    auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reads));
-    kept_.push_back({request, reads, code});
+    auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reader));
+    kept_.push_back({request, reader, code});
     return code;
 }
 

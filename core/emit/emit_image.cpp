@@ -42,6 +42,11 @@ public:
                          plain(fmt::format("({}, GL_TEXTURE_MAX_LEVEL, {}); ", rowOf(holder_.target).name,
                                            code_.lastLevel)),
                          {Part::Kind::Comment, "/* the file holds no more levels */"}});
+        if (code_.reader == FileReader::Dds) {
+            emission_.use(CFunction::ReadDds);
+            return writer_.add({plain("readDds("), path(), plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
+                                comment("every mip level")});
+        }
         for (std::size_t i = 0; i < code_.levels.size();) {
             std::size_t end = i + 1;
             while (end < code_.levels.size() && code_.levels[end].source == TexelSource::Halved)
@@ -152,6 +157,13 @@ private:
         }
         writer_.add({plain(fmt::format("static GLubyte {}[{}]; ", variable, size)), comment()});
         switch (level.source) {
+        case TexelSource::Read: {
+            const bool isBmp = code_.reader == FileReader::Bmp;
+            emission_.use(isBmp ? CFunction::ReadBmp : CFunction::ReadTga);
+            writer_.add({plain(isBmp ? "readBmp(" : "readTga("), path(),
+                         plain(fmt::format(", {}, {}, {});", level.width, level.height, variable))});
+            break;
+        }
         case TexelSource::Checker:
             emission_.use(CFunction::Checkerboard);
             writer_.add(fmt::format("checkerboard({}, {}, {}, {}, {}, {});", variable, level.width, level.square,
@@ -179,12 +191,14 @@ private:
         return found + 1 != code_.levels.end() && (found + 1)->source == TexelSource::Halved;
     }
 
-    [[nodiscard]] Part comment() const {
+    [[nodiscard]] Part comment(std::string_view words = "red, green, blue, alpha: the bottom row first") const {
         const std::string& key = texture_.source == SourceKind::Pattern ? keyOf<&Texture::pattern>()
                                                                         : keyOf<&Texture::file>();
-        return {Part::Kind::Comment, "/* red, green, blue, alpha: the bottom row first */",
-                fmt::format("{}.{}", holder_.path, key)};
+        return {Part::Kind::Comment, fmt::format("/* {} */", words), fmt::format("{}.{}", holder_.path, key)};
     }
+
+    /// The file that is read.
+    [[nodiscard]] Part path() const { return plain(stringLiteral(emission_.options.fileName(texture_.file))); }
 
     void upload(const std::string& level, const std::array<std::string, 3>& size, const LevelCode& of,
                 const std::string& texels) {

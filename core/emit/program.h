@@ -9,6 +9,7 @@
 #include "core/texture/image_source.h"
 #include "core/texture/levels_source.h"
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -22,14 +23,14 @@ class TextureCodes {
 public:
     [[nodiscard]] std::shared_ptr<const Result<TextureCode>> of(const Texture& texture,
                                                                 const TexturePictures& pictures, Target target,
-                                                                bool reads);
+                                                                FileReader reader);
     /// Forgets those that were not asked for since the last call.
     void forgetUnused();
 
 private:
     struct Kept {
         LevelsRequest request;
-        bool reads;
+        FileReader reader;
         std::shared_ptr<const Result<TextureCode>> code;
         bool used = true;
     };
@@ -44,9 +45,9 @@ struct ProgramOptions {
     int height = 480;
     /// Parameters whose calls have a word on what they do before them.
     std::set<std::string, std::less<>> explained{};
-    /// Whether BMP and TGA files that lie in a folder are read by the program: by these names; else their
-    /// texels stand in it.
-    bool readsFiles = true;
+    /// What the program calls an image file of the scene that lies in a folder: BMP, TGA and DDS files whose
+    /// format takes few lines are read by it. Empty, or an empty name: their texels stand in the program.
+    std::function<std::string(const std::string& file)> fileName{};
 };
 
 /// What a program is written for.

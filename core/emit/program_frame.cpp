@@ -12,19 +12,6 @@ namespace {
 
 constexpr std::size_t commentColumns = 100;
 
-/// A C string of one line.
-std::string stringLiteral(std::string_view words) {
-    std::string text = "\"";
-    for (const char c : printable(words)) {
-        if (c == '"' || c == '\\')
-            text += '\\';
-        text += c;
-        if (text.ends_with("??")) // which C99 reads as the beginning of a trigraph
-            text.insert(text.size() - 1, "\\");
-    }
-    return text + "\"";
-}
-
 /// Where shells and eyes agree: letters, digits and a few others.
 std::string fileName(const std::string& name) {
     std::string text;
@@ -136,7 +123,7 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
                           "#include <math.h>\n"
                           "#include <stdio.h>\n"
                           "#include <stdlib.h>\n" +
-                          std::string(emission.functions.contains(CFunction::Unpack) ? "#include <string.h>\n"
+                          std::string(emission.functions.contains(CFunction::Unpack) || emission.functions.contains(CFunction::ReadDds) ? "#include <string.h>\n"
                                                                                      : "") +
                           "\n";
     append(lines, linesOf(headers));

@@ -2,11 +2,13 @@
 
 #include "core/image/convert.h"
 #include "core/image/mipmaps.h"
+#include "core/s3tc/surface_pixels.h"
 #include "core/texture/target_image.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <utility>
 
 namespace texplorer::emit {
 namespace {
@@ -104,10 +106,11 @@ bool isComputed(LevelCode& level, const Texture& texture, const Image& image, Ta
 
 class CodeMaker {
 public:
-    CodeMaker(const Texture& texture, Target target, bool reads)
+    CodeMaker(const Texture& texture, const TexturePictures& pictures, Target target, FileReader reader)
         : texture_(texture)
+        , picture_(*pictures.base)
         , target_(target)
-        , reads_(reads) {}
+        , reader_(reader) {}
 
     TextureCode make(const TextureLevels& levels) {
         out_.border = levels.border;
@@ -121,10 +124,39 @@ public:
             else
                 addPixels(faces, std::get<Image>(*faces.surfaces.front()));
         }
+        if (reader_ == FileReader::Dds && isWhatTheFileHolds(levels))
+            out_.reader = reader_;
         return std::move(out_);
     }
 
 private:
+    /// Whether readDds() gives the same levels: all that the file has, whose blocks may be turned around where
+    /// that is done by whole blocks or in the only row of them.
+    [[nodiscard]] bool isWhatTheFileHolds(const TextureLevels& levels) {
+        if (target_ != Target::Texture2D || picture_.faces != 1 || levels.border != 0 ||
+            texture_.compression == Compression::Cached ||
+            std::cmp_not_equal(levels.levels.size(), picture_.levels))
+            return false;
+        out_.flipsBlocks = texture_.flip == FlipMode::Blocks;
+        for (std::size_t i = 0; i < levels.levels.size(); ++i) {
+            const auto* made = std::get_if<BlockImage>(&*levels.levels[i].surface);
+            const auto* held = std::get_if<BlockImage>(&picture_.surfaces.at(i));
+            if (!made || !held || levels.levels[i].number != static_cast<int>(i) ||
+                made->blocks.size() != held->blocks.size())
+                return false;
+            const bool turns = held->height <= 2 || held->height % 4 == 0;
+            if (out_.flipsBlocks ? !turns || !picture_.fileTopFirst : made->blocks != held->blocks)
+                return false;
+        }
+        return true;
+    }
+
+    /// Whether a file's picture, upright, is what is uploaded.
+    [[nodiscard]] bool isThePicture(const Image& base) const {
+        return (reader_ == FileReader::Bmp || reader_ == FileReader::Tga) && target_ == Target::Texture2D &&
+               out_.border == 0 && asRgba(uprightImage(picture_)) == base;
+    }
+
     static Bytes joined(const Faces& faces) {
         Bytes bytes;
         for (const Surface* surface : faces.surfaces) {
@@ -159,9 +191,10 @@ private:
         const bool isBase = out_.levels.empty();
         if (!isBase && out_.border == 0 && isHalved(faces.number, images))
             level.source = TexelSource::Halved;
-        else if (isBase && reads_)
+        else if (isBase && isThePicture(images.front())) {
             level.source = TexelSource::Read;
-        else if (isBase && out_.border == 0 && isComputed(level, texture_, images.front(), target_)) {
+            out_.reader = reader_;
+        } else if (isBase && out_.border == 0 && isComputed(level, texture_, images.front(), target_)) {
         } else if (isFlat(texels)) {
             level.source = TexelSource::Flat;
             std::memcpy(level.color.data(), texels.data(), 4);
@@ -191,8 +224,9 @@ private:
     }
 
     const Texture& texture_;
+    const TextureImage& picture_;
     Target target_;
-    bool reads_;
+    FileReader reader_;
     TextureCode out_;
     std::vector<Image> last_;
     int lastNumber_ = -1;
@@ -201,10 +235,36 @@ private:
 } // namespace
 
 Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
-                                bool reads) {
+                                FileReader reader) {
     return prepareLevels(texture, pictures, target).map([&](const TextureLevels& levels) {
-        return CodeMaker(texture, target, reads).make(levels);
+        return CodeMaker(texture, pictures, target, reader).make(levels);
     });
+}
+
+FileReader readerOf(ByteView start) {
+    const auto at = [&](std::size_t place) {
+        return place < start.size() ? std::to_integer<unsigned>(start[place]) : 0U;
+    };
+    const auto little = [&](std::size_t place, std::size_t count) {
+        unsigned value = 0;
+        for (std::size_t i = count; i-- > 0;)
+            value = value << 8 | at(place + i);
+        return value;
+    };
+    constexpr unsigned infoHeader = 40;
+    constexpr unsigned dds = 0x20534444; // "DDS "
+    constexpr unsigned dxt = 0x545844;   // "DXT"
+    if (at(0) == 'B' && at(1) == 'M' && little(14, 4) >= infoHeader)
+        return little(28, 2) == 24 && little(30, 4) == 0 ? FileReader::Bmp : FileReader::None;
+    if (little(0, 4) == dds) {
+        const bool isKnown = little(84, 3) == dxt && (at(87) == '1' || at(87) == '3' || at(87) == '5');
+        return isKnown && start.size() >= 128 ? FileReader::Dds : FileReader::None;
+    }
+    const unsigned bits = at(16);
+    const unsigned alphaBits = at(17) & 0x0F;
+    const bool isPlain = at(1) == 0 && at(2) == 2 && (at(17) & 0xD0) == 0; // colours, and rows from the left
+    const bool isTga = isPlain && ((bits == 24 && alphaBits == 0) || (bits == 32 && alphaBits == 8));
+    return isTga ? FileReader::Tga : FileReader::None;
 }
 
 Bytes packed(ByteView texels) {

@@ -47,14 +47,28 @@ struct TextureCode {
     LateFlip lateFlip = LateFlip::None;
     std::optional<BlockFormat> blocks{}; ///< of Compressed
     bool driverCompresses = false;
+    FileReader reader = FileReader::None; ///< of the level with TexelSource::Read, or of all of a DDS file
+    bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
 };
 
 /// Most texels that are listed.
 inline constexpr int mostListed = 64;
 
-/// `reads`: whether the program reads the file itself. Errors: those of prepareLevels.
+/// The files that a program reads in a few lines.
+enum class FileReader : std::uint8_t {
+    None,
+    Bmp, ///< 24 bits a pixel, not compressed
+    Tga, ///< 24 or 32 bits a pixel, not compressed
+    Dds, ///< DXT1, DXT3 or DXT5 of a picture
+};
+
+/// What reads a file that begins with these bytes: at least the first 128, or all.
+[[nodiscard]] FileReader readerOf(ByteView start);
+
+/// `reader`: what may read the file; it does where the texture has what it gives. Errors: those of
+/// prepareLevels.
 [[nodiscard]] Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures,
-                                              Target target, bool reads = false);
+                                              Target target, FileReader reader = FileReader::None);
 
 /// RGBA texels as the "Quite OK Image Format" packs them (qoiformat.org), without its header and end.
 [[nodiscard]] Bytes packed(ByteView texels);

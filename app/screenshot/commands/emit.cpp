@@ -6,8 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
-
 namespace texplorer::screenshot {
 namespace {
 
@@ -29,7 +27,7 @@ ExitCode emitProgram(const EmitOptions& options) {
     emit::ProgramOptions asked;
     asked.title.clear();
     if (!isStandardOutput(options.out))
-        asked.source = std::filesystem::path(options.out).filename().string();
+        asked.source = options.out;
     const auto lines = programOf(options.scene, *flavour, std::move(asked));
     if (!lines)
         return complain(lines.error().error, lines.error().code);

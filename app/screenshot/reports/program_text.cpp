@@ -4,8 +4,12 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 namespace texplorer::screenshot {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// What a lesson's step says, and what it is about.
 Result<void> tellOfStep(const SceneArgument& argument, emit::ProgramOptions& options) {
@@ -44,6 +48,16 @@ programOf(const SceneArgument& argument, emit::Flavour flavour, emit::ProgramOpt
             return problem(told.error());
     } else if (options.title.empty())
         options.title = nameOf(argument);
+    const fs::path place = fs::path(options.source).parent_path();
+    options.source = fs::path(options.source).filename().string();
+    options.fileName = [&](const std::string& file) {
+        std::error_code ignored; // where the current folder was removed, a relative name stays one
+        const fs::path here = fs::current_path(ignored);
+        const fs::path whole = (here / opened->images.directory() / file).lexically_normal();
+        const fs::path relative = whole.lexically_relative((here / place).lexically_normal());
+        const bool below = !relative.empty() && *relative.begin() != "..";
+        return (below ? relative : whole).generic_string();
+    };
     emit::TextureCodes codes;
     auto lines = emit::program(flavour, opened->scene, opened->images, options, codes);
     if (!lines)

@@ -64,7 +64,8 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
     state.changed = changedPaths(document);
     if (!isSame) {
         state.refused.clear();
-        const emit::ProgramOptions options{.title = "Texplorer"};
+        const emit::ProgramOptions options{.title = "Texplorer",
+                                           .fileName = [](const std::string& file) { return file; }};
         std::vector<emit::Line> lines =
             emit::program(emit::Flavour::Fixed, document.scene, document.images, options, state.texels)
                 .or_else([&](const Error& error) { state.refused = describe(error); })

@@ -27,7 +27,13 @@ std::string programFileName(const Document& document, emit::Flavour flavour) {
 Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
     const Document& document = session.document;
     emit::TextureCodes codes;
-    const emit::ProgramOptions options{.title = stemOf(document), .source = file.filename().string()};
+    emit::ProgramOptions options{.title = stemOf(document), .source = file.filename().string()};
+    options.fileName = [&](const std::string& image) {
+        const std::filesystem::path whole = (document.images.directory() / image).lexically_normal();
+        const std::filesystem::path relative = whole.lexically_relative(file.parent_path());
+        const bool below = !relative.empty() && *relative.begin() != "..";
+        return (below ? relative : whole).generic_string();
+    };
     const auto lines =
         emit::program(session.window.flavour, document.scene, document.images, options, codes);
     if (!lines)

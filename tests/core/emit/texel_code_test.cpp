@@ -89,5 +89,41 @@ TEST(TexelCode, HalvesOnlyWhatIsTheAverage) {
     EXPECT_THAT(std::vector(chain.begin(), chain.begin() + 4), Each(TexelSource::Packed));
 }
 
+// The first bytes, by hand from the formats' descriptions.
+TEST(FileReaders, ReadWhatTakesFewLines) {
+    using emit::FileReader;
+    Bytes bmp(54, std::byte{0});
+    const auto put = [](Bytes& bytes, std::size_t at, int value) { bytes.at(at) = static_cast<std::byte>(value); };
+    put(bmp, 0, 'B');
+    put(bmp, 1, 'M');
+    put(bmp, 14, 40);
+    put(bmp, 28, 24);
+    EXPECT_EQ(emit::readerOf(bmp), FileReader::Bmp);
+    put(bmp, 28, 8);
+    EXPECT_EQ(emit::readerOf(bmp), FileReader::None) << "a palette";
+    put(bmp, 28, 24);
+    put(bmp, 30, 1);
+    EXPECT_EQ(emit::readerOf(bmp), FileReader::None) << "runs";
+    Bytes tga(18, std::byte{0});
+    put(tga, 2, 2);
+    put(tga, 16, 32);
+    put(tga, 17, 0x28);
+    EXPECT_EQ(emit::readerOf(tga), FileReader::Tga);
+    put(tga, 2, 10);
+    EXPECT_EQ(emit::readerOf(tga), FileReader::None) << "runs";
+    Bytes dds(128, std::byte{0});
+    for (std::size_t i = 0; i < 4; ++i) {
+        put(dds, i, "DDS "[i]);
+        put(dds, 84 + i, "DXT5"[i]);
+    }
+    EXPECT_EQ(emit::readerOf(dds), FileReader::Dds);
+    put(dds, 87, '2');
+    EXPECT_EQ(emit::readerOf(dds), FileReader::None);
+    dds.resize(127);
+    put(dds, 87, '5');
+    EXPECT_EQ(emit::readerOf(dds), FileReader::None);
+    EXPECT_EQ(emit::readerOf({}), FileReader::None);
+}
+
 } // namespace
 } // namespace texplorer::emit_test
