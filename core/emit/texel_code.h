@@ -39,6 +39,14 @@ struct LevelCode {
     Bytes bytes{};
 };
 
+/// The files that a program reads in a few lines.
+enum class FileReader : std::uint8_t {
+    None,
+    Bmp, ///< 24 bits a pixel, not compressed
+    Tga, ///< 24 or 32 bits a pixel, not compressed
+    Dds, ///< DXT1, DXT3 or DXT5 of a picture
+};
+
 struct TextureCode {
     std::vector<LevelCode> levels; ///< ascending
     int faces = 1;
@@ -53,14 +61,6 @@ struct TextureCode {
 
 /// Most texels that are listed.
 inline constexpr int mostListed = 64;
-
-/// The files that a program reads in a few lines.
-enum class FileReader : std::uint8_t {
-    None,
-    Bmp, ///< 24 bits a pixel, not compressed
-    Tga, ///< 24 or 32 bits a pixel, not compressed
-    Dds, ///< DXT1, DXT3 or DXT5 of a picture
-};
 
 /// What reads a file that begins with these bytes: at least the first 128, or all.
 [[nodiscard]] FileReader readerOf(ByteView start);
