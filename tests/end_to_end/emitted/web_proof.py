@@ -30,9 +30,8 @@ class PagesProof(Proof):
         finally:
             self.free.put(browser)
 
-    def difference(self, case, path, time, picture):
-        if time == TIMES[0]:
-            self.run("scene", *case.words, "-o", "scene.json", cwd=path)
+    def difference(self, case, scene, path, time, picture):
+        (path / "scene.json").write_text(json.dumps(scene))
         Image.fromarray(picture).convert("RGBA").save(path / "found.png")
         images = LESSONS / case.words[1] if "--lesson" in case.words else path
         done = subprocess.run([self.judge, path / "scene.json", images, time, path / "found.png"], capture_output=True, text=True,
