@@ -15,7 +15,7 @@ from scenes import Case
 from web_proof import PagesProof
 
 TEXSHOT, SOAK, LIBRARY, JUDGE, KEEP = (sys.argv.pop(1) for _ in range(5))
-COUNT = int(os.environ.get("TEXPLORER_PROGRAMS", "12"))
+COUNT = int(os.environ.get("TEXPLORER_PROGRAMS", "10"))
 SEED = os.environ.get("TEXPLORER_SEED", "1")
 
 
