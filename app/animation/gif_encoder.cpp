@@ -10,6 +10,7 @@
 #include <cstring>
 #include <gif_lib.h>
 #include <new>
+#include <utility>
 
 namespace texplorer::animation {
 namespace {

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> changedPixels(const OpaqueFrame& now, const OpaqueFra
 }
 
 /// Of the three colours, in sixteenths.
-using Error = std::array<int, 3>;
+using ColorError = std::array<int, 3>;
 
 class Diffusion {
 public:
@@ -40,7 +40,7 @@ public:
         const int sum = here_[static_cast<std::size_t>(x) + 1][color];
         return (sum + (sum < 0 ? -128 : 128)) / 256;
     }
-    void pass(int x, int way, const Error& lost) {
+    void pass(int x, int way, const ColorError& lost) {
         const auto place = [x](int by) { return static_cast<std::size_t>(x + 1 + by); };
         for (std::size_t i = 0; i < 3; ++i) {
             const int part = lost[i] * passedOn;
@@ -52,12 +52,12 @@ public:
     }
     void nextRow() {
         std::swap(here_, below_);
-        std::ranges::fill(below_, Error{});
+        std::ranges::fill(below_, ColorError{});
     }
 
 private:
-    std::vector<Error> here_;
-    std::vector<Error> below_;
+    std::vector<ColorError> here_;
+    std::vector<ColorError> below_;
 };
 
 class Ditherer {
@@ -89,14 +89,14 @@ private:
             index = *picture_.nothing;
             return;
         }
-        Error wanted;
+        ColorError wanted;
         for (std::size_t i = 0; i < 3; ++i) {
             const int own = static_cast<int>(pixel >> (16U - 8U * i) & 0xFFU);
             wanted[i] = std::clamp(own + diffusion_.at(x, i), 0, 255);
         }
         const std::size_t found = nearest_.of(wanted[0], wanted[1], wanted[2]);
         index = static_cast<std::uint8_t>(found);
-        Error lost;
+        ColorError lost;
         for (std::size_t i = 0; i < 3; ++i)
             lost[i] = wanted[i] - static_cast<int>(picture_.palette[found] >> (16U - 8U * i) & 0xFFU);
         diffusion_.pass(x, way, lost);
