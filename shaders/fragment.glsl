@@ -78,6 +78,27 @@ void main() {
     vec4 texelUNIT = texture(textureUNIT, texCoordUNIT.stp / texCoordUNIT.q); // of the face that it hits
 //@ lookup of a direction with bias
     vec4 texelUNIT = texture(textureUNIT, texCoordUNIT.stp / texCoordUNIT.q, lodBiasUNIT);
+//@ place that ends
+    // GL_CLAMP, which OpenGL's core profile has not: GL_CLAMP_TO_BORDER for coordinates that end at the edge.
+    vec3 placeUNIT = texCoordUNIT.stp / texCoordUNIT.q;
+    vec3 endUNIT = placeUNIT;
+//@ end of a coordinate
+    endUNIT.MEMBER = clamp(endUNIT.MEMBER, 0.0, 0.99999994); // below 1, for GL_NEAREST knows no border
+//@ lookup GL_TEXTURE_1D that ends
+    vec4 texelUNIT = textureGrad(textureUNIT, endUNIT.s, dFdx(placeUNIT.s), dFdy(placeUNIT.s));
+//@ lookup GL_TEXTURE_2D that ends
+    vec4 texelUNIT = textureGrad(textureUNIT, endUNIT.st, dFdx(placeUNIT.st), dFdy(placeUNIT.st));
+//@ lookup GL_TEXTURE_3D that ends
+    vec4 texelUNIT = textureGrad(textureUNIT, endUNIT, dFdx(placeUNIT), dFdy(placeUNIT));
+//@ lookup GL_TEXTURE_1D that ends with bias
+    float scaleUNIT = exp2(lodBiasUNIT);
+    vec4 texelUNIT = textureGrad(textureUNIT, endUNIT.s, dFdx(placeUNIT.s) * scaleUNIT, dFdy(placeUNIT.s) * scaleUNIT);
+//@ lookup GL_TEXTURE_2D that ends with bias
+    float scaleUNIT = exp2(lodBiasUNIT);
+    vec4 texelUNIT = textureGrad(textureUNIT, endUNIT.st, dFdx(placeUNIT.st) * scaleUNIT, dFdy(placeUNIT.st) * scaleUNIT);
+//@ lookup GL_TEXTURE_3D that ends with bias
+    float scaleUNIT = exp2(lodBiasUNIT);
+    vec4 texelUNIT = textureGrad(textureUNIT, endUNIT, dFdx(placeUNIT) * scaleUNIT, dFdy(placeUNIT) * scaleUNIT);
 //@ primary color
     vec4 color = primaryColor;
 //@ primary color without perspective

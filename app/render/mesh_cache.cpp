@@ -1,6 +1,6 @@
 #include "app/render/mesh_cache.h"
 
-#include "app/render/vertex_attributes.h"
+#include "core/glsl/vertex_attributes.h"
 #include "core/scene/emboss.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/tex_coords.h"
@@ -91,12 +91,12 @@ void MeshCache::pointAtVertices() const {
     const void* normal = offsetInBuffer(offsetof(Vertex, normal));
     const void* color = offsetInBuffer(offsetof(Vertex, color));
     if (input_ == VertexInput::Attributes) {
-        glEnableVertexAttribArray(positionAttribute);
-        glVertexAttribPointer(positionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), position);
-        glEnableVertexAttribArray(normalAttribute);
-        glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), normal);
-        (hasColors() ? glEnableVertexAttribArray : glDisableVertexAttribArray)(colorAttribute);
-        glVertexAttribPointer(colorAttribute, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), color);
+        glEnableVertexAttribArray(glsl::positionAttribute);
+        glVertexAttribPointer(glsl::positionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), position);
+        glEnableVertexAttribArray(glsl::normalAttribute);
+        glVertexAttribPointer(glsl::normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), normal);
+        (hasColors() ? glEnableVertexAttribArray : glDisableVertexAttribArray)(glsl::colorAttribute);
+        glVertexAttribPointer(glsl::colorAttribute, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), color);
         return;
     }
     glEnableClientState(GL_VERTEX_ARRAY);
@@ -109,7 +109,7 @@ void MeshCache::pointAtVertices() const {
 
 void MeshCache::pointAtCoords(int unit, int stride, std::size_t offset) const {
     if (input_ == VertexInput::Attributes) {
-        const GLuint attribute = firstCoordAttribute + static_cast<GLuint>(unit);
+        const GLuint attribute = glsl::firstCoordAttribute + static_cast<GLuint>(unit);
         glEnableVertexAttribArray(attribute);
         glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, stride, offsetInBuffer(offset));
         return;

@@ -14,7 +14,7 @@ ShaderFolder::ShaderFolder(std::filesystem::path folder, std::function<void()> w
     : folder_(std::move(folder))
     , watch_(std::move(wake)) {
     std::vector<std::filesystem::path> files;
-    for (const ShaderFile& file : embeddedShaderFiles())
+    for (const glsl::ShaderFile& file : glsl::embeddedShaderFiles())
         files.push_back(folder_ / file.name);
     watch_.watch(std::move(files));
 }
@@ -23,22 +23,22 @@ bool ShaderFolder::refresh() {
     if (watch_.changed().empty() && std::exchange(isRead_, true))
         return false;
     isRead_ = true;
-    Result<ShaderPieces> pieces = readShaderFolder(folder_);
+    Result<glsl::ShaderPieces> pieces = readShaderFolder(folder_);
     problem_ = pieces ? std::string() : describe(pieces.error());
     if (pieces)
         pieces_ = std::move(*pieces);
     return pieces.has_value();
 }
 
-Result<ShaderPieces> readShaderFolder(const std::filesystem::path& folder) {
-    std::vector<ShaderFile> files;
-    for (const ShaderFile& wanted : embeddedShaderFiles()) {
+Result<glsl::ShaderPieces> readShaderFolder(const std::filesystem::path& folder) {
+    std::vector<glsl::ShaderFile> files;
+    for (const glsl::ShaderFile& wanted : glsl::embeddedShaderFiles()) {
         Result<std::string> text = readText(folder / wanted.name, maxFileBytes);
         if (!text)
             return fail(text.error());
         files.push_back({wanted.name, std::move(*text)});
     }
-    return ShaderPieces::parse(files);
+    return glsl::ShaderPieces::parse(files);
 }
 
 } // namespace texplorer::render

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/render/shader_pieces.h"
 #include "core/base/file_watch.h"
+#include "core/glsl/shader_pieces.h"
 
 #include <filesystem>
 #include <functional>
@@ -10,7 +10,7 @@
 namespace texplorer::render {
 
 /// The shaders' files of a folder. Errors: the first that can't be read or is no such file.
-[[nodiscard]] Result<ShaderPieces> readShaderFolder(const std::filesystem::path& folder);
+[[nodiscard]] Result<glsl::ShaderPieces> readShaderFolder(const std::filesystem::path& folder);
 
 /// The shaders' files in a folder, read again when one of them has changed.
 class ShaderFolder {
@@ -22,14 +22,14 @@ public:
     bool refresh();
 
     /// Of the files as they are; else the last ones that could be read, or none, and `problem` says why.
-    [[nodiscard]] const std::optional<ShaderPieces>& pieces() const { return pieces_; }
+    [[nodiscard]] const std::optional<glsl::ShaderPieces>& pieces() const { return pieces_; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
 
 private:
     std::filesystem::path folder_;
     FileWatch watch_;
     bool isRead_ = false;
-    std::optional<ShaderPieces> pieces_;
+    std::optional<glsl::ShaderPieces> pieces_;
     std::string problem_;
 };
 

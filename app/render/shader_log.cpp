@@ -43,7 +43,7 @@ std::optional<Place> placeIn(std::string_view text) {
 
 } // namespace
 
-std::vector<view::ShaderMessage> translateLog(std::string_view log, const view::StageSource& source,
+std::vector<view::ShaderMessage> translateLog(std::string_view log, const glsl::StageSource& source,
                                               std::optional<view::ShaderStage> stage) {
     std::vector<view::ShaderMessage> messages;
     while (!log.empty()) {
@@ -56,7 +56,7 @@ std::vector<view::ShaderMessage> translateLog(std::string_view log, const view::
             continue;
         const std::optional<Place> place = placeIn(line);
         if (place && static_cast<std::size_t>(place->line) <= source.lines.size()) {
-            const view::SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
+            const glsl::SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
             messages.push_back({stage, place->line,
                                 fmt::format("{}:{}: {}", from.file, from.line, line.substr(place->end))});
         } else

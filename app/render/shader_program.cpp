@@ -29,7 +29,7 @@ std::string logOf(GLuint object, auto getParameter, auto getLog) {
 }
 
 /// Empty where the driver takes it. A driver that refuses without a word is quoted as doing so.
-ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const view::StageSource& source) {
+ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const glsl::StageSource& source) {
     const GLchar* text = source.text.c_str();
     const auto length = static_cast<GLint>(source.text.size());
     glShaderSource(shader, 1, &text, &length);
@@ -46,7 +46,7 @@ ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const vi
 
 } // namespace
 
-tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const view::ShaderSource& source) {
+tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const glsl::ShaderSource& source) {
     const auto vertex = GlHandle<ShaderKind<GL_VERTEX_SHADER>>::create();
     const auto fragment = GlHandle<ShaderKind<GL_FRAGMENT_SHADER>>::create();
     Log log = compileStage(vertex.name(), view::ShaderStage::Vertex, source.vertex);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/gl_handle.h"
-#include "app/render/shader_source.h"
+#include "core/glsl/shader_source.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -23,7 +23,7 @@ public:
     /// the files.
     using Log = std::vector<view::ShaderMessage>;
 
-    [[nodiscard]] static tl::expected<ShaderProgram, Log> compile(const view::ShaderSource& source);
+    [[nodiscard]] static tl::expected<ShaderProgram, Log> compile(const glsl::ShaderSource& source);
 
     void use() const { glUseProgram(handle_.name()); }
 

@@ -4,7 +4,7 @@
 #include "app/render/pipeline.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_program.h"
-#include "app/render/vertex_attributes.h"
+#include "core/glsl/vertex_attributes.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 
@@ -25,12 +25,12 @@ namespace {
 /// Programs are few: a scene has at most eight passes. What is beyond this was used while somebody edited.
 constexpr std::size_t maxPrograms = 256;
 
-SampledUnits sampledUnits(const BoundTextures& textures) {
-    SampledUnits units;
+glsl::SampledUnits sampledUnits(const BoundTextures& textures) {
+    glsl::SampledUnits units;
     std::ranges::transform(textures, units.begin(), [](const BoundTexture& texture) {
         return texture.name != 0
-                   ? std::optional(SampledUnit{texture.format, texture.lateFlip, texture.hasNegative,
-                                               texture.hasDepths, texture.compares})
+                   ? std::optional(glsl::SampledUnit{texture.format, texture.lateFlip, texture.hasNegative,
+                                                     texture.hasDepths, texture.compares})
                    : std::nullopt;
     });
     return units;
@@ -73,7 +73,7 @@ glm::mat4 flippedMatrix() {
     return flip;
 }
 
-void setUnit(const ShaderProgram& program, int index, const Unit& unit, const SampledUnit& sampled,
+void setUnit(const ShaderProgram& program, int index, const Unit& unit, const glsl::SampledUnit& sampled,
              const BoundTexture& texture, double time, const Light& light) {
     const std::string number = std::to_string(index);
     program.set("texture" + number, index);
@@ -83,7 +83,7 @@ void setUnit(const ShaderProgram& program, int index, const Unit& unit, const Sa
     setTexGen(program, fmt::format("plane{}t", number), unit.texGenT);
     setTexGen(program, fmt::format("plane{}r", number), unit.texGenR);
     setTexGen(program, fmt::format("plane{}q", number), unit.texGenQ);
-    if (hasTextureMatrix(unit, sampled)) {
+    if (glsl::hasTextureMatrix(unit, sampled)) {
         const glm::mat4 matrix = textureMatrix(unit.matrix, time, light);
         program.set("textureMatrix" + number,
                     sampled.lateFlip == LateFlip::Matrix ? flippedMatrix() * matrix : matrix);
@@ -107,7 +107,7 @@ public:
         if (!folder_)
             return;
         if (folder_->refresh()) {
-            newest_ = std::make_shared<const ShaderPieces>(*folder_->pieces());
+            newest_ = std::make_shared<const glsl::ShaderPieces>(*folder_->pieces());
             ++revision_;
         }
         if (!folder_->problem().empty())
@@ -119,7 +119,7 @@ public:
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
                                  double time, GlErrors& errors) override {
         const std::string where = fmt::format("passes[{}]", pass);
-        const SampledUnits units = sampledUnits(textures);
+        const glsl::SampledUnits units = sampledUnits(textures);
         program_ = programOf(scene, pass, units, where, errors);
         if (!program_)
             return false;
@@ -149,7 +149,7 @@ public:
         const glm::mat4 modelView = modelViewMatrix(scene.view, model, time);
         const Material& material = materialOf(scene, model);
         if (!colored)
-            glVertexAttrib4fv(colorAttribute, glm::value_ptr(material.color));
+            glVertexAttrib4fv(glsl::colorAttribute, glm::value_ptr(material.color));
         setMaterial(*program_, material);
         program_->set("modelView", modelView);
         program_->set("modelViewProjection", projection_ * modelView);
@@ -164,15 +164,15 @@ private:
 
     /// Of the newest pieces; where those don't compile, of the last ones that did, or of the embedded ones.
     /// What the newest lack is said in `errors` and beside their source.
-    const ShaderProgram* programOf(const Scene& scene, std::size_t pass, const SampledUnits& units,
+    const ShaderProgram* programOf(const Scene& scene, std::size_t pass, const glsl::SampledUnits& units,
                                    const std::string& where, GlErrors& errors) {
         ShaderProgram::Log log;
         if (folder_ && !folder_->problem().empty())
             log.push_back({std::nullopt, 0, folder_->problem()});
         std::shared_ptr<const view::PassShader>& shown = shaders_[pass];
         const ShaderProgram* program = nullptr;
-        for (const ShaderPieces* pieces : candidates()) {
-            const Result<view::ShaderSource> source = shaderSource(scene, pass, units, *pieces);
+        for (const glsl::ShaderPieces* pieces : candidates()) {
+            const Result<glsl::ShaderSource> source = glsl::shaderSource(scene, pass, units, *pieces);
             const Compiled* made = source ? &compiled(*source) : nullptr;
             program = made && made->program ? &*made->program : nullptr;
             if (made && !shown)
@@ -195,17 +195,17 @@ private:
         return program;
     }
 
-    [[nodiscard]] std::vector<const ShaderPieces*> candidates() const {
-        std::vector<const ShaderPieces*> pieces;
+    [[nodiscard]] std::vector<const glsl::ShaderPieces*> candidates() const {
+        std::vector<const glsl::ShaderPieces*> pieces;
         if (newest_)
             pieces.push_back(newest_.get());
         if (good_ && good_ != newest_)
             pieces.push_back(good_.get());
-        pieces.push_back(&ShaderPieces::embedded());
+        pieces.push_back(&glsl::ShaderPieces::embedded());
         return pieces;
     }
 
-    const Compiled& compiled(const view::ShaderSource& source) {
+    const Compiled& compiled(const glsl::ShaderSource& source) {
         const auto [found, isNew] = programs_.try_emplace({source.vertex.text, source.fragment.text});
         if (isNew) {
             found->second.program = ShaderProgram::compile(source);
@@ -221,8 +221,8 @@ private:
     std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of this frame
     std::uint64_t revision_ = 0;                                   // of what is drawn with
     std::optional<ShaderFolder> folder_;
-    std::shared_ptr<const ShaderPieces> newest_; // of the folder
-    std::shared_ptr<const ShaderPieces> good_;   // the last of the folder's that compiled
+    std::shared_ptr<const glsl::ShaderPieces> newest_; // of the folder
+    std::shared_ptr<const glsl::ShaderPieces> good_;   // the last of the folder's that compiled
 };
 
 } // namespace

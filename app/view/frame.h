@@ -20,7 +20,7 @@ struct Frame {
     std::vector<std::string>
         problems;            ///< sentences: GL errors named with their call, textures that are missing
     bool unfinished = false; ///< textures are still being uploaded: draw again
-    /// Of each pass, where shaders draw it; see app/render/shader_source.h. nullptr: there is none.
+    /// Of each pass, where shaders draw it; see core/glsl/shader_source.h. nullptr: there is none.
     std::vector<std::shared_ptr<const PassShader>> shaders{};
     std::uint64_t revision = 0; ///< of the picture: the same number, the same pixels as in the frame before
 };

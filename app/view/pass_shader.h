@@ -2,27 +2,13 @@
 
 // The shaders of a pass, for those who show them.
 
+#include "core/glsl/stage_source.h"
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace texplorer::view {
-
-/// Where a line of a source was written.
-struct SourceLine {
-    std::string file; ///< "lighting.glsl"
-    int line = 0;     ///< counted from 1
-};
-
-struct StageSource {
-    std::string text;
-    std::vector<SourceLine> lines; ///< one for each line of the text
-};
-
-struct ShaderSource {
-    StageSource vertex;
-    StageSource fragment;
-};
 
 enum class ShaderStage { Vertex, Fragment };
 
@@ -37,7 +23,7 @@ struct ShaderMessage {
 
 /// The shaders of a pass as the shader renderer has them.
 struct PassShader {
-    ShaderSource source;
+    glsl::ShaderSource source;
     /// Empty: the source is what runs. Else it is the newest one, and what ran before it still does.
     std::vector<ShaderMessage> log;
 };

@@ -26,7 +26,7 @@ LANGUAGES = {"zh_CN": ("Chinese (simplified)", 1, "nplurals=1; plural=0;"),
 CATALOGUES = {
     "vocabulary": ["core/gl/", "core/preset/", "core/mesh/", "core/image/patterns/", "app/view/",
                    "core/scene/renderer.h", "core/scene/scene.h", "core/scene/sampler_state.h",
-                   "core/example/", "core/emit/program.h"],
+                   "core/example/", "core/emit/flavour.h"],
     "parameters": ["core/scene/params/params"],
     "diagnosis": ["core/diagnosis/"],
     "explanation": ["core/reference/"],

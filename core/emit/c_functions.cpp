@@ -1,6 +1,7 @@
 #include "core/emit/c_functions.h"
 
 #include "core/emit/code_writer.h"
+#include "core/emit/matrix_functions.h"
 
 #include <array>
 #include <string_view>
@@ -529,6 +530,21 @@ const std::vector<Row>& rows() {
         {CFunction::Perspective, perspective},
         {CFunction::LightInModel, lightInModel},
         {CFunction::Emboss, emboss, {CFunction::LightInModel}},
+        {CFunction::Matrices, matrixText},
+        {CFunction::Degree, degreeText},
+        {CFunction::Identity, identityText, {CFunction::Matrices}},
+        {CFunction::Translation, translationText, {CFunction::Matrices}},
+        {CFunction::Rotation, rotationText, {CFunction::Matrices, CFunction::Degree}},
+        {CFunction::Scaling, scalingText, {CFunction::Matrices}},
+        {CFunction::About, aboutText, {CFunction::Translation}},
+        {CFunction::Frustum, frustumText, {CFunction::Matrices, CFunction::Degree}},
+        {CFunction::Orthographic, orthographicText, {CFunction::Scaling}},
+        {CFunction::FloatProduct, floatProductText, {CFunction::Matrices}},
+        {CFunction::SetMatrix, setMatrixText, {CFunction::Matrices}},
+        {CFunction::SetNormalMatrix, setNormalMatrixText, {CFunction::Matrices}},
+        {CFunction::LightInModelView, lightInModelViewText, {CFunction::Matrices}},
+        {CFunction::NewProgram, compileText},
+        {CFunction::Buffers, bufferText},
     };
     return all;
 }

@@ -30,6 +30,21 @@ enum class CFunction : std::uint8_t {
     Perspective,
     LightInModel,
     Emboss,
+    Matrices, ///< of programs whose OpenGL has none: see matrix_functions.h
+    Degree,
+    Identity,
+    Translation,
+    Rotation,
+    Scaling,
+    About,
+    Frustum,
+    Orthographic,
+    FloatProduct,
+    SetMatrix,
+    SetNormalMatrix,
+    LightInModelView,
+    NewProgram,
+    Buffers,
 };
 
 /// A function, with those that it calls.

@@ -102,20 +102,19 @@ std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& textu
     return code;
 }
 
-std::string_view extensionOf(Flavour flavour) {
-    switch (flavour) {
-    case Flavour::Fixed:
-        break;
-    }
-    return ".c";
-}
-
 Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
                                   const ProgramOptions& options, TextureCodes& codes) {
     if (!scene.timeline.keys.empty())
         return fail(ErrorCode::Unsupported, "a program has no key frames; texshot animate draws them",
                     keyOf<&Scene::timeline>());
     switch (flavour) {
+    case Flavour::Glsl:
+        return glslProgram(scene, images, options, codes);
+    case Flavour::WebGl: {
+        ProgramOptions ofAPage = options;
+        ofAPage.fileName = {}; // it has no other file
+        return webGlProgram(scene, images, ofAPage, codes);
+    }
     case Flavour::Fixed:
         return fixedProgram(scene, images, options, codes);
     }

@@ -29,8 +29,9 @@ struct TextureObject {
 /// What OpenGL has when a frame begins and what it is left with may be two things, as each frame begins with
 /// what the last one left. Where they differ nothing is known when a frame begins.
 struct FrameStart {
-    std::set<std::string, std::less<>> unknown{};                 ///< of the writer's state
-    std::array<std::optional<Target>, maxUnits> shown{};  ///< at the end of a frame, where it isn't so before it
+    std::set<std::string, std::less<>> unknown{}; ///< of the writer's state
+    std::array<std::optional<Target>, maxUnits>
+        shown{}; ///< at the end of a frame, where it isn't so before it
     std::array<bool, maxUnits> mayShow{};
     std::array<bool, maxUnits> hasMatrix{};
     bool unitIsUnknown = false; ///< of glActiveTexture
@@ -52,8 +53,11 @@ struct Emission {
     std::vector<ModelForm> models;                                  ///< how each is drawn
     bool needsNormals;                                              ///< some pass is lit or reflects
     bool needsPi = false;
-    bool moves = false;   ///< draw() is given the seconds since the start
-    bool inFrame = false; ///< what is written is done in every frame, after the camera's calls
+    bool isCore = false;             ///< OpenGL 3.3 without what it took from OpenGL 2.1
+    bool isWeb = false;              ///< and WebGL 2
+    std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them
+    bool moves = false;              ///< draw() is given the seconds since the start
+    bool inFrame = false;            ///< what is written is done in every frame, after the camera's calls
 
     int activeUnit = 0;
     std::array<std::optional<Target>, maxUnits> shown{};
@@ -71,22 +75,28 @@ struct Emission {
     void use(CFunction function) { addWithCallees(functions, function); }
 };
 
+/// Then GL_CLAMP and GL_CLAMP_TO_EDGE are one: only averages ask for the border.
+[[nodiscard]] bool readsNearestAlone(const Texture& texture);
 /// The functions that load the textures.
 void writeTextures(Emission& emission);
 void writeTexels(Emission& emission, const Holder& holder, std::size_t object);
 /// glClear, and the projection for a picture of `width` times `height`.
 void writeProjection(Emission& emission);
+/// Both of programs that make their matrices themselves: the projection and the view.
+void writeMatrices(Emission& emission, bool draws);
 void writeLight(Emission& emission);
 /// The camera's calls, on the matrix that there is; before them the variables that the mouse changes.
 void writeCamera(Emission& emission);
 void declareCamera(Emission& emission);
-/// What multiplies by the projection of what the light sees, and by its view of eye coordinates, whose array's
-/// name begins with `variable`.
+/// What multiplies by the projection of what the light sees, and by its view of eye coordinates, whose
+/// array's name begins with `variable`.
 void writeLightProjection(Emission& emission);
 void writeLightView(Emission& emission, const std::string& variable);
 /// The function that draws what the light sees, for the textures that show it; its call in a frame.
 void writeShadowMaps(Emission& emission);
 void writeShadowMapCalls(Emission& emission);
+/// Whether an object holds what the light sees and some pass shows it.
+[[nodiscard]] bool isShadowMap(const Emission& emission, std::size_t object);
 /// Where a program can't draw what the light sees: why.
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene);
 /// The scene's: all of it.
@@ -96,6 +106,8 @@ void writeMaterial(Emission& emission, std::size_t model);
 void writeUnits(Emission& emission, std::size_t pass);
 /// The texture matrix of units that move, in every frame.
 void writeMovingMatrices(Emission& emission, std::size_t pass);
+/// "sphere(32, 16)": what makes a Mesh of a shape that is turned about an axis.
+[[nodiscard]] std::vector<Part> shapeCall(Emission& emission, std::size_t model);
 /// Arrays and functions of a model, before everything that draws.
 void writeModelData(Emission& emission, std::size_t model);
 /// What is made of them once.

@@ -1,4 +1,5 @@
 #include "core/emit/emission.h"
+#include "core/emit/glsl_emission.h"
 #include "core/gl/argument_names.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/keys.h"
@@ -59,6 +60,43 @@ void writeProjection(Emission& emission) {
         writer.add({plain("perspective("), angle, plain(", aspect, distance / 50.0, farthest);")});
     }
     writer.add(fmt::format("glMatrixMode({});", modelViewMode));
+}
+
+void writeMatrices(Emission& emission, bool draws) {
+    CodeWriter& writer = emission.writer;
+    const View& view = emission.scene.view;
+    declareCamera(emission);
+    writer.heading("background");
+    writer.add("glViewport(0, 0, width, height);");
+    writer.row(viewHolder(emission.scene), memberId<&View::background>);
+    writer.add("glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);");
+    if (!draws)
+        return;
+    writer.heading("projection");
+    writer.add("const GLfloat aspect = (GLfloat)width / (GLfloat)height;");
+    writer.add("const double farthest = 4.0 * distance + 400.0;");
+    const Part angle = number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
+    if (view.projection == Projection::Orthographic) {
+        emission.use(CFunction::Orthographic);
+        emission.use(CFunction::Degree);
+        writer.add({plain("const double half = distance * tan("), angle, plain(" * degree / 2);")});
+        writer.add("const Matrix projection = orthographic(half * aspect, half, farthest);");
+    } else {
+        emission.use(CFunction::Frustum);
+        writer.add({plain("const Matrix projection = perspective("), angle,
+                    plain(", aspect, distance / 50.0, farthest);")});
+    }
+    writer.heading("camera");
+    MatrixProduct product(emission, "view", true);
+    product.addTranslation({plain("0, 0, -distance")});
+    if (view.roll != 0)
+        product.addRotation({number(view.roll, pathOf<&Scene::view, &View::roll>())}, {plain("0, 0, 1")});
+    product.addRotation({plain("elevation")}, {plain("1, 0, 0")});
+    product.addRotation({plain("-azimuth")}, {plain("0, 1, 0")});
+    if (view.target != glm::vec3(0))
+        product.addTranslation(
+            numbers({&view.target.x, 3}, pathOf<&Scene::view, &View::target>(), Literal::Float, true));
+    product.finish();
 }
 
 void writeLight(Emission& emission) {

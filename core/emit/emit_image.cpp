@@ -1,5 +1,6 @@
 // The texels of a texture object: what glTexImage is given.
 
+#include "core/emit/core_format.h"
 #include "core/emit/emission.h"
 #include "core/gl/argument_names.h"
 #include "core/gl/pixel_transfer.h"
@@ -242,8 +243,11 @@ private:
         const std::size_t bracket = words.find('(');
         const auto resolve = [&](std::string_view word) -> std::optional<std::vector<Part>> {
             if (word == "{}")
-                return std::vector<Part>{
-                    choice(format ? format->name : rowOf(InternalFormat::Rgba).name, pathOf(row.key))};
+                return std::vector<Part>{choice(
+                    emission_.isCore && !code_.driverCompresses ? coreFormatOf(code_.shape.internalFormat).name
+                    : format                                    ? format->name
+                                                                : rowOf(InternalFormat::Rgba).name,
+                    pathOf(row.key))};
             if (word == "level")
                 return std::vector<Part>{plain(level)};
             if (word == "width")
@@ -302,6 +306,8 @@ void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture&
 void writeTexels(Emission& emission, const Holder& holder, std::size_t object) {
     const auto& code = emission.texels[object];
     const Texture& texture = emission.scene.textures[emission.objects[object].texture];
+    if (texture.source == SourceKind::LightDepth && !isShadowMap(emission, object))
+        return emission.writer.comment("nothing shows it");
     if (texture.source == SourceKind::LightDepth)
         return writeDepthsOfLight(emission, holder, texture, object);
     if (!code)

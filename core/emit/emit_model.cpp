@@ -78,6 +78,38 @@ public:
         }
     }
 
+    /// "sphere(32, 16)"
+    [[nodiscard]] std::vector<Part> shapeCall() {
+        const Part slices = whole(model_.slices, own(keyOf<&Model::slices>()));
+        const Part stacks = whole(model_.stacks, own(keyOf<&Model::stacks>()));
+        const Part comma = plain(", ");
+        std::vector<Part> parts;
+        switch (model_.shape) {
+        case Shape::Sphere:
+            emission_.use(CFunction::Sphere);
+            append(parts, {plain("sphere("), slices, comma, stacks});
+            break;
+        case Shape::Cylinder:
+            emission_.use(CFunction::Cylinder);
+            append(parts, {plain("cylinder("), floatPart(model_.topRadius, keyOf<&Model::topRadius>()), comma,
+                           slices, comma, stacks});
+            break;
+        case Shape::Torus:
+            emission_.use(CFunction::Torus);
+            append(parts, {plain("torus("), floatPart(model_.tubeRadius, keyOf<&Model::tubeRadius>()), comma,
+                           slices, comma, stacks});
+            break;
+        default:
+            emission_.use(CFunction::Disk);
+            append(parts, {plain("disk("), floatPart(model_.innerRadius, keyOf<&Model::innerRadius>()), comma,
+                           slices, comma, stacks, comma});
+            append(parts, sector());
+            break;
+        }
+        parts.push_back(plain(")"));
+        return parts;
+    }
+
     void setUp() {
         if (form_.drawing == Drawing::Shape)
             makeShape();
@@ -290,33 +322,9 @@ private:
 
     /// "model1 = sphere(32, 16);"
     void makeShape() {
-        const Part slices = whole(model_.slices, own(keyOf<&Model::slices>()));
-        const Part stacks = whole(model_.stacks, own(keyOf<&Model::stacks>()));
-        const Part comma = plain(", ");
         std::vector<Part> parts{plain(variable_ + " = ")};
-        switch (model_.shape) {
-        case Shape::Sphere:
-            emission_.use(CFunction::Sphere);
-            append(parts, {plain("sphere("), slices, comma, stacks});
-            break;
-        case Shape::Cylinder:
-            emission_.use(CFunction::Cylinder);
-            append(parts, {plain("cylinder("), floatPart(model_.topRadius, keyOf<&Model::topRadius>()), comma,
-                           slices, comma, stacks});
-            break;
-        case Shape::Torus:
-            emission_.use(CFunction::Torus);
-            append(parts, {plain("torus("), floatPart(model_.tubeRadius, keyOf<&Model::tubeRadius>()), comma,
-                           slices, comma, stacks});
-            break;
-        default:
-            emission_.use(CFunction::Disk);
-            append(parts, {plain("disk("), floatPart(model_.innerRadius, keyOf<&Model::innerRadius>()), comma,
-                           slices, comma, stacks, comma});
-            append(parts, sector());
-            break;
-        }
-        parts.push_back(plain(");"));
+        append(parts, shapeCall());
+        parts.push_back(plain(";"));
         writer_.add(std::move(parts));
     }
 
@@ -510,6 +518,10 @@ private:
 
 void writeModelData(Emission& emission, std::size_t model) {
     ModelWriter(emission, model).declare();
+}
+
+std::vector<Part> shapeCall(Emission& emission, std::size_t model) {
+    return ModelWriter(emission, model).shapeCall();
 }
 
 void writeModelSetup(Emission& emission, std::size_t model) {

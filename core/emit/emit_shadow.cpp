@@ -39,14 +39,19 @@ void writeUnitOff(Emission& emission, std::size_t unit) {
 std::vector<std::size_t> shadowMapsOf(const Emission& emission) {
     std::vector<std::size_t> maps;
     for (std::size_t i = 0; i < emission.objects.size(); ++i) {
-        if (emission.scene.textures[emission.objects[i].texture].source == SourceKind::LightDepth &&
-            isShown(emission.scene, emission.objects[i]))
+        if (isShadowMap(emission, i))
             maps.push_back(i);
     }
     return maps;
 }
 
 } // namespace
+
+bool isShadowMap(const Emission& emission, std::size_t object) {
+    const TextureObject& held = emission.objects[object];
+    return emission.scene.textures[held.texture].source == SourceKind::LightDepth &&
+           isShown(emission.scene, held);
+}
 
 Result<void> checkShadowMaps(const Scene& scene) {
     for (const TextureObject& object : textureObjectsOf(scene)) {

@@ -1,4 +1,7 @@
+#include "core/emit/core_format.h"
 #include "core/emit/emission.h"
+#include "core/emit/webgl.h"
+#include "core/reference/sampling/lod.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -9,7 +12,14 @@ namespace texplorer::emit {
 namespace {
 
 /// Whether a target and an internal format have what a row of glTexParameter sets.
-bool hasEffect(const ParamRow& row, const Texture& texture, Target target) {
+bool hasEffect(const ParamRow& row, const Texture& texture, Target target, const Emission& emission) {
+    if (emission.isWeb &&
+        (row.member == memberId<&Texture::borderColor> || row.member == memberId<&Texture::lodBias> ||
+         row.member == memberId<&Texture::maxAnisotropy>))
+        return false; // which WebGL doesn't know, or as an extension
+    if (emission.isCore &&
+        (row.member == memberId<&Texture::priority> || row.member == memberId<&Texture::depthMode>))
+        return false; // which the core profile doesn't know
     if (row.member == memberId<&Texture::wrapR>)
         return target == Target::Texture3D;
     if (row.member == memberId<&Texture::wrapT>)
@@ -33,10 +43,26 @@ std::string originOf(const Texture& texture) {
     return std::string(rowOf(texture.source).label);
 }
 
+/// What the base formats are that the core profile has no more, table 3.20 of OpenGL 2.1.
+void writeSwizzle(Emission& emission, const reference::SampledTexture& shape, Target target) {
+    const std::string_view words = coreFormatOf(shape.internalFormat).swizzle;
+    if (words.empty())
+        return;
+    emission.writer.add(fmt::format("const GLint swizzle[] = {{{}}}; /* what a shader gets: {} */", words,
+                                    rowOf(shape.format).name));
+    emission.writer.add(
+        fmt::format("glTexParameteriv({}, GL_TEXTURE_SWIZZLE_RGBA, swizzle);", rowOf(target).name));
+}
+
 void writeTexture(Emission& emission, std::size_t object) {
     static const Texture initial;
     const auto [index, target] = emission.objects[object];
-    const Texture& texture = emission.scene.textures[index];
+    Texture texture = emission.scene.textures[index];
+    if (emission.isCore) {
+        const Wrap other = readsNearestAlone(texture) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
+        for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
+            *wrap = *wrap == Wrap::Clamp ? other : *wrap; // the core profile has no GL_CLAMP
+    }
     const std::string variable = fmt::format("texture{}", object);
     const Holder holder{textureTable(), &texture, &initial, elementOf<&Scene::textures>(index),
                         variable,       variable, target};
@@ -45,10 +71,21 @@ void writeTexture(Emission& emission, std::size_t object) {
     writer.open(fmt::format("static void loadTexture{}(void)", object));
     writer.add(
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
+    if (emission.isWeb) // before its parameters: to change the base level of images that aren't there is warned of
+        writeWebTexels(emission, holder, object);
     for (const ParamRow& row : holder.table.params) {
-        if (row.glCall.starts_with("glTexParameter") && hasEffect(row, texture, target))
+        if (row.glCall.starts_with("glTexParameter") && hasEffect(row, texture, target, emission))
             writer.row(holder, row);
     }
+    if (emission.isWeb) {
+        if (texture.maxAnisotropy > 1)
+            writer.add(fmt::format(
+                "if (anisotropic) glTexParameterf({}, anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, {});",
+                rowOf(target).name, texture.maxAnisotropy));
+        return writer.close();
+    }
+    if (emission.isCore && emission.texels[object] && *emission.texels[object])
+        writeSwizzle(emission, (*emission.texels[object])->shape, target);
     writeTexels(emission, holder, object);
     writer.close();
 }
@@ -76,12 +113,18 @@ std::vector<TextureObject> textureObjectsOf(const Scene& scene) {
     return objects;
 }
 
+bool readsNearestAlone(const Texture& texture) {
+    return texture.magFilter == MagFilter::Nearest && !reference::isLinear(texture.minFilter);
+}
+
 void writeTextures(Emission& emission) {
     const std::size_t count = emission.objects.size();
-    if (count > 0)
+    if (count > emission.leftOut.size())
         emission.atStart.add(fmt::format("static GLuint textures[{}];", count));
-    for (std::size_t i = 0; i < count; ++i)
-        writeTexture(emission, i);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!emission.leftOut.contains(i))
+            writeTexture(emission, i);
+    }
 }
 
 } // namespace texplorer::emit

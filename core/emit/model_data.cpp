@@ -9,18 +9,17 @@
 namespace texplorer::emit {
 namespace {
 
-/// Turned about an axis: see core/emit/c_functions.h.
-bool isTurned(Shape shape) {
-    return shape == Shape::Sphere || shape == Shape::Cylinder || shape == Shape::Disk ||
-           shape == Shape::PartialDisk || shape == Shape::Torus;
-}
-
 /// Of squares, four corners each.
 bool isMadeOfQuads(Shape shape) {
     return shape == Shape::Cube || shape == Shape::Quad || shape == Shape::Floor;
 }
 
 } // namespace
+
+bool isTurned(Shape shape) {
+    return shape == Shape::Sphere || shape == Shape::Cylinder || shape == Shape::Disk ||
+           shape == Shape::PartialDisk || shape == Shape::Torus;
+}
 
 bool takesCoords(const Unit& unit) {
     if (!unit.enabled)

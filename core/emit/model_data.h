@@ -33,6 +33,9 @@ struct ModelForm {
 /// `flips`: whether t of its coordinates is turned around for some unit.
 [[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model, bool flips);
 
+/// Turned about an axis: a function of the program makes it.
+[[nodiscard]] bool isTurned(Shape shape);
+
 /// What glBegin is given: GL_QUADS of a cube, the primitive of a mesh; of what is declared as an array of
 /// indices, GL_TRIANGLES.
 [[nodiscard]] std::string primitiveOf(const Model& model);

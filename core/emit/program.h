@@ -3,8 +3,8 @@
 // A whole program that draws a scene, as a student would write it: in C with GLFW, or as a page.
 
 #include "core/emit/code.h"
+#include "core/emit/flavour.h"
 #include "core/emit/texel_code.h"
-#include "core/gl/enum_row.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 #include "core/texture/levels_source.h"
@@ -50,31 +50,25 @@ struct ProgramOptions {
     std::function<std::string(const std::string& file)> fileName{};
 };
 
-/// What a program is written for.
-enum class Flavour : std::uint32_t { Fixed };
-
-inline constexpr std::array flavourRows{
-    row(Flavour::Fixed, "fixed", "C with OpenGL 2.1", "C99 with GLFW, fixed function: no shaders."),
-};
-
 /// The program. What the scene's textures hold comes from `images`; one that has none is left out, as
 /// renderers leave it out. Unsupported: what the scene says that such a program can't, in one sentence.
 [[nodiscard]] Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                                      const ProgramOptions& options, TextureCodes& codes);
 
-/// Its extension, with the dot.
-[[nodiscard]] std::string_view extensionOf(Flavour flavour);
+// The same for OpenGL 3.3's core profile, with the shaders that the shader renderer has.
+[[nodiscard]] Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
+                                                    const ProgramOptions& options, TextureCodes& codes);
+
+/// The same as a page of HTML with WebGL 2, which needs no other file.
+[[nodiscard]] Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
+                                                     const ProgramOptions& options, TextureCodes& codes);
 
 /// The same for any flavour.
-[[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
-                                                const ProgramOptions& options, TextureCodes& codes);
+[[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene,
+                                                const ImageSource& images, const ProgramOptions& options,
+                                                TextureCodes& codes);
 
 /// Meshes of more vertices are data at the end of the program.
 inline constexpr std::size_t mostWrittenVertices = 64;
 
 } // namespace texplorer::emit
-
-template<>
-struct texplorer::EnumTable<texplorer::emit::Flavour> {
-    static constexpr std::span<const EnumRow> rows = texplorer::emit::flavourRows;
-};

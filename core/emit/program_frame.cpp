@@ -117,10 +117,13 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     if (!options.about.empty())
         about.insert(about.begin() + 1, options.about);
     addComment(lines, about);
+    std::string more;
+    for (const std::string& header : program.headers)
+        more += fmt::format("#include <{}>\n", header);
     const std::string headers = "#define GL_GLEXT_PROTOTYPES /* functions of OpenGL after 1.1, as glActiveTexture */\n"
                           "#define GLFW_INCLUDE_GLEXT\n"
                           "#include <GLFW/glfw3.h>\n"
-                          "#include <math.h>\n"
+                          "#include <math.h>\n" + more +
                           "#include <stdio.h>\n"
                           "#include <stdlib.h>\n" +
                           std::string(emission.functions.contains(CFunction::Unpack) || emission.functions.contains(CFunction::ReadDds) ? "#include <string.h>\n"

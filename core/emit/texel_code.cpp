@@ -237,7 +237,9 @@ private:
 Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
                                 FileReader reader) {
     return prepareLevels(texture, pictures, target).map([&](const TextureLevels& levels) {
-        return CodeMaker(texture, pictures, target, reader).make(levels);
+        TextureCode code = CodeMaker(texture, pictures, target, reader).make(levels);
+        code.shape = reference::shapeOf(levels, target);
+        return code;
     });
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 #include "core/gl/sampling.h"
+#include "core/reference/sampling/sampled_texture.h"
 #include "core/texture/texture_levels.h"
 
 #include <array>
@@ -57,6 +58,7 @@ struct TextureCode {
     bool driverCompresses = false;
     FileReader reader = FileReader::None; ///< of the level with TexelSource::Read, or of all of a DDS file
     bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
+    reference::SampledTexture shape{}; ///< the extents of its levels
 };
 
 /// Most texels that are listed.

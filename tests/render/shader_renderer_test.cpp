@@ -1,9 +1,9 @@
 // The shader renderer against fixed function, and while somebody edits its files.
 
 #include "app/render/fixed_renderer.h"
-#include "app/render/shader_pieces.h"
 #include "app/render/shader_renderer.h"
 #include "core/base/file_io.h"
+#include "core/glsl/shader_pieces.h"
 #include "core/mesh/mesh.h"
 #include "core/reference/draw.h"
 #include "core/scene/params/json.h"
@@ -273,7 +273,7 @@ class EditedShaders : public RenderTest {
 protected:
     void SetUp() override {
         RenderTest::SetUp();
-        for (const render::ShaderFile& file : render::embeddedShaderFiles())
+        for (const glsl::ShaderFile& file : glsl::embeddedShaderFiles())
             ASSERT_TRUE(writeFileAtomically(folder.path() / file.name, viewBytes(file.text)));
         auto made = render::ShaderRenderer::create(capabilities, {folder.path(), {}});
         ASSERT_TRUE(made);

@@ -30,7 +30,7 @@ namespace {
 Result<void> checkShaders(const std::filesystem::path& folder) {
     if (folder.empty())
         return {};
-    const Result<render::ShaderPieces> pieces = render::readShaderFolder(folder);
+    const Result<glsl::ShaderPieces> pieces = render::readShaderFolder(folder);
     return pieces ? Result<void>() : fail(pieces.error());
 }
 

@@ -47,7 +47,7 @@ ImU32 tintOf(GlslToken::Kind kind) {
     return color::text;
 }
 
-const view::StageSource& sourceOf(const PassShader& shader, ShaderStage stage) {
+const glsl::StageSource& sourceOf(const PassShader& shader, ShaderStage stage) {
     return stage == ShaderStage::Vertex ? shader.source.vertex : shader.source.fragment;
 }
 
@@ -157,7 +157,7 @@ void drawPart(const std::vector<GlslToken>& tokens, std::string_view part, float
 }
 
 void drawSource(GlslTabState& state, const PassShader& shader) {
-    const view::StageSource& source = sourceOf(shader, state.stage);
+    const glsl::StageSource& source = sourceOf(shader, state.stage);
     const std::vector<std::string_view> lines = linesOf(source.text);
     const GlslNames uniforms = uniformsOf(source.text);
     ImGui::BeginChild("source", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);

@@ -3,6 +3,7 @@
 #include "app/ui/model/scene_files.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
+#include "core/emit/program.h"
 
 #include <fmt/core.h>
 

@@ -17,7 +17,7 @@
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
 #include "core/diagnosis/diagnosis.h"
-#include "core/emit/program.h"
+#include "core/emit/flavour.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/picking.h"
 

@@ -1,5 +1,5 @@
-#include "app/render/shader_pieces.h"
 #include "core/base/file_io.h"
+#include "core/glsl/shader_pieces.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
@@ -55,7 +55,7 @@ TEST_F(GlslTab, SaysThatThereIsNoneWhereNothingIsDrawn) {
 
 TEST_F(GlslTab, ShowsTheLineOfAMistakeAndWhatTheCompilerSays) {
     const texplorer::test::TempDir folder;
-    for (render::ShaderFile file : render::embeddedShaderFiles()) {
+    for (glsl::ShaderFile file : glsl::embeddedShaderFiles()) {
         const std::string good = "gl_Position = modelViewProjection";
         if (const std::size_t at = file.text.find(good); at != std::string::npos)
             file.text.replace(at, good.size(), "gl_Position = modelVewProjection");

@@ -1,5 +1,5 @@
-#include "app/render/shader_pieces.h"
 #include "app/ui/details/glsl_text.h"
+#include "core/glsl/shader_pieces.h"
 
 #include <gmock/gmock.h>
 
@@ -62,7 +62,7 @@ TEST(GlslText, ALineFallsIntoItsKinds) {
 }
 
 TEST(GlslText, TheStretchesAreTheLine) {
-    for (const render::ShaderFile& file : render::embeddedShaderFiles()) {
+    for (const glsl::ShaderFile& file : glsl::embeddedShaderFiles()) {
         const GlslNames uniforms = uniformsOf(file.text);
         for (const std::string_view line : linesOf(file.text)) {
             std::string joined;

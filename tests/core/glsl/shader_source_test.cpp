@@ -1,18 +1,16 @@
 // What a pass is written as: only what its state uses.
 
-#include "app/render/shader_log.h"
-#include "app/render/shader_source.h"
+#include "core/glsl/shader_source.h"
 #include "tests/support/flat_scene.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
-namespace texplorer::render::shader_source_test {
+namespace texplorer::glsl::shader_source_test {
 namespace {
 
 using namespace test;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -20,10 +18,10 @@ SampledUnits oneUnit(BaseFormat format = BaseFormat::Rgba) {
     return {SampledUnit{format, LateFlip::None}};
 }
 
-view::ShaderSource sourceOf(const Scene& scene, const SampledUnits& units = oneUnit()) {
-    Result<view::ShaderSource> source = shaderSource(scene, 0, units);
+ShaderSource sourceOf(const Scene& scene, const SampledUnits& units = oneUnit()) {
+    Result<ShaderSource> source = shaderSource(scene, 0, units);
     EXPECT_TRUE(source) << describe(source.error());
-    return source ? std::move(*source) : view::ShaderSource();
+    return source ? std::move(*source) : ShaderSource();
 }
 
 struct Case {
@@ -37,9 +35,9 @@ class Source : public testing::TestWithParam<Case> {};
 
 TEST_P(Source, HoldsOnlyWhatTheStateUses) {
     Scene scene = texturedScene();
-    const view::ShaderSource before = sourceOf(scene);
+    const ShaderSource before = sourceOf(scene);
     GetParam().change(scene);
-    const view::ShaderSource after = sourceOf(scene);
+    const ShaderSource after = sourceOf(scene);
     if (*GetParam().vertex != '\0') {
         EXPECT_THAT(before.vertex.text, Not(HasSubstr(GetParam().vertex)));
         EXPECT_THAT(after.vertex.text, HasSubstr(GetParam().vertex));
@@ -124,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(ShaderSource, AUnitThatTakesNoPartLeavesNothing) {
-    const view::ShaderSource source = sourceOf(texturedScene(), {});
+    const ShaderSource source = sourceOf(texturedScene(), {});
     EXPECT_THAT(source.vertex.text, Not(HasSubstr("oord0")));
     EXPECT_THAT(source.fragment.text, Not(HasSubstr("texture")));
 }
@@ -151,28 +149,10 @@ TEST(ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn) {
 }
 
 TEST(ShaderSource, EachLineKnowsWhereItWasWritten) {
-    const view::StageSource stage = sourceOf(texturedScene()).fragment;
+    const StageSource stage = sourceOf(texturedScene()).fragment;
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(stage.text, '\n')), stage.lines.size());
     EXPECT_EQ(stage.lines[0].file, "fragment.glsl");
     EXPECT_EQ(stage.lines[0].line, 4);
-}
-
-TEST(ShaderSource, LogsOfAllDriversNameTheFileAndTheLine) {
-    view::StageSource stage;
-    stage.text = "one\ntwo\n";
-    stage.lines = {{"vertex.glsl", 5}, {"lighting.glsl", 17}};
-    using Message = view::ShaderMessage;
-    const auto at = std::optional(view::ShaderStage::Vertex);
-    EXPECT_THAT(translateLog("0:2(5): error: `n' undeclared\n\n", stage),
-                ElementsAre(Message{std::nullopt, 2, "lighting.glsl:17: error: `n' undeclared"}));
-    EXPECT_THAT(translateLog("0(1) : error C1008: undefined \"n\"\r\n", stage, at),
-                ElementsAre(Message{at, 1, "vertex.glsl:5: error C1008: undefined \"n\""}));
-    EXPECT_THAT(translateLog("ERROR: 0:2: 'n' : undeclared", stage, at),
-                ElementsAre(Message{at, 2, "lighting.glsl:17: 'n' : undeclared"}));
-    EXPECT_THAT(translateLog("error: linking", stage, at), ElementsAre(Message{at, 0, "error: linking"}));
-    for (const char* odd :
-         {"error: linking", "0:3(1): x", "0:0(1): x", "0:", "0(", "0:2(", "ERROR: ", "99999999999:1"})
-        EXPECT_EQ(translateLog(odd, stage).size(), 1U) << odd;
 }
 
 TEST(ShaderPieces, AFileThatIsMissingOrSaysThingsTwiceIsRefused) {
@@ -187,4 +167,4 @@ TEST(ShaderPieces, AFileThatIsMissingOrSaysThingsTwiceIsRefused) {
 }
 
 } // namespace
-} // namespace texplorer::render::shader_source_test
+} // namespace texplorer::glsl::shader_source_test

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace texplorer::render {
+namespace texplorer::glsl {
 
 /// One of the files of shaders/.
 struct ShaderFile {
@@ -43,4 +43,4 @@ private:
     std::map<std::string, Names, std::less<>> files_;
 };
 
-} // namespace texplorer::render
+} // namespace texplorer::glsl

@@ -1,11 +1,11 @@
-#include "app/render/shader_pieces.h"
+#include "core/glsl/shader_pieces.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>
 
-namespace texplorer::render {
+namespace texplorer::glsl {
 
 namespace {
 
@@ -96,4 +96,4 @@ const ShaderPiece* ShaderPieces::find(std::string_view file, std::string_view na
     return found == names->second.end() ? nullptr : &found->second;
 }
 
-} // namespace texplorer::render
+} // namespace texplorer::glsl

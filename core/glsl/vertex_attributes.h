@@ -1,6 +1,6 @@
 #pragma once
 
-namespace texplorer::render {
+namespace texplorer::glsl {
 
 // The locations of a shader's attributes, as shaders/vertex.glsl declares them.
 inline constexpr unsigned positionAttribute = 0;
@@ -8,4 +8,4 @@ inline constexpr unsigned normalAttribute = 2;
 inline constexpr unsigned colorAttribute = 3;
 inline constexpr unsigned firstCoordAttribute = 8; ///< of unit 0; the other units' follow
 
-} // namespace texplorer::render
+} // namespace texplorer::glsl

@@ -1,7 +1,7 @@
-#include "app/render/shader_source.h"
+#include "core/glsl/shader_source.h"
 
-#include "app/render/vertex_attributes.h"
 #include "core/gl/combine_arguments.h"
+#include "core/glsl/vertex_attributes.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 
@@ -11,7 +11,7 @@
 #include <iterator>
 #include <span>
 
-namespace texplorer::render {
+namespace texplorer::glsl {
 
 namespace {
 
@@ -65,7 +65,7 @@ public:
         return source_.text.find(word) != std::string::npos;
     }
 
-    [[nodiscard]] Result<view::StageSource> finish() && {
+    [[nodiscard]] Result<StageSource> finish() && {
         if (error_)
             return fail(std::move(*error_));
         return std::move(source_);
@@ -73,7 +73,7 @@ public:
 
 private:
     const ShaderPieces& pieces_;
-    view::StageSource source_;
+    StageSource source_;
     std::optional<Error> error_;
 };
 
@@ -165,7 +165,7 @@ void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled,
              {{"UNIT", index}});
 }
 
-Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
+Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
     Writer body(pieces);
     if (plan.pass.lighting)
         writeLighting(body, plan);
@@ -317,8 +317,14 @@ void writeVaryingColor(Writer& body, const Plan& plan, const std::string& which)
                                          plan.affineColors() ? " without perspective" : ""));
 }
 
+bool endsAtTheEdge(const SampledUnit& sampled) {
+    return std::ranges::find(sampled.ends, true) != sampled.ends.end();
+}
+
 /// The piece that reads the texture.
 std::string lookupOf(const Unit& unit, const SampledUnit& sampled) {
+    if (endsAtTheEdge(sampled))
+        return fmt::format("lookup {} that ends", nameOf(unit.target));
     if (sampled.compares)
         return "lookup that compares";
     if (sampled.hasDepths)
@@ -326,10 +332,17 @@ std::string lookupOf(const Unit& unit, const SampledUnit& sampled) {
     return unit.target == Target::CubeMap ? "lookup of a direction" : "lookup";
 }
 
-Result<view::StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
+Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
     Writer body(pieces);
     // All texels first: with crossbar a unit may ask for the texel of a later one.
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+        if (endsAtTheEdge(sampled))
+            body.add("fragment", "place that ends", {{"UNIT", index}});
+        for (std::size_t i = 0; i < sampled.ends.size(); ++i) {
+            if (sampled.ends[i])
+                body.add("fragment", "end of a coordinate",
+                         {{"UNIT", index}, {"MEMBER", std::string(1, coordinates[i].member)}});
+        }
         body.add("fragment", lookupOf(unit, sampled) + (unit.lodBias == 0 ? "" : " with bias"),
                  {{"UNIT", index}});
         if (sampled.hasDepths)
@@ -404,16 +417,16 @@ bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled) {
     return !unit.matrix.empty() || sampled.lateFlip == LateFlip::Matrix;
 }
 
-Result<view::ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
-                                        const ShaderPieces& pieces) {
+Result<ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
+                                  const ShaderPieces& pieces) {
     const Plan plan{scene, scene.passes[pass], units};
-    Result<view::StageSource> vertex = vertexStage(plan, pieces);
+    Result<StageSource> vertex = vertexStage(plan, pieces);
     if (!vertex)
         return fail(vertex.error());
-    Result<view::StageSource> fragment = fragmentStage(plan, pieces);
+    Result<StageSource> fragment = fragmentStage(plan, pieces);
     if (!fragment)
         return fail(fragment.error());
-    return view::ShaderSource{std::move(*vertex), std::move(*fragment)};
+    return ShaderSource{std::move(*vertex), std::move(*fragment)};
 }
 
-} // namespace texplorer::render
+} // namespace texplorer::glsl

@@ -1,0 +1,500 @@
+// Shaders, uniforms and tests of a pass: OpenGL 3.3, core profile.
+
+#include "core/emit/glsl_emission.h"
+#include "core/gl/argument_names.h"
+#include "core/glsl/vertex_attributes.h"
+#include "core/reference/sampling/lod.h"
+#include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::emit {
+namespace {
+
+std::vector<Part> lightPart(const glm::vec4& color, const std::string& key) {
+    return numbers({&color.x, 3}, fmt::format("{}.{}", keyOf<&Scene::light>(), key));
+}
+
+/// Clamped as OpenGL does; what it changes names no parameter.
+std::vector<Part> colorParts(const glm::vec4& color, std::size_t count, const std::string& path) {
+    const glm::vec4 clamped = glm::clamp(color, 0.0F, 1.0F);
+    return numbers({&clamped.x, count}, clamped == color ? path : std::string());
+}
+
+struct PlaneRow {
+    TexGen Unit::*state;
+    Key key;
+    char letter;
+};
+constexpr std::array planeRows{PlaneRow{&Unit::texGenS, keyOf<&Unit::texGenS>, 's'},
+                               PlaneRow{&Unit::texGenT, keyOf<&Unit::texGenT>, 't'},
+                               PlaneRow{&Unit::texGenR, keyOf<&Unit::texGenR>, 'r'},
+                               PlaneRow{&Unit::texGenQ, keyOf<&Unit::texGenQ>, 'q'}};
+
+/// A row of the material that a shader may ask for.
+struct MaterialRow {
+    std::string_view uniform;
+    std::string_view suffix;
+    std::vector<Part> (*values)(const Material& material, const std::string& path);
+};
+
+template<auto Member, int count>
+std::vector<Part> materialNumbers(const Material& material, const std::string& path) {
+    return numbers({&(material.*Member).x, count}, fmt::format("{}.{}", path, keyOf<Member>()));
+}
+std::vector<Part> shininessNumber(const Material& material, const std::string& path) {
+    return {number(material.shininess, fmt::format("{}.{}", path, keyOf<&Material::shininess>()))};
+}
+std::vector<Part> colorMaterialSwitch(const Material& material, const std::string& path) {
+    return {{Part::Kind::Switch, std::string(booleanName(material.colorMaterial)),
+             fmt::format("{}.{}", path, keyOf<&Material::colorMaterial>())}};
+}
+constexpr std::array materialRows{
+    MaterialRow{"colorMaterial", "1i", colorMaterialSwitch},
+    MaterialRow{"materialAmbient", "3f", materialNumbers<&Material::ambient, 3>},
+    MaterialRow{"materialDiffuse", "4f", materialNumbers<&Material::diffuse, 4>},
+    MaterialRow{"materialSpecular", "3f", materialNumbers<&Material::specular, 3>},
+    MaterialRow{"materialEmission", "3f", materialNumbers<&Material::emission, 3>},
+    MaterialRow{"shininess", "1f", shininessNumber},
+};
+
+std::string materialPath(const Scene& scene, std::size_t model) {
+    return scene.models[model].ownMaterial
+               ? fmt::format("{}.{}", elementOf<&Scene::models>(model), keyOf<&Model::material>())
+               : keyOf<&Scene::material>();
+}
+
+std::string wordsOf(const std::vector<Part>& parts) {
+    return textOf(Line{parts});
+}
+
+/// Whether all models that a pass draws say the same of it.
+bool isShared(const Scene& scene, const std::vector<std::size_t>& models, const MaterialRow& row) {
+    return std::ranges::all_of(models, [&](std::size_t model) {
+        return wordsOf(row.values(materialOf(scene, scene.models[model]), {})) ==
+               wordsOf(row.values(materialOf(scene, scene.models[models.front()]), {}));
+    });
+}
+
+bool hasOwnColors(const Model& model) {
+    return model.shape == Shape::Mesh && !model.mesh.colors.empty();
+}
+
+/// Of vertices without colours, in any pass: one for all.
+bool hasOneColor(const Scene& scene, const std::vector<GlslPass>& passes) {
+    std::optional<glm::vec4> color;
+    for (const GlslPass& pass : passes) {
+        for (const std::size_t model : drawnModels(scene, scene.passes[pass.index])) {
+            const glm::vec4 own = materialOf(scene, scene.models[model]).color;
+            if (hasOwnColors(scene.models[model]) || (color && *color != own))
+                return false;
+            color = own;
+        }
+    }
+    return true;
+}
+
+void writeColor(GlslEmission& glsl, std::size_t model) {
+    const Scene& scene = glsl.emission.scene;
+    std::vector<Part> parts{plain(fmt::format("{}, ", glsl::colorAttribute))};
+    append(parts, materialNumbers<&Material::color, 4>(materialOf(scene, scene.models[model]),
+                                                       materialPath(scene, model)));
+    glsl.emission.writer.add(callWith("glVertexAttrib4f", std::move(parts)));
+}
+
+/// The steps that count: those before one that loads a matrix are void.
+std::size_t firstStep(const Unit& unit) {
+    for (std::size_t i = unit.matrix.size(); i > 0; --i) {
+        if (unit.matrix[i - 1].op == MatrixOp::Load)
+            return i - 1;
+    }
+    return 0;
+}
+
+bool movesMatrix(const Unit& unit) {
+    return std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
+                       [](const MatrixStep& step) {
+                           return step.op != MatrixOp::Multiply && step.op != MatrixOp::Load &&
+                                  step.op != MatrixOp::Projector &&
+                                  (step.rate != glm::vec3(0) ||
+                                   (step.op == MatrixOp::Rotate && step.angleRate != 0));
+                       });
+}
+
+/// "0.5f + 0.1f * seconds", a double.
+std::vector<Part> atTime(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
+    if (!moves)
+        return {start};
+    return {start, plain(" + "), rate, plain(" * "), writer.seconds()};
+}
+
+class TextureMatrixWriter {
+public:
+    TextureMatrixWriter(GlslEmission& glsl, const GlslPass& pass, std::size_t unit)
+        : glsl_(glsl)
+        , emission_(glsl.emission)
+        , writer_(glsl.emission.writer)
+        , pass_(pass)
+        , unit_(glsl.emission.scene.passes[pass.index].units[unit])
+        , index_(unit)
+        , variable_(joined(pass.variable, fmt::format("unit{}Matrix", unit)))
+        , path_(fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(unit))) {}
+
+    void write() {
+        MatrixProduct product(emission_, variable_, true);
+        for (std::size_t i = firstStep(unit_); i < unit_.matrix.size(); ++i)
+            addStep(product, i);
+        product.finish();
+        if (pass_.units[index_]->lateFlip == LateFlip::Matrix) {
+            emission_.use(CFunction::FloatProduct);
+            writer_.add(
+                {plain(fmt::format(
+                     "const Matrix {}Flip = {{{{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1}}}}; ",
+                     variable_)),
+                 {Part::Kind::Comment, "/* t becomes 1 - t: the image is upside down */"}});
+            writer_.add(fmt::format("{0} = multiplyFloats({0}Flip, {0});", variable_));
+        }
+        emission_.use(CFunction::SetMatrix);
+        writer_.add(fmt::format("setMatrix({}, \"textureMatrix{}\", {});", pass_.program, index_, variable_));
+    }
+
+private:
+    [[nodiscard]] std::vector<Part> vector(const glm::vec3& start, const glm::vec3& rate,
+                                           const std::string& path) const {
+        std::vector<Part> parts;
+        for (int i = 0; i < 3; ++i) {
+            if (i > 0)
+                parts.push_back(plain(", "));
+            append(parts,
+                   atTime(writer_,
+                          number(start[i], fmt::format("{}.{}", path, keyOf<&MatrixStep::amount>()), i),
+                          number(rate[i], fmt::format("{}.{}", path, keyOf<&MatrixStep::rate>()), i),
+                          rate[i] != 0));
+        }
+        return parts;
+    }
+
+    void addStep(MatrixProduct& product, std::size_t index) {
+        const MatrixStep& step = unit_.matrix[index];
+        const std::string path = fmt::format("{}.{}", path_, elementOf<&Unit::matrix>(index));
+        std::vector<Part> pivot;
+        if (step.pivot != glm::vec3(0))
+            pivot = numbers({&step.pivot.x, 3}, fmt::format("{}.{}", path, keyOf<&MatrixStep::pivot>()));
+        switch (step.op) {
+        case MatrixOp::Translate:
+            return product.addTranslation(vector(step.amount, step.rate, path));
+        case MatrixOp::Rotate:
+            if (step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
+                return; // no axis: OpenGL leaves it undefined
+            return product.addRotation(
+                atTime(writer_, number(step.angle, fmt::format("{}.{}", path, keyOf<&MatrixStep::angle>())),
+                       number(step.angleRate, fmt::format("{}.{}", path, keyOf<&MatrixStep::angleRate>())),
+                       step.angleRate != 0),
+                vector(step.amount, step.rate, path), pivot);
+        case MatrixOp::Scale:
+            return product.addScaling(vector(step.amount, step.rate, path), pivot);
+        case MatrixOp::Multiply:
+        case MatrixOp::Load: {
+            std::vector<Part> parts{plain(fmt::format("const Matrix {}{} = {{{{", variable_, index))};
+            append(parts, numbers({glm::value_ptr(step.matrix), 16},
+                                  fmt::format("{}.{}", path, keyOf<&MatrixStep::matrix>())));
+            parts.push_back(plain("}};"));
+            writer_.add(std::move(parts));
+            return product.add({plain(fmt::format("{}{}", variable_, index))});
+        }
+        case MatrixOp::Projector:
+            return addProjector(product, index);
+        }
+    }
+
+    /// From eye coordinates to the light's picture, from 0 to 1: as the light is, so it stays.
+    void addProjector(MatrixProduct& product, std::size_t index) {
+        const MatrixStep& step = unit_.matrix[index];
+        const std::string name = fmt::format("{}{}", variable_, index);
+        (void)step;
+        const LightView light = texplorer::lightView(emission_.scene.light);
+        constexpr glm::dmat4 toPicture{{0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
+        const glm::dmat4 matrix = toPicture * light.projection * light.view;
+        std::string text;
+        for (int i = 0; i < 16; ++i)
+            text += fmt::format("{}{}", i == 0 ? "" : ", ", glm::value_ptr(matrix)[i]);
+        writer_.comment("from eye coordinates to the light's picture");
+        writer_.add(fmt::format("const Matrix {} = {{{{{}}}}};", name, text));
+        product.add({plain(name)});
+    }
+
+    GlslEmission& glsl_;
+    Emission& emission_;
+    CodeWriter& writer_;
+    const GlslPass& pass_;
+    const Unit& unit_;
+    std::size_t index_;
+    std::string variable_;
+    std::string path_;
+};
+
+void writeUnitUniforms(GlslEmission& glsl, const GlslPass& pass, std::size_t index) {
+    const Unit& unit = glsl.emission.scene.passes[pass.index].units[index];
+    const std::string path =
+        fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(index));
+    const Texture& texture = glsl.emission.scene.textures[static_cast<std::size_t>(unit.texture)];
+    writeUniform(glsl, pass, "1i", fmt::format("texture{}", index), {plain(fmt::format("{}", index))});
+    writeUniform(glsl, pass, "4f", fmt::format("environmentColor{}", index),
+                 colorParts(unit.envColor, 4, fmt::format("{}.{}", path, keyOf<&Unit::envColor>())));
+    constexpr float limit = reference::SampleOptions{}.maxBias; // of the sum of both: below equation 3.18
+    const float sum = texture.lodBias + unit.lodBias;
+    const bool isBeyond = std::abs(sum) > limit;
+    writeUniform(glsl, pass, "1f", fmt::format("lodBias{}", index),
+                 {number(isBeyond ? std::copysign(limit, sum) - texture.lodBias : unit.lodBias,
+                         isBeyond ? std::string() : fmt::format("{}.{}", path, keyOf<&Unit::lodBias>()))});
+    for (const auto& [state, key, letter] : planeRows) {
+        const TexGen& generated = unit.*state;
+        const bool isObject = generated.mode == TexGenMode::ObjectLinear;
+        const glm::vec4& plane = isObject ? generated.objectPlane : generated.eyePlane;
+        writeUniform(glsl, pass, "4f", fmt::format("plane{}{}", index, letter),
+                     numbers({&plane.x, 4}, fmt::format("{}.{}.{}", path, key(),
+                                                        isObject ? keyOf<&TexGen::objectPlane>()
+                                                                 : keyOf<&TexGen::eyePlane>())));
+    }
+    if (pass.uniforms.contains(fmt::format("textureMatrix{}", index)) && !movesMatrix(unit))
+        TextureMatrixWriter(glsl, pass, index).write();
+}
+
+void addUniforms(std::set<std::string, std::less<>>& names, std::string_view source) {
+    constexpr std::string_view word = "\nuniform ";
+    for (std::size_t at = source.find(word); at != std::string_view::npos; at = source.find(word, at + 1)) {
+        const std::size_t end = source.find(';', at);
+        const std::size_t begin = source.rfind(' ', end) + 1;
+        names.emplace(source.substr(begin, end - begin));
+    }
+}
+
+/// A shader as JavaScript has it: the version on its first line.
+void writeWebStage(CodeWriter& writer, const std::string& name, const std::string& text) {
+    std::string first = fmt::format("const {} = `", name);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        writer.add(std::vector<Part>{{Part::Kind::Comment, first + text.substr(at, end - at)}}); // as it is
+        first.clear();
+        at = end + 1;
+    }
+    writer.add("`;");
+}
+
+} // namespace
+
+// In C a literal for each of its lines.
+void writeStage(Emission& emission, const std::string& name, const std::string& text) {
+    CodeWriter& writer = emission.writer;
+    if (emission.isWeb)
+        return writeWebStage(writer, name, text);
+    writer.add(fmt::format("static const char {}[] =", name));
+    writer.indent();
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string line;
+        for (const char c : text.substr(at, end - at))
+            line += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+        at = end + 1;
+        writer.add(fmt::format("\"{}\\n\"{}", line, at >= text.size() ? ";" : ""));
+    }
+    writer.outdent();
+}
+
+void findUniforms(GlslPass& pass) {
+    addUniforms(pass.uniforms, pass.source.vertex.text);
+    addUniforms(pass.uniforms, pass.source.fragment.text);
+}
+
+void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suffix, std::string_view name,
+                  std::vector<Part> values) {
+    if (!pass.uniforms.contains(name))
+        return;
+    std::vector<Part> parts{plain(fmt::format("glGetUniformLocation({}, \"{}\"), ", pass.program, name))};
+    append(parts, std::move(values));
+    glsl.emission.writer.add(callWith(fmt::format("glUniform{}", suffix), std::move(parts)));
+}
+
+void writeShaders(GlslEmission& glsl, const GlslPass& pass) {
+    CodeWriter& writer = glsl.emission.writer;
+    const Pass& drawn = glsl.emission.scene.passes[pass.index];
+    writer.heading(pass.variable.empty() ? std::string("shaders")
+                   : drawn.name.empty()  ? fmt::format("shaders of pass {}", pass.index)
+                                         : fmt::format("shaders of pass {}: {}", pass.index, drawn.name));
+    writeStage(glsl.emission, joined(pass.variable, "vertexShader"), pass.source.vertex.text);
+    writer.heading("for every pixel");
+    writeStage(glsl.emission, joined(pass.variable, "fragmentShader"), pass.source.fragment.text);
+    glsl.emission.atStart.add(fmt::format("static GLuint {};", pass.program));
+}
+
+void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass) {
+    Emission& emission = glsl.emission;
+    const Scene& scene = emission.scene;
+    const Pass& drawn = scene.passes[pass.index];
+    const Light& light = scene.light;
+    CodeWriter& writer = emission.writer;
+    emission.use(CFunction::NewProgram);
+    writer.heading(pass.variable.empty() ? std::string("the program and what no frame changes of it")
+                                         : fmt::format("the program of pass {}", pass.index));
+    writer.add(fmt::format("{} = newProgram({}, {});", pass.program, joined(pass.variable, "vertexShader"),
+                           joined(pass.variable, "fragmentShader")));
+    writer.add(fmt::format("glUseProgram({});", pass.program));
+    writeUniform(glsl, pass, "4f", "lightPosition",
+                 numbers({&light.position.x, 4}, pathOf<&Scene::light, &Light::position>()));
+    writeUniform(glsl, pass, "3f", "lightAmbient", lightPart(light.ambient, keyOf<&Light::ambient>()));
+    writeUniform(glsl, pass, "3f", "lightDiffuse", lightPart(light.diffuse, keyOf<&Light::diffuse>()));
+    writeUniform(glsl, pass, "3f", "lightSpecular", lightPart(light.specular, keyOf<&Light::specular>()));
+    writeUniform(glsl, pass, "3f", "modelAmbient",
+                 lightPart(light.modelAmbient, keyOf<&Light::modelAmbient>()));
+    const std::vector<std::size_t> models = drawnModels(scene, drawn);
+    for (const MaterialRow& row : materialRows) {
+        if (isShared(scene, models, row))
+            writeUniform(glsl, pass, row.suffix, row.uniform,
+                         row.values(materialOf(scene, scene.models[models.front()]),
+                                    materialPath(scene, models.front())));
+    }
+    const std::string fog = fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), keyOf<&Pass::fog>());
+    const auto fogNumber = [&](float value, const std::string& key) {
+        return std::vector<Part>{number(value, fmt::format("{}.{}", fog, key))};
+    };
+    writeUniform(glsl, pass, "3f", "fogColor",
+                 colorParts(drawn.fog.color, 3, fmt::format("{}.{}", fog, keyOf<&Fog::color>())));
+    writeUniform(glsl, pass, "1f", "fogDensity", fogNumber(drawn.fog.density, keyOf<&Fog::density>()));
+    writeUniform(glsl, pass, "1f", "fogStart", fogNumber(drawn.fog.start, keyOf<&Fog::start>()));
+    writeUniform(glsl, pass, "1f", "fogEnd", fogNumber(drawn.fog.end, keyOf<&Fog::end>()));
+    writeUniform(glsl, pass, "1f", "alphaReference",
+                 {number(std::round(std::clamp(drawn.alphaRef, 0.0F, 1.0F) * 255))});
+    for (std::size_t i = 0; i < maxUnits; ++i) {
+        if (pass.units[i])
+            writeUnitUniforms(glsl, pass, i);
+    }
+    if (&pass == &glsl.passes.front() && hasOneColor(scene, glsl.passes))
+        writeColor(glsl, models.front());
+}
+
+void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
+    static const Pass initial;
+    Emission& emission = glsl.emission;
+    CodeWriter& writer = emission.writer;
+    const Pass& drawn = emission.scene.passes[pass.index];
+    const std::string path = elementOf<&Scene::passes>(pass.index);
+    const Holder holder{passTable(), &drawn, &initial, path, "pass", pass.variable};
+    if (pass.variable.empty())
+        writer.heading("tests, blending and textures");
+    const bool hasCube =
+        !emission.isWeb && std::any_of(pass.units.begin(), pass.units.end(), [&](const auto& unit) {
+            return unit &&
+                   drawn.units[static_cast<std::size_t>(&unit - pass.units.data())].target == Target::CubeMap;
+        });
+    for (const MemberId member :
+         {memberId<&Pass::depthTest>, memberId<&Pass::depthFunc>, memberId<&Pass::blend>,
+          memberId<&Pass::blendSrc>, memberId<&Pass::blendDst>, memberId<&Pass::seamlessCubeMap>}) {
+        if ((member == memberId<&Pass::seamlessCubeMap> && !hasCube) ||
+            (member == memberId<&Pass::depthFunc> && !drawn.depthTest) ||
+            ((member == memberId<&Pass::blendSrc> || member == memberId<&Pass::blendDst>)&&!drawn.blend))
+            continue;
+        const auto row = std::ranges::find(holder.table.params, member, &ParamRow::member);
+        if (!pass.variable.empty() || hasShadowMaps(glsl))
+            writer.forget(fmt::format("{}.{}", holder.state, row->key)); // whatever the frame before left
+        writer.row(holder, *row);
+    }
+    for (std::size_t i = 0; i < maxUnits; ++i) {
+        if (!pass.units[i])
+            continue;
+        const Unit& unit = drawn.units[i];
+        const auto found = std::ranges::find(
+            emission.objects, TextureObject{static_cast<std::size_t>(unit.texture), unit.target});
+        writer.add(fmt::format("glActiveTexture({});", textureUnitName(i)));
+        writer.add(fmt::format("glBindTexture({}, textures[{}]);", rowOf(unit.target).name,
+                               found - emission.objects.begin()));
+    }
+}
+
+void writeGlslMovingMatrices(GlslEmission& glsl, const GlslPass& pass) {
+    for (std::size_t i = 0; i < maxUnits; ++i) {
+        if (pass.units[i] && pass.uniforms.contains(fmt::format("textureMatrix{}", i)) &&
+            movesMatrix(glsl.emission.scene.passes[pass.index].units[i]))
+            TextureMatrixWriter(glsl, pass, i).write();
+    }
+}
+
+void writeGlslMaterial(GlslEmission& glsl, const GlslPass& pass, std::size_t model) {
+    const Scene& scene = glsl.emission.scene;
+    const std::vector<std::size_t> models = drawnModels(scene, scene.passes[pass.index]);
+    for (const MaterialRow& row : materialRows) {
+        if (!isShared(scene, models, row))
+            writeUniform(glsl, pass, row.suffix, row.uniform,
+                         row.values(materialOf(scene, scene.models[model]), materialPath(scene, model)));
+    }
+    if (!hasOneColor(scene, glsl.passes) && !hasOwnColors(scene.models[model]))
+        writeColor(glsl, model);
+}
+
+void MatrixProduct::add(std::vector<Part> term) {
+    emission_.use(CFunction::Matrices);
+    std::vector<Part> parts;
+    if (isEmpty_)
+        parts.push_back(plain(fmt::format("{}{} = ", declares_ ? "Matrix " : "", variable_)));
+    else
+        parts.push_back(plain(fmt::format("{0} = multiply({0}, ", variable_)));
+    append(parts, std::move(term));
+    parts.push_back(plain(isEmpty_ ? ";" : ");"));
+    emission_.writer.add(std::move(parts));
+    isEmpty_ = false;
+}
+
+void MatrixProduct::addTranslation(std::vector<Part> offset) {
+    emission_.use(CFunction::Translation);
+    std::vector<Part> parts{plain("translation(")};
+    append(parts, std::move(offset));
+    parts.push_back(plain(")"));
+    add(std::move(parts));
+}
+
+void MatrixProduct::addRotation(std::vector<Part> angle, std::vector<Part> axis,
+                                const std::vector<Part>& pivot) {
+    emission_.use(CFunction::Rotation);
+    std::vector<Part> parts{plain("rotation(")};
+    append(parts, std::move(angle));
+    parts.push_back(plain(", "));
+    append(parts, std::move(axis));
+    parts.push_back(plain(")"));
+    addAbout(std::move(parts), pivot);
+}
+
+void MatrixProduct::addScaling(std::vector<Part> factors, const std::vector<Part>& pivot) {
+    emission_.use(CFunction::Scaling);
+    std::vector<Part> parts{plain("scaling(")};
+    append(parts, std::move(factors));
+    parts.push_back(plain(")"));
+    addAbout(std::move(parts), pivot);
+}
+
+void MatrixProduct::addAbout(std::vector<Part> term, const std::vector<Part>& pivot) {
+    if (pivot.empty())
+        return add(std::move(term));
+    emission_.use(CFunction::About);
+    std::vector<Part> parts{plain("about(")};
+    append(parts, pivot);
+    parts.push_back(plain(", "));
+    append(parts, std::move(term));
+    parts.push_back(plain(")"));
+    add(std::move(parts));
+}
+
+void MatrixProduct::finish() {
+    if (!isEmpty_)
+        return;
+    emission_.use(CFunction::Identity);
+    add({plain("identity")});
+}
+
+} // namespace texplorer::emit

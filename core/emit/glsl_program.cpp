@@ -1,0 +1,330 @@
+// OpenGL 3.3, core profile, and C99.
+
+#include "core/diagnosis/applied_texture.h"
+#include "core/diagnosis/diagnosis.h"
+#include "core/emit/glsl_emission.h"
+#include "core/emit/program_frame.h"
+#include "core/emit/webgl.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::emit {
+namespace {
+
+/// What a shader has to know of a unit; nothing where it is off, or its texture missing or incomplete.
+std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Unit& unit) {
+    const TextureCode* code = unit.enabled ? emission.codeOf(unit) : nullptr;
+    if (!code || code->levels.empty())
+        return std::nullopt;
+    const Texture& texture = emission.scene.textures[static_cast<std::size_t>(unit.texture)];
+    if (!appliedTexture(texture, code->shape, code->lastLevel, {}).completeness.complete())
+        return std::nullopt;
+    const bool hasDepths = isDepth(code->shape.internalFormat);
+    const bool hasNegative = code->blocks == BlockFormat::Bc4Signed || code->blocks == BlockFormat::Bc5Signed;
+    std::array<bool, 3> ends{};
+    if (!hasDepths && !readsNearestAlone(texture) && unit.target != Target::CubeMap)
+        ends = {texture.wrapS == Wrap::Clamp,
+                texture.wrapT == Wrap::Clamp && unit.target != Target::Texture1D,
+                texture.wrapR == Wrap::Clamp && unit.target == Target::Texture3D};
+    return glsl::SampledUnit{hasDepths ? baseFormat(texture.depthMode) : code->shape.format,
+                             code->lateFlip,
+                             hasNegative,
+                             hasDepths,
+                             hasDepths && texture.compareMode == CompareMode::RToTexture,
+                             ends};
+}
+
+Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
+    std::vector<GlslPass> passes;
+    for (std::size_t i = 0; i < emission.scene.passes.size(); ++i) {
+        const Pass& drawn = emission.scene.passes[i];
+        if (!drawsAnything(emission.scene, drawn))
+            continue;
+        GlslPass pass{i, joined(emission.passVariable(i), "program"), emission.passVariable(i), {}, {}, {}};
+        std::ranges::transform(drawn.units, pass.units.begin(),
+                               [&](const Unit& unit) { return sampledUnit(emission, unit); });
+        Result<glsl::ShaderSource> source = glsl::shaderSource(emission.scene, i, pass.units);
+        if (!source)
+            return fail(source.error());
+        pass.source = std::move(*source);
+        findUniforms(pass);
+        passes.push_back(std::move(pass));
+    }
+    return passes;
+}
+
+std::vector<VertexArray> arraysOf(const Emission& emission, const std::vector<GlslPass>& passes) {
+    std::vector<VertexArray> arrays;
+    for (const GlslPass& pass : passes) {
+        for (const std::size_t model : drawnModels(emission.scene, emission.scene.passes[pass.index])) {
+            VertexArray array{model, coordFormsOf(emission, pass), {}};
+            const auto same = [&](const VertexArray& other) { return other.model == model; };
+            // An attribute that a shader doesn't ask for may as well be there.
+            const auto found = std::ranges::find_if(arrays, [&](const VertexArray& other) {
+                return same(other) &&
+                       std::ranges::equal(other.coords, array.coords, [](CoordForm a, CoordForm b) {
+                           return a == b || a == CoordForm::Off || b == CoordForm::Off;
+                       });
+            });
+            if (found != arrays.end()) {
+                for (std::size_t u = 0; u < maxUnits; ++u)
+                    found->coords[u] = std::max(found->coords[u], array.coords[u]);
+                continue;
+            }
+            const auto before = std::ranges::count_if(arrays, same);
+            array.name = before == 0 ? fmt::format("model{}", model)
+                                     : fmt::format("model{}Of{}", model, pass.variable);
+            arrays.push_back(std::move(array));
+        }
+    }
+    return arrays;
+}
+
+/// How far the coordinates of a target are looked at, and the wrap modes that they have.
+std::vector<std::pair<const std::string*, Wrap>> wrapsOf(const Texture& texture, Target target) {
+    std::vector<std::pair<const std::string*, Wrap>> wraps{{&keyOf<&Texture::wrapS>(), texture.wrapS}};
+    if (target != Target::Texture1D)
+        wraps.emplace_back(&keyOf<&Texture::wrapT>(), texture.wrapT);
+    if (target == Target::Texture3D)
+        wraps.emplace_back(&keyOf<&Texture::wrapR>(), texture.wrapR);
+    return wraps;
+}
+
+Result<void> sayableTexture(const Texture& texture, const TextureCode& code, Target target,
+                            const std::string& path) {
+    if (code.border != 0)
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("{}.{}: textures have no border in OpenGL 3.3's core profile", path,
+                                keyOf<&Texture::border>()));
+    if (readsNearestAlone(texture) || !(isDepth(code.shape.internalFormat) || target == Target::CubeMap))
+        return {};
+    for (const auto& [key, wrap] : wrapsOf(texture, target)) {
+        if (wrap == Wrap::Clamp)
+            return fail(ErrorCode::Unsupported,
+                        fmt::format("{}.{}: OpenGL 3.3's core profile has no {}, only {} and {}", path, *key,
+                                    rowOf(wrap).name, rowOf(Wrap::ClampToEdge).name,
+                                    rowOf(Wrap::ClampToBorder).name));
+    }
+    return {};
+}
+
+/// Whether a program of the core profile can say the scene.
+Result<void> sayable(const GlslEmission& glsl) {
+    const Scene& scene = glsl.emission.scene;
+    for (const GlslPass& pass : glsl.passes) {
+        for (std::size_t i = 0; i < maxUnits; ++i) {
+            if (!pass.units[i])
+                continue;
+            const Unit& unit = scene.passes[pass.index].units[i];
+            const auto texture = static_cast<std::size_t>(unit.texture);
+            if (const Result<void> said = sayableTexture(scene.textures[texture], *glsl.emission.codeOf(unit),
+                                                         unit.target, elementOf<&Scene::textures>(texture));
+                !said)
+                return said;
+            if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
+                return fail(
+                    ErrorCode::Unsupported,
+                    fmt::format("{}.{}.{}: a program in GLSL can't move coordinates of an image that lies "
+                                "upside down",
+                                elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i),
+                                keyOf<&Unit::emboss>()));
+        }
+    }
+    return {};
+}
+
+class GlslWriter {
+public:
+    explicit GlslWriter(GlslEmission& glsl)
+        : glsl_(glsl)
+        , emission_(glsl.emission)
+        , writer_(glsl.emission.writer) {}
+
+    void write() {
+        for (const GlslPass& pass : glsl_.passes)
+            writeShaders(glsl_, pass);
+        writeGlslShadowShaders(glsl_);
+        writeTextures(emission_);
+        for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
+            writeGlslModelData(glsl_, m);
+        writeInit();
+        writePlace();
+        writeGlslShadowMaps(glsl_);
+        writeDraw();
+    }
+
+private:
+    [[nodiscard]] bool isOne() const { return glsl_.passes.size() == 1; }
+
+    void writeInit() {
+        writer_.heading("what is set once");
+        writer_.open("static void init(void)");
+        writer_.heading(keyOf<&Scene::textures>());
+        if (emission_.leftOut.size() < emission_.objects.size()) {
+            if (emission_.isWeb)
+                writer_.add(fmt::format("while (textures.length < {}) textures.push(glCreateTexture());",
+                                        emission_.objects.size()));
+            else
+                writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
+            for (std::size_t i = 0; i < emission_.objects.size(); ++i) {
+                if (!emission_.leftOut.contains(i))
+                    writer_.add(fmt::format("loadTexture{}();", i));
+            }
+        }
+        for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
+            writeGlslModelSetup(glsl_, m);
+        for (const GlslPass& pass : glsl_.passes)
+            writeGlslPassSetup(glsl_, pass);
+        writeGlslShadowSetup(glsl_);
+        if (isOne() && !hasShadowMaps(glsl_))
+            writeGlslPassState(glsl_, glsl_.passes.front());
+        writer_.close();
+    }
+
+    /// A function that sets the matrices of a model.
+    void writePlace() {
+        if (glsl_.passes.empty())
+            return;
+        emission_.use(CFunction::SetMatrix);
+        emission_.use(CFunction::FloatProduct);
+        writer_.heading("gives the shader the matrices of a model");
+        writer_.open(isOne() ? "static void place(Matrix projection, Matrix modelView)"
+                             : "static void place(GLuint program, Matrix projection, Matrix modelView)");
+        writer_.add("setMatrix(program, \"modelViewProjection\", multiplyFloats(projection, modelView));");
+        if (glsl_.hasUniform("modelView"))
+            writer_.add("setMatrix(program, \"modelView\", modelView);");
+        if (glsl_.hasUniform("normalMatrix")) {
+            emission_.use(CFunction::SetNormalMatrix);
+            writer_.add("setNormalMatrix(program, \"normalMatrix\", modelView);");
+        }
+        writer_.close();
+    }
+
+    void writeDraw() {
+        writer_.heading("a frame");
+        writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
+                                     : "static void draw(int width, int height)");
+        writeMatrices(emission_, !glsl_.passes.empty());
+        writeGlslShadowCalls(glsl_);
+        for (const GlslPass& pass : glsl_.passes) {
+            const Pass& drawn = emission_.scene.passes[pass.index];
+            if (!isOne()) {
+                writer_.heading(drawn.name.empty() ? fmt::format("pass {}", pass.index)
+                                                   : fmt::format("pass {}: {}", pass.index, drawn.name));
+            }
+            if (!isOne() || hasShadowMaps(glsl_)) {
+                writer_.add(fmt::format("glUseProgram({});", pass.program));
+                writeGlslPassState(glsl_, pass);
+            }
+            writeGlslMovingMatrices(glsl_, pass);
+            for (const std::size_t model : drawnModels(emission_.scene, drawn))
+                writeGlslModel(glsl_, pass, model);
+        }
+        writer_.close();
+    }
+
+    GlslEmission& glsl_;
+    Emission& emission_;
+    CodeWriter& writer_;
+};
+
+} // namespace
+
+const VertexArray& GlslEmission::arrayOf(const GlslPass& pass, std::size_t model) const {
+    const std::array<CoordForm, maxUnits> wanted = coordFormsOf(emission, pass);
+    return *std::ranges::find_if(arrays, [&](const VertexArray& array) {
+        return array.model == model &&
+               std::ranges::equal(wanted, array.coords, [](CoordForm asked, CoordForm has) {
+                   return asked == CoordForm::Off || asked == has;
+               });
+    });
+}
+
+bool GlslEmission::hasUniform(std::string_view name) const {
+    return std::ranges::any_of(passes, [&](const GlslPass& pass) { return pass.uniforms.contains(name); });
+}
+
+namespace {
+
+/// Biases of the texture object and of the unit, which WebGL has as one.
+Scene withOneBias(const Scene& scene) {
+    Scene adapted = scene;
+    for (Pass& pass : adapted.passes) {
+        for (Unit& unit : pass.units) {
+            if (static_cast<std::size_t>(unit.texture) < scene.textures.size())
+                unit.lodBias += scene.textures[static_cast<std::size_t>(unit.texture)].lodBias;
+        }
+    }
+    for (Texture& texture : adapted.textures)
+        texture.lodBias = 0;
+    return adapted;
+}
+
+void leaveOut(GlslEmission& glsl) {
+    Emission& emission = glsl.emission;
+    for (std::size_t i = 0; i < emission.objects.size(); ++i) {
+        const bool isShown = std::ranges::any_of(glsl.passes, [&](const GlslPass& pass) {
+            for (std::size_t u = 0; u < maxUnits; ++u) {
+                const Unit& unit = emission.scene.passes[pass.index].units[u];
+                if (pass.units[u] &&
+                    emission.objects[i] == TextureObject{static_cast<std::size_t>(unit.texture), unit.target})
+                    return true;
+            }
+            return false;
+        });
+        if (!isShown)
+            emission.leftOut.insert(i);
+    }
+}
+
+Result<std::vector<Line>> programOf(const Scene& scene, const ImageSource& images,
+                                    const ProgramOptions& options, TextureCodes& codes, bool isWeb) {
+    if (const Result<void> possible = checkShadowMaps(scene); !possible)
+        return fail(possible.error());
+    bool moves = false;
+    for (const bool isTrial : {true, false}) {
+        Emission emission(scene, images, options, codes);
+        emission.isCore = true;
+        emission.isWeb = isWeb;
+        emission.moves = moves;
+        Result<std::vector<GlslPass>> passes = passesOf(emission);
+        if (!passes)
+            return fail(passes.error());
+        GlslEmission glsl{emission, std::move(*passes), {}};
+        glsl.arrays = arraysOf(emission, glsl.passes);
+        if (const Result<void> said = isWeb ? sayableInWebGl(glsl) : sayable(glsl); !said)
+            return fail(said.error());
+        leaveOut(glsl);
+        if (isWeb)
+            toEs(glsl);
+        GlslWriter(glsl).write();
+        moves = emission.writer.usesSeconds();
+        if (isTrial)
+            continue;
+        if (isWeb)
+            return webPage(std::move(emission));
+        return framed(std::move(emission),
+                      {.hints = {"GLFW_CONTEXT_VERSION_MAJOR, 3", "GLFW_CONTEXT_VERSION_MINOR, 3",
+                                 "GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE"},
+                       .headers = {"stddef.h"}});
+    }
+    return fail(ErrorCode::Unsupported, "there is no program"); // not reached
+}
+
+} // namespace
+
+Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
+                                      const ProgramOptions& options, TextureCodes& codes) {
+    return programOf(scene, images, options, codes, false);
+}
+
+Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
+                                       const ProgramOptions& options, TextureCodes& codes) {
+    return programOf(withOneBias(scene), images, options, codes, true);
+}
+
+} // namespace texplorer::emit

@@ -1,0 +1,120 @@
+// Textures that show what the light sees: a framebuffer object without colours, drawn into in every frame.
+
+#include "core/emit/glsl_emission.h"
+#include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace texplorer::emit {
+namespace {
+
+constexpr std::string_view vertexStage = R"(layout(location = 0) in vec3 position;
+uniform mat4 modelViewProjection; // the light's
+
+void main() {
+    gl_Position = modelViewProjection * vec4(position, 1.0);
+}
+)";
+constexpr std::string_view fragmentStage = R"(// Depths alone: there is no colour.
+void main() {
+}
+)";
+
+std::vector<std::size_t> seenByLight(const Emission& emission) {
+    std::vector<std::size_t> maps;
+    for (std::size_t i = 0; i < emission.objects.size(); ++i) {
+        if (emission.scene.textures[emission.objects[i].texture].source == SourceKind::LightDepth &&
+            !emission.leftOut.contains(i))
+            maps.push_back(i);
+    }
+    return maps;
+}
+
+std::vector<std::size_t> modelsInLight(const Scene& scene) {
+    std::vector<std::size_t> models;
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        if (isDrawn(scene, m))
+            models.push_back(m);
+    }
+    return models;
+}
+
+bool spins(const Scene& scene) {
+    return std::ranges::any_of(modelsInLight(scene),
+                               [&](std::size_t m) { return scene.models[m].spin != glm::vec3(0); });
+}
+
+} // namespace
+
+bool hasShadowMaps(const GlslEmission& glsl) {
+    return !seenByLight(glsl.emission).empty();
+}
+
+void writeGlslShadowShaders(GlslEmission& glsl) {
+    if (!hasShadowMaps(glsl))
+        return;
+    const std::string version = glsl.emission.isWeb ? "#version 300 es\n" : "#version 330 core\n";
+    glsl.emission.writer.heading("shaders for the depths that the light sees");
+    writeStage(glsl.emission, "shadowVertexShader", version + std::string(vertexStage));
+    writeStage(glsl.emission, "shadowFragmentShader", version + std::string(fragmentStage));
+    glsl.emission.atStart.add("static GLuint shadowProgram;");
+}
+
+void writeGlslShadowSetup(GlslEmission& glsl) {
+    if (!hasShadowMaps(glsl))
+        return;
+    glsl.emission.use(CFunction::NewProgram);
+    glsl.emission.writer.add("shadowProgram = newProgram(shadowVertexShader, shadowFragmentShader);");
+}
+
+void writeGlslShadowMaps(GlslEmission& glsl) {
+    Emission& emission = glsl.emission;
+    CodeWriter& writer = emission.writer;
+    const Scene& scene = emission.scene;
+    for (const std::size_t map : seenByLight(emission)) {
+        const Texture& texture = scene.textures[emission.objects[map].texture];
+        const Part size = whole(texture.depthSize,
+                                fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
+                                            keyOf<&Texture::depthSize>()));
+        writer.heading("the depths that the light sees");
+        writer.open(fmt::format("static void drawShadowMap{}(Matrix view{})", map,
+                                spins(scene) ? ", double seconds" : ""));
+        writer.comment("from eye coordinates to what the light sees");
+        const LightView light = lightView(scene.light);
+        const glm::dmat4 matrix = light.projection * light.view;
+        std::string numbers;
+        for (int i = 0; i < 16; ++i)
+            numbers += fmt::format("{}{}", i == 0 ? "" : ", ", glm::value_ptr(matrix)[i]);
+        writer.add(fmt::format("const Matrix light = {{{{{}}}}};", numbers));
+        writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
+        writer.add(callWith("glViewport", {plain("0, 0, "), size, plain(", "), size}));
+        writer.add("glUseProgram(shadowProgram);");
+        writer.add("glEnable(GL_DEPTH_TEST);");
+        writer.add("glDepthFunc(GL_LESS);");
+        writer.add("glClear(GL_DEPTH_BUFFER_BIT);");
+        glsl.hasModelMatrix = false;
+        for (const std::size_t model : modelsInLight(scene))
+            writeGlslShape(glsl, model);
+        glsl.hasModelMatrix = false;
+        writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, {});", emission.isWeb ? "null" : "0"));
+        writer.close();
+    }
+}
+
+void writeGlslShadowCalls(GlslEmission& glsl) {
+    CodeWriter& writer = glsl.emission.writer;
+    for (const std::size_t map : seenByLight(glsl.emission)) {
+        writer.add(fmt::format("drawShadowMap{}(view{});", map, spins(glsl.emission.scene) ? ", seconds" : ""));
+        if (spins(glsl.emission.scene))
+            static_cast<void>(writer.seconds());
+    }
+    if (hasShadowMaps(glsl))
+        writer.add("glViewport(0, 0, width, height);");
+}
+
+} // namespace texplorer::emit

@@ -1,0 +1,148 @@
+#include "core/emit/program.h"
+#include "core/glsl/shader_source.h"
+#include "tests/random/random_scene.h"
+#include "tests/support/temp_dir.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace texplorer::glsl_program_test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Result<std::string> programOf(const Scene& scene) {
+    emit::TextureCodes codes;
+    return emit::glslProgram(scene, {}, {}, codes).map([](const std::vector<emit::Line>& lines) {
+        return textOf(lines, false);
+    });
+}
+std::string textOf(const Scene& scene) {
+    const Result<std::string> text = programOf(scene);
+    EXPECT_TRUE(text) << describe(text.error());
+    return text.value_or(std::string());
+}
+
+/// What is between two words.
+std::string between(const std::string& text, const std::string& first, const std::string& last) {
+    const std::size_t begin = text.find(first);
+    return begin == std::string::npos ? std::string() : text.substr(begin, text.find(last, begin) - begin);
+}
+
+TEST(GlslProgram, HasTheShadersOfTheShaderRenderer) {
+    const Scene scene = defaultScene();
+    const Result<glsl::ShaderSource> source =
+        glsl::shaderSource(scene, 0, {glsl::SampledUnit{baseFormat(scene.textures[0].internalFormat)}});
+    ASSERT_TRUE(source);
+    const std::string literals = between(textOf(scene), "static const char vertexShader[] =", ";\n\n");
+    std::string text; // without quotation marks and what C needs around them
+    for (std::size_t at = literals.find('"'); at != std::string::npos; at = literals.find('"', at)) {
+        const std::size_t end = literals.find("\\n\"", at);
+        text += literals.substr(at + 1, end - at - 1) + "\n";
+        at = end + 3;
+    }
+    EXPECT_EQ(text, source->vertex.text);
+}
+
+TEST(GlslProgram, SetsTheUniformsThatTheShadersHave) {
+    Scene scene = defaultScene();
+    scene.passes[0].fog = {.enabled = true, .mode = FogMode::Linear, .start = 2.5F};
+    std::string text = textOf(scene);
+    EXPECT_THAT(text, HasSubstr("glUniform1f(glGetUniformLocation(program, \"fogStart\"), 2.5f);"));
+    EXPECT_THAT(text, Not(HasSubstr("\"fogDensity\"")));
+    EXPECT_THAT(text, HasSubstr("setMatrix(program, \"modelView\", modelView);"));
+    scene.passes[0].fog.enabled = false;
+    scene.passes[0].lighting = false;
+    text = textOf(scene);
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("fogStart")), Not(HasSubstr("lightPosition")),
+                            Not(HasSubstr("\"normalMatrix\"")), Not(HasSubstr("\"modelView\""))));
+}
+
+TEST(GlslProgram, HasNoFixedFunction) {
+    for (int i = 0; i < 30; ++i) {
+        const Result<std::string> text = programOf(random::randomScene(5, i, {}).scene);
+        for (const char* name :
+             {"glBegin", "glMatrixMode", "glLight", "glTexEnv", "glTexGen", "glEnableClientState",
+              "GL_TEXTURE_PRIORITY", "GL_DEPTH_TEXTURE_MODE", "GL_QUADS", "GL_LUMINANCE8"})
+            EXPECT_THAT(text.value_or(std::string()), Not(HasSubstr(name)));
+    }
+}
+
+/// Table 3.20: what became of formats that the core profile has no more.
+TEST(GlslProgram, SwizzlesWhatTheCoreProfileHasNoFormatFor) {
+    Scene scene = defaultScene();
+    scene.textures[0].internalFormat = InternalFormat::Luminance;
+    EXPECT_THAT(
+        textOf(scene),
+        AllOf(
+            HasSubstr("swizzle[] = {GL_RED, GL_RED, GL_RED, GL_ONE}; /* what a shader gets: GL_LUMINANCE */"),
+            HasSubstr("GL_R8,")));
+    scene.textures[0].internalFormat = InternalFormat::Alpha;
+    EXPECT_THAT(textOf(scene), HasSubstr("swizzle[] = {GL_ZERO, GL_ZERO, GL_ZERO, GL_ALPHA};"));
+    scene.textures[0].internalFormat = InternalFormat::Rgba;
+    EXPECT_THAT(textOf(scene), Not(HasSubstr("SWIZZLE")));
+}
+
+TEST(GlslProgram, SaysWhatTheCoreProfileHasNot) {
+    Scene scene = defaultScene();
+    scene.textures[0].border = 1;
+    const Result<std::string> refused = programOf(scene);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Unsupported);
+    EXPECT_EQ(describe(refused.error()),
+              "textures[0].border: textures have no border in OpenGL 3.3's core profile");
+}
+
+TEST(GlslProgram, IsGivenTheSecondsWhereSomethingMoves) {
+    Scene scene = defaultScene();
+    for (Model& model : scene.models)
+        model.spin = {};
+    EXPECT_THAT(textOf(scene), AllOf(HasSubstr("draw(width, height);"), HasSubstr("glfwWaitEvents();")));
+    scene.models[0].spin.y = 30;
+    EXPECT_THAT(textOf(scene), AllOf(HasSubstr("draw(width, height, glfwGetTime());"),
+                                     HasSubstr(" + 30.0f * seconds, 0, 1, 0)")));
+}
+
+TEST(GlslProgram, EachPassHasItsOwnProgram) {
+    Scene scene = defaultScene();
+    scene.passes.push_back(scene.passes[0]);
+    scene.passes[1].lighting = !scene.passes[0].lighting;
+    scene.passes[1].blend = true;
+    EXPECT_THAT(textOf(scene),
+                AllOf(HasSubstr("pass0Program = newProgram(pass0VertexShader, pass0FragmentShader);"),
+                      HasSubstr("glUseProgram(pass1Program);"), HasSubstr("glDisable(GL_BLEND);"),
+                      HasSubstr("glEnable(GL_BLEND);")));
+}
+
+/// Of scenes that nobody would make: real C, or it says so.
+TEST(GlslProgram, OfRandomScenesIsC) {
+    const test::TempDir folder;
+    const std::vector<std::string> files{"a.png", "*/ int broken; /*", "line\nbreak.png",
+                                         "/*/ what?"
+                                         "?/\\",
+                                         "é\xff.dds"};
+    std::string names;
+    int programs = 0;
+    for (int i = 0; i < 48; ++i) {
+        const Result<std::string> text = programOf(random::randomScene(7, i, files).scene);
+        if (!text) {
+            EXPECT_EQ(text.error().code, ErrorCode::Unsupported) << describe(text.error());
+            continue;
+        }
+        const std::filesystem::path file = folder / fmt::format("random{}.c", i);
+        std::ofstream(file) << *text;
+        names += fmt::format(" '{}'", file.string());
+        ++programs;
+    }
+    EXPECT_GT(programs, 10);
+    const std::string command = TEXPLORER_C_COMPILER " -std=c99 -Wall -Wextra -Werror -fsyntax-only" + names;
+    EXPECT_EQ(std::system(command.c_str()), 0); // which printed what is wrong
+}
+
+} // namespace
+} // namespace texplorer::glsl_program_test

@@ -1,0 +1,128 @@
+#include "core/emit/program.h"
+#include "tests/random/random_scene.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+#include <regex>
+
+namespace texplorer::webgl_program_test {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+Result<std::string> pageOf(const Scene& scene, const emit::ProgramOptions& options = {}) {
+    emit::TextureCodes codes;
+    return emit::webGlProgram(scene, {}, options, codes).map([](const std::vector<emit::Line>& lines) {
+        return textOf(lines, false);
+    });
+}
+std::string textOf(const Scene& scene) {
+    const Result<std::string> text = pageOf(scene);
+    EXPECT_TRUE(text) << describe(text.error());
+    return text.value_or(std::string());
+}
+
+std::size_t count(const std::string& text, std::string_view word) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++found;
+    return found;
+}
+
+TEST(WebGlProgram, IsAPageThatNeedsNoOther) {
+    const std::string page = textOf(defaultScene());
+    EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>\n"), EndsWith("</html>\n"), HasSubstr("role=\"img\" aria-label="),
+                            HasSubstr("This page needs WebGL 2")));
+    for (const char* word : {"src=", "href=", "http:", "https:", "import ", "fetch("})
+        EXPECT_THAT(page, Not(HasSubstr(word)));
+}
+
+TEST(WebGlProgram, HasShadersOfEs) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].target = Target::Texture1D;
+    EXPECT_THAT(textOf(scene),
+                AllOf(HasSubstr("`#version 300 es\n"), HasSubstr("precision highp sampler2D;\n"),
+                      HasSubstr("textureProj(texture0, vec4(texCoord0.s, 0.0, texCoord0.pq))"),
+                      Not(HasSubstr("sampler1D")), Not(HasSubstr("#version 330")), Not(HasSubstr("TEXTURE_1D"))));
+}
+
+/// Nothing of C is left: neither types nor names of OpenGL's functions.
+TEST(WebGlProgram, HasNoC) {
+    const std::regex leftover(R"((^|[^\w"`])(gl[A-Z]\w*\(|GL_[A-Z]|static |GLfloat|Matrix \w|\d\.\d+f\b))");
+    int pages = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Result<std::string> page = pageOf(random::randomScene(9, i, {}).scene);
+        if (!page) {
+            EXPECT_EQ(page.error().code, ErrorCode::Unsupported) << describe(page.error());
+            continue;
+        }
+        ++pages;
+        const std::regex comments(R"(//[^\n]*|/\*[^\n]*\*/)");
+        const std::string script = std::regex_replace(*page, comments, "");
+        std::smatch found;
+        EXPECT_FALSE(std::regex_search(script, found, leftover)) << found.str() << found.suffix().str().substr(0, 80);
+    }
+    EXPECT_GT(pages, 3);
+}
+
+TEST(WebGlProgram, FillsWhatWebGlHasNoFormatFor) {
+    Scene scene = defaultScene();
+    scene.textures[0].internalFormat = InternalFormat::Luminance;
+    EXPECT_THAT(textOf(scene), HasSubstr(", \"rrr1\"));"));
+    scene.textures[0].internalFormat = InternalFormat::Alpha;
+    EXPECT_THAT(textOf(scene), HasSubstr(", \"000a\"));"));
+    scene.textures[0].internalFormat = InternalFormat::Rgba;
+    EXPECT_THAT(textOf(scene), Not(HasSubstr("keep(")));
+}
+
+TEST(WebGlProgram, NamesWhatWebGlHasNot) {
+    struct Case {
+        const char* sentence;
+        void (*change)(Scene& scene);
+    };
+    for (const auto& [sentence, change] :
+         {Case{"textures[0].border: WebGL 2 has no textures with a border", [](Scene& s) { s.textures[0].border = 1; }},
+          Case{"textures[0].wrapT: WebGL 2 has no GL_CLAMP_TO_BORDER",
+               [](Scene& s) { s.textures[0].wrapT = Wrap::ClampToBorder; }},
+          Case{"textures[0].wrapS: WebGL 2 has no GL_CLAMP", [](Scene& s) {
+                   s.textures[0].wrapS = Wrap::Clamp;
+                   s.textures[0].magFilter = MagFilter::Linear;
+               }}}) {
+        Scene scene = defaultScene();
+        change(scene);
+        const Result<std::string> page = pageOf(scene);
+        ASSERT_FALSE(page);
+        EXPECT_EQ(describe(page.error()), sentence);
+    }
+}
+
+/// Where only the nearest texel is read, GL_CLAMP has no border.
+TEST(WebGlProgram, ClampsToTheEdgeWhereThatIsTheSame) {
+    Scene scene = defaultScene();
+    scene.textures[0].wrapS = Wrap::Clamp;
+    scene.textures[0].magFilter = MagFilter::Nearest;
+    scene.textures[0].minFilter = MinFilter::Nearest;
+    EXPECT_THAT(textOf(scene), HasSubstr("gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);"));
+}
+
+/// A title and names of models come from outside: none of them is markup, or ends the script.
+TEST(WebGlProgram, WordsFromOutsideAreNoMarkup) {
+    Scene scene = defaultScene();
+    scene.models[0].name = "</script><b>*/";
+    emit::ProgramOptions options;
+    options.title = "<i>\"</title>\n";
+    options.about = "</script><!--";
+    const Result<std::string> page = pageOf(scene, options);
+    ASSERT_TRUE(page);
+    EXPECT_EQ(count(*page, "</script"), 1U);
+    EXPECT_EQ(count(*page, "</title"), 1U);
+    EXPECT_THAT(*page, AllOf(Not(HasSubstr("<!--")), HasSubstr("<title>&lt;i&gt;")));
+}
+
+} // namespace
+} // namespace texplorer::webgl_program_test
