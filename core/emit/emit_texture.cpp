@@ -63,6 +63,8 @@ void writeTexture(Emission& emission, std::size_t object) {
         for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
             *wrap = *wrap == Wrap::Clamp ? other : *wrap; // the core profile has no GL_CLAMP
     }
+    if (emission.isWeb)
+        texture.maxLevel = std::min(texture.maxLevel, (*emission.texels[object])->lastLevel);
     const std::string variable = fmt::format("texture{}", object);
     const Holder holder{textureTable(), &texture, &initial, elementOf<&Scene::textures>(index),
                         variable,       variable, target};
@@ -71,7 +73,8 @@ void writeTexture(Emission& emission, std::size_t object) {
     writer.open(fmt::format("static void loadTexture{}(void)", object));
     writer.add(
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
-    if (emission.isWeb) // before its parameters: to change the base level of images that aren't there is warned of
+    if (emission.isWeb) // before its parameters: to change the base level of images that aren't there is
+                        // warned of
         writeWebTexels(emission, holder, object);
     for (const ParamRow& row : holder.table.params) {
         if (row.glCall.starts_with("glTexParameter") && hasEffect(row, texture, target, emission))

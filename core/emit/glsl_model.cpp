@@ -401,21 +401,22 @@ private:
     }
 
     void moveCoords(const GlslPass& pass, std::size_t unit, const std::string& modelView) {
-        const Emboss& emboss = emission_.scene.passes[pass.index].units[unit].emboss;
+        const Emboss& settings = emission_.scene.passes[pass.index].units[unit].emboss;
         const glm::vec4& light = emission_.scene.light.position;
         const std::string name = joined(pass.variable, fmt::format("model{}Light{}", index_, unit));
         writer_.add(fmt::format("GLfloat {}[4];", name));
         std::vector<Part> parts{plain(fmt::format("lightInModel({}, (const GLfloat[]){{", modelView))};
         append(parts, numbers({&light.x, 4}, pathOf<&Scene::light, &Light::position>()));
         parts.push_back(
-            plain(fmt::format("}}, {}, {});", emboss.carrier == LightCarrier::Transpose ? 1 : 0, name)));
+            plain(fmt::format("}}, {}, {});", settings.carrier == LightCarrier::Transpose ? 1 : 0, name)));
         writer_.add(std::move(parts));
         std::vector<Part> moved{
             plain(fmt::format("emboss({0}, {1}Positions, {1}GivenTexCoords{2}, {1}Tangents{2}, {3}, ",
                               mesh_.vertices.size(), variable_, unit, name))};
-        moved.push_back(number(emboss.depth, fmt::format("{}.{}.{}.{}", elementOf<&Scene::passes>(pass.index),
-                                                         elementOf<&Pass::units>(unit),
-                                                         keyOf<&Unit::emboss>(), keyOf<&Emboss::depth>())));
+        moved.push_back(
+            number(settings.depth, fmt::format("{}.{}.{}.{}", elementOf<&Scene::passes>(pass.index),
+                                               elementOf<&Pass::units>(unit), keyOf<&Unit::emboss>(),
+                                               keyOf<&Emboss::depth>())));
         moved.push_back(plain(fmt::format(", {}Embossed{});", variable_, unit)));
         writer_.add(std::move(moved));
         writer_.add(fmt::format("glBindBuffer(GL_ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));

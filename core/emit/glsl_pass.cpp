@@ -139,8 +139,7 @@ std::vector<Part> atTime(CodeWriter& writer, const Part& start, const Part& rate
 class TextureMatrixWriter {
 public:
     TextureMatrixWriter(GlslEmission& glsl, const GlslPass& pass, std::size_t unit)
-        : glsl_(glsl)
-        , emission_(glsl.emission)
+        : emission_(glsl.emission)
         , writer_(glsl.emission.writer)
         , pass_(pass)
         , unit_(glsl.emission.scene.passes[pass.index].units[unit])
@@ -217,9 +216,7 @@ private:
 
     /// From eye coordinates to the light's picture, from 0 to 1: as the light is, so it stays.
     void addProjector(MatrixProduct& product, std::size_t index) {
-        const MatrixStep& step = unit_.matrix[index];
         const std::string name = fmt::format("{}{}", variable_, index);
-        (void)step;
         const LightView light = texplorer::lightView(emission_.scene.light);
         constexpr glm::dmat4 toPicture{{0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
         const glm::dmat4 matrix = toPicture * light.projection * light.view;
@@ -231,7 +228,6 @@ private:
         product.add({plain(name)});
     }
 
-    GlslEmission& glsl_;
     Emission& emission_;
     CodeWriter& writer_;
     const GlslPass& pass_;
@@ -397,7 +393,7 @@ void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
     for (const MemberId member :
          {memberId<&Pass::depthTest>, memberId<&Pass::depthFunc>, memberId<&Pass::blend>,
           memberId<&Pass::blendSrc>, memberId<&Pass::blendDst>, memberId<&Pass::seamlessCubeMap>}) {
-        if ((member == memberId<&Pass::seamlessCubeMap> && !hasCube) ||
+        if ((member == memberId<&Pass::seamlessCubeMap> && (!hasCube || emission.isWeb)) ||
             (member == memberId<&Pass::depthFunc> && !drawn.depthTest) ||
             ((member == memberId<&Pass::blendSrc> || member == memberId<&Pass::blendDst>)&&!drawn.blend))
             continue;

@@ -78,9 +78,10 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
     const Scene& scene = emission.scene;
     for (const std::size_t map : seenByLight(emission)) {
         const Texture& texture = scene.textures[emission.objects[map].texture];
-        const Part size = whole(texture.depthSize,
-                                fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
-                                            keyOf<&Texture::depthSize>()));
+        const Part size =
+            whole(texture.depthSize,
+                  fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
+                              keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
         writer.open(fmt::format("static void drawShadowMap{}(Matrix view{})", map,
                                 spins(scene) ? ", double seconds" : ""));
@@ -109,7 +110,8 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
 void writeGlslShadowCalls(GlslEmission& glsl) {
     CodeWriter& writer = glsl.emission.writer;
     for (const std::size_t map : seenByLight(glsl.emission)) {
-        writer.add(fmt::format("drawShadowMap{}(view{});", map, spins(glsl.emission.scene) ? ", seconds" : ""));
+        writer.add(
+            fmt::format("drawShadowMap{}(view{});", map, spins(glsl.emission.scene) ? ", seconds" : ""));
         if (spins(glsl.emission.scene))
             static_cast<void>(writer.seconds());
     }

@@ -11,7 +11,7 @@ struct JsFunction {
 };
 
 /// In the order in which they stand: each calls only those before it.
-constexpr std::array functions{
+constexpr std::array jsFunctions{
     JsFunction{
         "checkerboard",
         R"(// The board of checker.c in the OpenGL Programming Guide: dark squares, and others of a colour.
@@ -307,9 +307,9 @@ std::string indented(std::string_view text) {
 
 std::string jsFunctionsFor(std::string_view text) {
     std::string all;
-    for (std::size_t i = functions.size(); i-- > 0;) {
-        if (calls(text, functions[i].name) || calls(all, functions[i].name))
-            all = indented(functions[i].text) + "\n" + all;
+    for (std::size_t i = jsFunctions.size(); i-- > 0;) {
+        if (calls(text, jsFunctions[i].name) || calls(all, jsFunctions[i].name))
+            all = indented(jsFunctions[i].text) + "\n" + all;
     }
     return all;
 }

@@ -84,14 +84,14 @@ public:
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
             if (array.coords[unit] != CoordForm::Embossed)
                 continue;
-            const Emboss& emboss = glsl_.emission.scene.passes[pass.index].units[unit].emboss;
+            const Emboss& settings = glsl_.emission.scene.passes[pass.index].units[unit].emboss;
             const glm::vec4& light = glsl_.emission.scene.light.position;
             writer_.add(fmt::format("gl.bindBuffer(gl.ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));
             writer_.add(fmt::format(
                 "gl.bufferData(gl.ARRAY_BUFFER, emboss({0}Vertices, {0}GivenTexCoords{1}, "
                 "{0}Tangents{1}, lightInModel({2}, [{3}, {4}, {5}, {6}], {7}), {8}), gl.STREAM_DRAW);",
                 variable_, unit, modelView, light.x, light.y, light.z, light.w,
-                emboss.carrier == LightCarrier::Transpose, emboss.depth));
+                settings.carrier == LightCarrier::Transpose, settings.depth));
         }
     }
 

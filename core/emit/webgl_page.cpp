@@ -80,7 +80,7 @@ p {{ padding: 1em; }}
 "use strict";
 )";
 
-constexpr std::string_view handlers = R"(
+constexpr std::string_view pageHandlers = R"(
 // Dragging turns the view, the wheel goes nearer; keys do the same.
 canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
 canvas.addEventListener("pointermove", (event) => {
@@ -140,7 +140,18 @@ function frame() {
 }
 )";
 
-constexpr std::string_view start = R"(
+constexpr std::string_view opaque = R"(
+// Blending needs alpha while it draws; the page isn't to shine through what it leaves.
+function makeOpaque() {{
+    gl.colorMask(false, false, false, true);
+    gl.clearColor(0, 0, 0, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.colorMask(true, true, true, true);
+    gl.clearColor({}, {}, {}, {});
+}}
+)";
+
+constexpr std::string_view pageStart = R"(
 try {
     if (!gl) throw new Error("This page needs WebGL 2, which the browser doesn't offer.");
     init();
@@ -175,6 +186,21 @@ std::string withoutLine(std::string_view words) {
     return text;
 }
 
+/// In rows of a hundred letters; nothing of nothing.
+std::string commentOf(std::string_view words) {
+    constexpr std::size_t columns = 100;
+    std::string rest = withoutLine(words);
+    std::string text;
+    while (!rest.empty()) {
+        std::size_t cut = rest.size();
+        if (rest.size() > columns)
+            cut = std::min(rest.rfind(' ', columns), rest.size());
+        text += "// " + rest.substr(0, cut) + "\n";
+        rest.erase(0, std::min(cut + 1, rest.size()));
+    }
+    return text;
+}
+
 } // namespace
 
 std::vector<Line> webPage(Emission&& emission) {
@@ -185,9 +211,7 @@ std::vector<Line> webPage(Emission&& emission) {
     finish(script);
     std::string words = textOf(script, false) + textOf(data, false);
     std::string text = fmt::format(pageHead, escapedHtml(withoutLine(options.title)));
-    std::string first = "// " + withoutLine(options.title) + "\n";
-    if (!options.about.empty())
-        first += "// " + withoutLine(options.about) + "\n";
+    std::string first = commentOf(options.title) + commentOf(options.about);
     const bool readsAlpha = readsTargetAlpha(emission.scene);
     first += "const canvas = document.getElementById(\"canvas\");\n";
     first += fmt::format("const gl = canvas.getContext(\"webgl2\", {{alpha: {}, antialias: false}});\n",
@@ -197,9 +221,16 @@ std::vector<Line> webPage(Emission&& emission) {
     text += withinScript(first);
     text += withinScript("\n" + jsFunctionsFor(words));
     text += withinScript(words);
-    text += handlers;
-    text += emission.moves ? movingFrames : stillFrames;
-    text += start;
+    text += pageHandlers;
+    std::string frames(emission.moves ? movingFrames : stillFrames);
+    if (readsAlpha) {
+        const glm::vec4& background = emission.scene.view.background;
+        text += fmt::format(opaque, background.r, background.g, background.b, background.a);
+        const std::size_t end = frames.find(");\n", frames.find("draw(canvas"));
+        frames.insert(end + 3, "    makeOpaque();\n");
+    }
+    text += frames;
+    text += pageStart;
     std::vector<Line> lines;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());

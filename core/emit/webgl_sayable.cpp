@@ -16,8 +16,8 @@ Error lacking(const std::string& path, const std::string& key, std::string_view 
     return {ErrorCode::Unsupported, fmt::format("WebGL 2 has no {}", what), fmt::format("{}.{}", path, key)};
 }
 
-Result<void> sayableTexture(const Texture& texture, const TextureCode& code, const Unit& unit,
-                            const std::string& path) {
+Result<void> isSayable(const Texture& texture, const TextureCode& code, const Unit& unit,
+                       const std::string& path) {
     if (code.border != 0)
         return fail(lacking(path, keyOf<&Texture::border>(), "textures with a border"));
     if (code.driverCompresses)
@@ -50,10 +50,16 @@ Result<void> sayableInWebGl(const GlslEmission& glsl) {
                 continue;
             const Unit& unit = drawn.units[i];
             const auto texture = static_cast<std::size_t>(unit.texture);
-            if (const Result<void> said = sayableTexture(scene.textures[texture], *glsl.emission.codeOf(unit),
-                                                         unit, elementOf<&Scene::textures>(texture));
+            if (const Result<void> said = isSayable(scene.textures[texture], *glsl.emission.codeOf(unit),
+                                                    unit, elementOf<&Scene::textures>(texture));
                 !said)
                 return said;
+            if (unit.target == Target::CubeMap && !drawn.seamlessCubeMap &&
+                !readsNearestAlone(scene.textures[texture]))
+                return fail(ErrorCode::Unsupported,
+                            "WebGL 2 always filters across the edges of a cube map: switch it on",
+                            fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index),
+                                        keyOf<&Pass::seamlessCubeMap>()));
             if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
                 return fail(ErrorCode::Unsupported,
                             "coordinates of an image that lies upside down can't be moved",

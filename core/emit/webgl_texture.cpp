@@ -66,11 +66,7 @@ public:
         , code_(code)
         , isDepth_(isDepth(code.shape.internalFormat)) {}
 
-    void write(int maxLevel) {
-        if (code_.lastLevel < maxLevel)
-            writer_.add(fmt::format(
-                "gl.texParameteri({}, gl.TEXTURE_MAX_LEVEL, {}); // the file holds no more levels",
-                rowOf(holder_.target).name, code_.lastLevel));
+    void write() {
         for (std::size_t i = 0; i < code_.levels.size();) {
             std::size_t end = i + 1;
             while (end < code_.levels.size() && code_.levels[end].source == TexelSource::Halved)
@@ -195,8 +191,9 @@ void writeWebDepths(Emission& emission, const Texture& texture, Target target, s
     emission.atStart.add(fmt::format("let shadowMap{}; // a framebuffer object", object));
     writer.add(fmt::format("shadowMap{} = gl.createFramebuffer();", object));
     writer.add(fmt::format("gl.bindFramebuffer(gl.FRAMEBUFFER, shadowMap{});", object));
-    writer.add(fmt::format("gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, {}, textures[{}], 0);",
-                           rowOf(target).name, object));
+    writer.add(
+        fmt::format("gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, {}, textures[{}], 0);",
+                    rowOf(target).name, object));
     writer.add("gl.bindFramebuffer(gl.FRAMEBUFFER, null);");
 }
 
@@ -207,7 +204,7 @@ void writeWebTexels(Emission& emission, const Holder& holder, std::size_t object
     const TextureCode& code = **emission.texels[object];
     if (texture.source == SourceKind::LightDepth)
         return writeWebDepths(emission, texture, holder.target, object);
-    WebTexelWriter(emission, holder, code).write(texture.maxLevel);
+    WebTexelWriter(emission, holder, code).write();
 }
 
 std::string base64Text(ByteView bytes) {

@@ -64,7 +64,7 @@ TEST(GlslProgram, SetsTheUniformsThatTheShadersHave) {
 }
 
 TEST(GlslProgram, HasNoFixedFunction) {
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 12; ++i) {
         const Result<std::string> text = programOf(random::randomScene(5, i, {}).scene);
         for (const char* name :
              {"glBegin", "glMatrixMode", "glLight", "glTexEnv", "glTexGen", "glEnableClientState",
@@ -128,7 +128,7 @@ TEST(GlslProgram, OfRandomScenesIsC) {
                                          "é\xff.dds"};
     std::string names;
     int programs = 0;
-    for (int i = 0; i < 48; ++i) {
+    for (int i = 0; i < 16; ++i) {
         const Result<std::string> text = programOf(random::randomScene(7, i, files).scene);
         if (!text) {
             EXPECT_EQ(text.error().code, ErrorCode::Unsupported) << describe(text.error());
@@ -139,7 +139,7 @@ TEST(GlslProgram, OfRandomScenesIsC) {
         names += fmt::format(" '{}'", file.string());
         ++programs;
     }
-    EXPECT_GT(programs, 10);
+    EXPECT_GT(programs, 3);
     const std::string command = TEXPLORER_C_COMPILER " -std=c99 -Wall -Wextra -Werror -fsyntax-only" + names;
     EXPECT_EQ(std::system(command.c_str()), 0); // which printed what is wrong
 }

@@ -1,7 +1,7 @@
 #include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/keys.h"
-#include "core/emit/emit.h"
+#include "core/emit/program.h"
 #include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
 
@@ -11,6 +11,12 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 using testing::Not;
+
+/// As the tab has it.
+std::vector<emit::Line> programOf(const Scene& scene) {
+    emit::TextureCodes codes;
+    return emit::program(emit::Flavour::Fixed, scene, {}, {}, codes).value();
+}
 
 class CommandsTab : public Workbench {
 protected:
@@ -50,12 +56,13 @@ TEST_F(CommandsTab, ANumberIsDraggedInOneStepOfUndo) {
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
-// The camera's azimuth stands in glRotatef with the other sign.
+// The camera's target stands in glTranslatef with the other sign.
 TEST_F(CommandsTab, ANegatedNumberGoesTheOtherWay) {
-    const float before = scene().view.azimuth;
-    find("command:view.azimuth");
-    drag(place("command:view.azimuth"), {40, 0});
-    EXPECT_NEAR(scene().view.azimuth, before - 20, 0.6F);
+    scene().view.target = {2, 0, 0};
+    frames(2);
+    find("command:view.target[0]");
+    drag(place("command:view.target[0]"), {40, 0});
+    EXPECT_LT(scene().view.target.x, 1.9F);
 }
 
 TEST_F(CommandsTab, ANumberStaysInItsRange) {
@@ -154,10 +161,10 @@ TEST_F(CommandsTab, AColorOpensThePicker) {
 TEST_F(CommandsTab, AllCallsAreListedOnDemand) {
     const char* same = "GL_TEXTURE_WRAP_S, GL_REPEAT";
     EXPECT_THAT(copied(), Not(HasSubstr(same)));
-    EXPECT_EQ(copied(), textOf(emit::callsOf(scene()), false));
+    EXPECT_EQ(copied(), textOf(programOf(scene()), false));
     click("all commands");
     EXPECT_THAT(copied(), HasSubstr(same));
-    EXPECT_EQ(copied(), textOf(emit::callsOf(scene()), true));
+    EXPECT_EQ(copied(), textOf(programOf(scene()), true));
     find("command:textures[0].wrapS");
     click("command:textures[0].wrapS");
     frames(2);
