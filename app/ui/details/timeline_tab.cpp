@@ -6,22 +6,32 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace texplorer::ui {
 namespace {
 
 constexpr std::array grids{0.0F, 0.05F, 0.1F, 0.25F, 0.5F, 1.0F};
+
+/// What is so wide stands beside the last widget, or where that has no room in the next line.
+void besideOrBelow(float width) {
+    ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
+    if (ImGui::GetContentRegionAvail().x < width)
+        ImGui::NewLine();
+}
 
 /// A key that was taken away, by undo or in another way, is chosen no longer.
 void followChosen(const Session& session, TimelineTabState& state) {
@@ -63,11 +73,11 @@ void timeControls(Session& session, TimelineTabState& state) {
     text(fmt::format("{:.2f} of {:.2f} s", session.window.playback.time, lengthOf(timeline)));
     noteItem("timeline:time");
     helpTip("The scene's time, and that of the last key frame");
-    ImGui::SameLine(0, gap);
+    besideOrBelow(ImGui::GetFontSize() * 4);
     ImGui::Checkbox(label("Loop"), &session.window.playback.loops);
     noteItem("timeline:loop");
     helpTip("Behind the last key frame time begins anew.");
-    ImGui::SameLine(0, gap);
+    besideOrBelow(ImGui::GetFontSize() * 6);
     gridChoice(state);
 }
 
@@ -103,9 +113,12 @@ void timeOfKey(Session& session, const TimelineTabState::ChosenKey& chosen, floa
     helpTip("When the parameter has this value. Drag it, or double-click to type a number.");
 }
 
+float valueWidth(const ParamRow& row) {
+    return ImGui::GetFontSize() * (row.kind == Kind::Float || row.kind == Kind::Int ? 7.0F : 14.0F);
+}
+
 /// By the parameter's own control, which edits the key of the present time.
 void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
-    const float em = ImGui::GetFontSize();
     std::optional<ParamPlace> place = placeOf(session.document.scene, key.path);
     const bool isNow = key.time == presentKeyTime(session) && !session.window.playback.playing;
     if (!isNow || !place || place->vertex || isList(row.kind) || row.kind == Kind::Matrix) {
@@ -115,11 +128,11 @@ void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
         return;
     }
     place->owner.initial = place->owner.values;
-    paramControl(session, place->owner, row, em * (row.kind == Kind::Float ? 7.0F : 14.0F));
+    paramControl(session, place->owner, row, std::min(valueWidth(row), ImGui::GetContentRegionAvail().x));
 }
 
 void keyControls(Session& session, TimelineTabState& state) {
-    const float gap = ImGui::GetFontSize() * 0.8F;
+    const float em = ImGui::GetFontSize();
     const TimelineTabState::ChosenKey chosen = *state.chosen;
     const KeyFrame key = session.document.scene.timeline.keys[chosen.number];
     const auto row = rowAt(session.document.scene, key.path);
@@ -128,13 +141,13 @@ void keyControls(Session& session, TimelineTabState& state) {
     ImGui::AlignTextToFramePadding();
     text(shownName(session.window.settings, **row));
     helpTip(key.path);
-    ImGui::SameLine(0, gap);
+    besideOrBelow(em * 5);
     timeOfKey(session, chosen, key.time);
-    ImGui::SameLine(0, gap);
+    besideOrBelow(valueWidth(**row));
     valueOfKey(session, key, **row);
-    ImGui::SameLine(0, gap);
+    besideOrBelow(em * 10);
     easingChoice(session, chosen, key);
-    ImGui::SameLine(0, gap);
+    besideOrBelow(buttonWidth("Remove"));
     if (ImGui::Button(label("Remove"))) {
         removeKey(session, chosen.number);
         state.chosen.reset();
@@ -182,10 +195,11 @@ void drawTimelineTab(Session& session, TimelineTabState& state) {
     if (state.chosen) {
         keyControls(session, state);
     } else {
+        constexpr const char* words = "Click a key frame to change it. What is edited anywhere becomes a key "
+                                      "frame of this time, if it has some.";
         ImGui::AlignTextToFramePadding();
-        dimText(
-            "Click a key frame to change it. What is edited anywhere becomes a key frame of this time, if it "
-            "has some.");
+        if (fittedText(words, color::dim))
+            helpTip(words);
     }
     followChosen(session, state);
     if (!session.document.scene.timeline.keys.empty())

@@ -97,7 +97,7 @@ std::size_t numberOf(const Scene& scene, const KeyFrame* key) {
 using Later = std::function<void()>;
 
 void keyMenu(Session& session, std::size_t number, const KeyFrame& key, Later& later) {
-    if (!ImGui::BeginPopup("key menu"))
+    if (!ImGui::BeginPopup("keymenu"))
         return;
     dimText(fmt::format("{:.2f} s", key.time));
     ImGui::Separator();
@@ -150,7 +150,7 @@ void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, c
     }
     if (asksMenu) {
         state.seconds.reset();
-        ImGui::OpenPopup("key menu");
+        ImGui::OpenPopup("keymenu");
     }
     keyMenu(session, number, key, later);
     ImGui::PopID();
@@ -201,8 +201,8 @@ void trackName(Session& session, const TrackPlan& plan, const std::string& path,
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     helpTip(fmt::format("{}\nClick: show the setting", path));
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
-        ImGui::OpenPopup("track menu");
-    if (ImGui::BeginPopup("track menu")) {
+        ImGui::OpenPopup("trackmenu");
+    if (ImGui::BeginPopup("trackmenu")) {
         dimText(path);
         ImGui::Separator();
         if (ImGui::MenuItem(label("Remove its key frames")))

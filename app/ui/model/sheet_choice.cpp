@@ -83,7 +83,7 @@ Result<std::array<SweepAxis, 2>> sweptAxes(const Session& session) {
     }
     if (swept[0].path == swept[1].path)
         return fail(ErrorCode::Unsupported,
-                    "Rows and columns are the same parameter: choose another one for one of them.");
+                    "rows and columns are the same parameter: choose another one for one of them");
     return swept;
 }
 
