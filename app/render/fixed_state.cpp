@@ -179,7 +179,8 @@ void applyModelView(const View& view, const Model& model, double time) {
     if (model.position != glm::vec3(0))
         translate(model.position);
     for (const int axis : rotationAxes(model.rotationOrder))
-        rotate(angleAt(model.rotation[axis], model.spin[axis], time), axes.at(static_cast<std::size_t>(axis)));
+        rotate(angleAt(model.rotation[axis], model.spin[axis], time),
+               axes.at(static_cast<std::size_t>(axis)));
     if (model.size != 1)
         glScalef(model.size, model.size, model.size);
     if (model.scale != glm::vec3(1))

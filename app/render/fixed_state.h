@@ -11,8 +11,8 @@ namespace texplorer::render {
 /// coordinates.
 void applyLight(const Light& light);
 
-/// GL_PROJECTION: glFrustum or glOrtho. Like all matrices of this file it comes about by the calls that a program
-/// makes: what core/emit writes draws the very same pixels.
+/// GL_PROJECTION: glFrustum or glOrtho. Like all matrices of this file it comes about by the calls that a
+/// program makes: what core/emit writes draws the very same pixels.
 void applyProjection(const View& view, float aspect);
 
 /// GL_MODELVIEW of a model at `time`: the camera's calls, unless the model moves with the eye, and its own.

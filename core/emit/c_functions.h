@@ -20,8 +20,8 @@ enum class CFunction : std::uint8_t {
     ReadBmp,
     ReadTga,
     ReadDds,
-    MeshTypes,  ///< no function: what a mesh is made of
-    Turned,     ///< a surface that is turned about an axis, and its quadrilaterals
+    MeshTypes, ///< no function: what a mesh is made of
+    Turned,    ///< a surface that is turned about an axis, and its quadrilaterals
     Ring,
     Sphere,
     Cylinder,

@@ -70,8 +70,8 @@ void finish(std::vector<Line>& lines);
 /// Collects lines, and knows what OpenGL's state is after them, so that it can tell which are needed.
 class CodeWriter {
 public:
-    /// "static void draw(void)" and a brace, up to close(): arrays that were declared before are others'. What
-    /// follows is indented.
+    /// "static void draw(void)" and a brace, up to close(): arrays that were declared before are others'.
+    /// What follows is indented.
     void open(std::string_view head);
     void close(std::string_view brace = "}");
     /// A statement of its own below "for (…)".
@@ -97,7 +97,6 @@ public:
     bool set(const std::string& state, const Value& value, const Value& initial);
     /// OpenGL may have anything.
     void forget(const std::string& state) { state_[state] = std::string(); }
-
 
     /// `seconds`, which draw() is then given.
     Part seconds();

@@ -87,9 +87,8 @@ void Emission::addData(const std::string& type, const std::string& name, std::si
     atEnd.data(declaration, count, std::move(numbers));
 }
 
-std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& texture,
-                                                            const TexturePictures& pictures, Target target,
-                                                            FileReader reader) {
+std::shared_ptr<const Result<TextureCode>>
+TextureCodes::of(const Texture& texture, const TexturePictures& pictures, Target target, FileReader reader) {
     const LevelsRequest request{pictures, imageSettings(texture), target};
     for (Kept& each : kept_) {
         if (each.request == request && each.reader == reader) {

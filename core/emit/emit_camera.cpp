@@ -21,10 +21,11 @@ Holder viewHolder(const Scene& scene) {
 void declareVariable(Emission& emission, MemberId member, std::string_view what) {
     const View& view = emission.scene.view;
     const auto row = std::ranges::find(viewTable().params, member, &ParamRow::member);
-    emission.atStart.add({plain(fmt::format("static GLfloat {} = ", row->key)),
-                          number(std::get<float>(row->read(&view)),
-                                 fmt::format("{}.{}", keyOf<&Scene::view>(), row->key)),
-                          plain("; "), {Part::Kind::Comment, fmt::format("/* {} */", what)}});
+    emission.atStart.add(
+        {plain(fmt::format("static GLfloat {} = ", row->key)),
+         number(std::get<float>(row->read(&view)), fmt::format("{}.{}", keyOf<&Scene::view>(), row->key)),
+         plain("; "),
+         {Part::Kind::Comment, fmt::format("/* {} */", what)}});
 }
 
 /// The camera's own calls come in the order in which the matrices are multiplied: what is called last is done
@@ -50,8 +51,7 @@ void writeProjection(Emission& emission) {
     writer.add("const GLdouble farthest = 4.0 * distance + 400.0;");
     writer.add(fmt::format("glMatrixMode({});", projectionMode));
     writer.add("glLoadIdentity();");
-    const Part angle =
-        number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
+    const Part angle = number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
     if (view.projection == Projection::Orthographic) {
         writer.add({plain("const GLdouble half = distance * tan("), angle, plain(" * pi / 180 / 2);")});
         writer.add("glOrtho(-half * aspect, half * aspect, -half, half, -farthest, farthest);");

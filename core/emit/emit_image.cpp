@@ -45,7 +45,8 @@ public:
                          {Part::Kind::Comment, "/* the file holds no more levels */"}});
         if (code_.reader == FileReader::Dds) {
             emission_.use(CFunction::ReadDds);
-            return writer_.add({plain("readDds("), path(), plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
+            return writer_.add({plain("readDds("), path(),
+                                plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
                                 comment("every mip level")});
         }
         for (std::size_t i = 0; i < code_.levels.size();) {
@@ -66,9 +67,10 @@ private:
         std::string texels = makeTexels(level);
         if (end == first + 1) {
             const std::string number = std::to_string(level.number);
-            return upload(number, {std::to_string(level.width), std::to_string(level.height),
-                                   std::to_string(level.depth)},
-                          level, faceOf(texels, level));
+            return upload(
+                number,
+                {std::to_string(level.width), std::to_string(level.height), std::to_string(level.depth)},
+                level, faceOf(texels, level));
         }
         emission_.use(CFunction::Halve);
         const int last = code_.levels[end - 1].number;
@@ -146,12 +148,14 @@ private:
             std::vector<std::uint8_t> bytes(level.bytes.size());
             std::ranges::transform(level.bytes, bytes.begin(),
                                    [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
-            writer_.add({plain(fmt::format("{}GLubyte {}[] = {{ ", isHalvedNext(level) ? "" : "const ", variable)),
-                         comment(), plain("")});
+            writer_.add(
+                {plain(fmt::format("{}GLubyte {}[] = {{ ", isHalvedNext(level) ? "" : "const ", variable)),
+                 comment(), plain("")});
             writer_.indent();
             const std::size_t row = std::size_t{4} * static_cast<std::size_t>(std::clamp(level.width, 1, 4));
             for (std::size_t at = 0; at < bytes.size(); at += row)
-                writer_.add(fmt::format("{},", listed(std::span(bytes).subspan(at, std::min(row, bytes.size() - at)))));
+                writer_.add(fmt::format(
+                    "{},", listed(std::span(bytes).subspan(at, std::min(row, bytes.size() - at)))));
             writer_.outdent();
             writer_.add("};");
             return variable;
@@ -167,8 +171,8 @@ private:
         }
         case TexelSource::Checker:
             emission_.use(CFunction::Checkerboard);
-            writer_.add(fmt::format("checkerboard({}, {}, {}, {}, {}, {});", variable, level.width, level.square,
-                                    level.color[0], level.color[1], level.color[2]));
+            writer_.add(fmt::format("checkerboard({}, {}, {}, {}, {}, {});", variable, level.width,
+                                    level.square, level.color[0], level.color[1], level.color[2]));
             break;
         case TexelSource::Gradient:
             emission_.use(CFunction::Gradient);
@@ -192,14 +196,17 @@ private:
         return found + 1 != code_.levels.end() && (found + 1)->source == TexelSource::Halved;
     }
 
-    [[nodiscard]] Part comment(std::string_view words = "red, green, blue, alpha: the bottom row first") const {
-        const std::string& key = texture_.source == SourceKind::Pattern ? keyOf<&Texture::pattern>()
-                                                                        : keyOf<&Texture::file>();
+    [[nodiscard]] Part
+    comment(std::string_view words = "red, green, blue, alpha: the bottom row first") const {
+        const std::string& key =
+            texture_.source == SourceKind::Pattern ? keyOf<&Texture::pattern>() : keyOf<&Texture::file>();
         return {Part::Kind::Comment, fmt::format("/* {} */", words), fmt::format("{}.{}", holder_.path, key)};
     }
 
     /// The file that is read.
-    [[nodiscard]] Part path() const { return plain(stringLiteral(emission_.options.fileName(texture_.file))); }
+    [[nodiscard]] Part path() const {
+        return plain(stringLiteral(emission_.options.fileName(texture_.file)));
+    }
 
     void upload(const std::string& level, const std::array<std::string, 3>& size, const LevelCode& of,
                 const std::string& texels) {
@@ -223,31 +230,33 @@ private:
         const std::string image = isCube() ? std::string("GL_TEXTURE_CUBE_MAP_POSITIVE_X + face")
                                            : std::string(rowOf(holder_.target).name);
         const EnumRow* row = findRow(blockFormatRows, static_cast<std::uint32_t>(*code_.blocks));
-        return callWith("glCompressedTexImage2D",
-                        {plain(fmt::format("{}, {}, ", image, of.number)),
-                         choice(row ? row->name : "0", texture_.compression == Compression::Cached
-                                                           ? pathOf(keyOf<&Texture::compressedFormat>())
-                                                           : std::string()),
-                         plain(fmt::format(", {}, {}, 0, {}, {}", of.width, of.height,
-                                           of.bytes.size() / static_cast<std::size_t>(code_.faces), texels))});
+        return callWith(
+            "glCompressedTexImage2D",
+            {plain(fmt::format("{}, {}, ", image, of.number)),
+             choice(row ? row->name : "0", texture_.compression == Compression::Cached
+                                               ? pathOf(keyOf<&Texture::compressedFormat>())
+                                               : std::string()),
+             plain(fmt::format(", {}, {}, 0, {}, {}", of.width, of.height,
+                               of.bytes.size() / static_cast<std::size_t>(code_.faces), texels))});
     }
 
     /// glTexImage with all of its arguments.
-    [[nodiscard]] std::vector<Part> imageCall(const std::string& level, const std::array<std::string, 3>& size,
-                                         const std::string& texels, bool depths = false) const {
-        const std::string& key = code_.driverCompresses ? keyOf<&Texture::compressedFormat>()
-                                                        : keyOf<&Texture::internalFormat>();
+    [[nodiscard]] std::vector<Part> imageCall(const std::string& level,
+                                              const std::array<std::string, 3>& size,
+                                              const std::string& texels, bool depths = false) const {
+        const std::string& key =
+            code_.driverCompresses ? keyOf<&Texture::compressedFormat>() : keyOf<&Texture::internalFormat>();
         const ParamRow& row = *findParam(textureTable(), key);
         const EnumRow* format = findRow(row.choices, std::get<EnumValue>(row.read(&texture_)).number);
         std::string words = callFor(row, holder_.target);
         const std::size_t bracket = words.find('(');
         const auto resolve = [&](std::string_view word) -> std::optional<std::vector<Part>> {
             if (word == "{}")
-                return std::vector<Part>{choice(
-                    emission_.isCore && !code_.driverCompresses ? coreFormatOf(code_.shape.internalFormat).name
-                    : format                                    ? format->name
-                                                                : rowOf(InternalFormat::Rgba).name,
-                    pathOf(row.key))};
+                return std::vector<Part>{choice(emission_.isCore && !code_.driverCompresses
+                                                    ? coreFormatOf(code_.shape.internalFormat).name
+                                                : format ? format->name
+                                                         : rowOf(InternalFormat::Rgba).name,
+                                                pathOf(row.key))};
             if (word == "level")
                 return std::vector<Part>{plain(level)};
             if (word == "width")
@@ -257,8 +266,9 @@ private:
             if (word == "depth")
                 return std::vector<Part>{plain(size[2])};
             if (word == keyOf<&Texture::border>())
-                return std::vector<Part>{code_.border == texture_.border ? whole(texture_.border, pathOf(word))
-                                                                         : whole(code_.border)};
+                return std::vector<Part>{code_.border == texture_.border
+                                             ? whole(texture_.border, pathOf(word))
+                                             : whole(code_.border)};
             if (word == "format")
                 return std::vector<Part>{
                     plain(std::string(depths ? depthPixels : rowOf(BaseFormat::Rgba).name))};
@@ -281,7 +291,8 @@ private:
 };
 
 /// Room for them, and the framebuffer object that they are drawn into.
-void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture& texture, std::size_t object) {
+void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture& texture,
+                        std::size_t object) {
     CodeWriter& writer = emission.writer;
     const Part size =
         whole(texture.depthSize, fmt::format("{}.{}", holder.path, keyOf<&Texture::depthSize>()));
@@ -294,8 +305,9 @@ void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture&
                           {Part::Kind::Comment, "/* a framebuffer object */"}});
     writer.add(fmt::format("glGenFramebuffers(1, &shadowMap{});", object));
     writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", object));
-    writer.add(fmt::format("glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, {}, textures[{}], 0);",
-                           rowOf(holder.target).name, object));
+    writer.add(
+        fmt::format("glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, {}, textures[{}], 0);",
+                    rowOf(holder.target).name, object));
     writer.add("glDrawBuffer(GL_NONE); /* it has no colours */");
     writer.add("glReadBuffer(GL_NONE);");
     writer.add("glBindFramebuffer(GL_FRAMEBUFFER, 0);");

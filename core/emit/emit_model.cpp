@@ -247,10 +247,9 @@ private:
         }
         emission_.addData("GLfloat", fmt::format("{}Tangents{}", variable_, unit), values.size(),
                           floatsText(values, 6));
-        emission_.atStart.add(
-            {plain(fmt::format("static GLfloat {}EmbossedCoords{}[{}]; ", variable_, unit,
-                               4 * mesh_.vertices.size())),
-             {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
+        emission_.atStart.add({plain(fmt::format("static GLfloat {}EmbossedCoords{}[{}]; ", variable_, unit,
+                                                 4 * mesh_.vertices.size())),
+                               {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
         emission_.use(CFunction::Emboss);
     }
 
@@ -318,7 +317,9 @@ private:
                     model_.scale != glm::vec3(1));
     }
 
-    [[nodiscard]] Part floatPart(float value, const std::string& key) const { return number(value, own(key)); }
+    [[nodiscard]] Part floatPart(float value, const std::string& key) const {
+        return number(value, own(key));
+    }
 
     /// "model1 = sphere(32, 16);"
     void makeShape() {
@@ -330,9 +331,7 @@ private:
 
     /// From where the disk begins, and how far it goes around: as core/mesh/disk.cpp has it.
     [[nodiscard]] std::vector<Part> sector() const {
-        const auto part = [&](float value, const std::string& key) {
-            return number(value, own(key));
-        };
+        const auto part = [&](float value, const std::string& key) { return number(value, own(key)); };
         const float start = model_.startAngle;
         const float sweep = model_.sweepAngle;
         if (model_.shape == Shape::Disk)
@@ -414,7 +413,8 @@ private:
     }
 
     void drawShape(const Pass& pass) {
-        const auto pointer = [&](std::string_view array, const std::string& function, std::string_view member) {
+        const auto pointer = [&](std::string_view array, const std::string& function,
+                                 std::string_view member) {
             writer_.add(fmt::format("glEnableClientState({});", array));
             writer_.add(fmt::format("{}{}, sizeof(Vertex), {}.vertices->{});", function, floatType, variable_,
                                     member));
@@ -426,7 +426,8 @@ private:
         for (std::size_t u = 0; u < maxUnits; ++u) {
             if (!takesCoords(pass.units[u]))
                 continue;
-            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)), u != 0 || isSecond(pass));
+            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
+                        u != 0 || isSecond(pass));
             pointer(texCoordArray, "glTexCoordPointer(4, ", "texCoord");
         }
         drawElements();
@@ -490,10 +491,10 @@ private:
             const Unit& unit = pass.units[u];
             if (!takesCoords(unit))
                 continue;
-            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)), u != 0 || isSecond(pass));
+            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
+                        u != 0 || isSecond(pass));
             const bool moves = unit.emboss.enabled;
-            point(texCoordArray,
-                  fmt::format("glTexCoordPointer({}, ", moves ? 4 : coordComponents(u)),
+            point(texCoordArray, fmt::format("glTexCoordPointer({}, ", moves ? 4 : coordComponents(u)),
                   moves ? fmt::format("EmbossedCoords{}", u) : coordsName(u));
         }
         drawElements();

@@ -78,9 +78,10 @@ void writeShadowMaps(Emission& emission) {
     const Scene& scene = emission.scene;
     for (const std::size_t map : shadowMapsOf(emission)) {
         const Texture& texture = scene.textures[emission.objects[map].texture];
-        const Part size = whole(texture.depthSize,
-                                fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
-                                            keyOf<&Texture::depthSize>()));
+        const Part size =
+            whole(texture.depthSize,
+                  fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
+                              keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
         writer.open(emission.moves ? fmt::format("static void drawShadowMap{}(double seconds)", map)
                                    : fmt::format("static void drawShadowMap{}(void)", map));

@@ -42,7 +42,6 @@ public:
     StepWriter(Emission& emission, const Holder& unit, std::size_t index)
         : emission_(emission)
         , writer_(emission.writer)
-        , light_(emission.scene.light)
         , step_(static_cast<const Unit*>(unit.values)->matrix[index])
         , path_(fmt::format("{}.{}", unit.path, elementOf<&Unit::matrix>(index)))
         , variable_(fmt::format("{}Matrix{}", unit.variable, index)) {}
@@ -115,7 +114,6 @@ private:
 
     Emission& emission_;
     CodeWriter& writer_;
-    const Light& light_;
     const MatrixStep& step_;
     std::string path_;
     std::string variable_;

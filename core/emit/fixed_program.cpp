@@ -120,7 +120,8 @@ private:
         writer_.heading(keyOf<&Scene::textures>());
         if (!emission_.objects.empty()) {
             writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
-            writer_.add("glPixelStorei(GL_UNPACK_ALIGNMENT, 1); /* rows of texels follow each other without a gap */");
+            writer_.add(
+                "glPixelStorei(GL_UNPACK_ALIGNMENT, 1); /* rows of texels follow each other without a gap */");
             for (std::size_t i = 0; i < emission_.objects.size(); ++i)
                 writer_.add(fmt::format("loadTexture{}();", i));
         }
@@ -154,7 +155,7 @@ private:
     void writeDraw() {
         writer_.heading("a frame");
         writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
-                                                     : "static void draw(int width, int height)");
+                                     : "static void draw(int width, int height)");
         beginFrame();
         writeShadowMapCalls(emission_);
         writeProjection(emission_);

@@ -21,9 +21,8 @@ namespace texplorer::emit {
 /// to write a program.
 class TextureCodes {
 public:
-    [[nodiscard]] std::shared_ptr<const Result<TextureCode>> of(const Texture& texture,
-                                                                const TexturePictures& pictures, Target target,
-                                                                FileReader reader);
+    [[nodiscard]] std::shared_ptr<const Result<TextureCode>>
+    of(const Texture& texture, const TexturePictures& pictures, Target target, FileReader reader);
     /// Forgets those that were not asked for since the last call.
     void forgetUnused();
 
@@ -40,7 +39,7 @@ private:
 struct ProgramOptions {
     std::string title = "Texplorer"; ///< of the window
     std::string about{};             ///< what the comment at its top says beside: sentences
-    std::string source = "demo.c";    ///< what the file is called: for the line that compiles it
+    std::string source = "demo.c";   ///< what the file is called: for the line that compiles it
     int width = 640;                 ///< of the window, in pixels
     int height = 480;
     /// Parameters whose calls have a word on what they do before them.

@@ -16,7 +16,8 @@ constexpr std::size_t commentColumns = 100;
 std::string fileName(const std::string& name) {
     std::string text;
     for (const char c : name)
-        text += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ? c : '_';
+        text +=
+            std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ? c : '_';
     return text.empty() || text.front() == '-' ? "demo.c" : text;
 }
 
@@ -97,8 +98,8 @@ int main(void)
     return EXIT_SUCCESS;
 }}
 )",
-                       hints, emission.options.width, emission.options.height, stringLiteral(emission.options.title),
-                       moves ? ", glfwGetTime()" : "",
+                       hints, emission.options.width, emission.options.height,
+                       stringLiteral(emission.options.title), moves ? ", glfwGetTime()" : "",
                        moves ? "glfwPollEvents();" : "glfwWaitEvents(); /* nothing moves by itself */");
 }
 
@@ -120,15 +121,19 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     std::string more;
     for (const std::string& header : program.headers)
         more += fmt::format("#include <{}>\n", header);
-    const std::string headers = "#define GL_GLEXT_PROTOTYPES /* functions of OpenGL after 1.1, as glActiveTexture */\n"
-                          "#define GLFW_INCLUDE_GLEXT\n"
-                          "#include <GLFW/glfw3.h>\n"
-                          "#include <math.h>\n" + more +
-                          "#include <stdio.h>\n"
-                          "#include <stdlib.h>\n" +
-                          std::string(emission.functions.contains(CFunction::Unpack) || emission.functions.contains(CFunction::ReadDds) ? "#include <string.h>\n"
-                                                                                     : "") +
-                          "\n";
+    const std::string headers =
+        "#define GL_GLEXT_PROTOTYPES /* functions of OpenGL after 1.1, as glActiveTexture */\n"
+        "#define GLFW_INCLUDE_GLEXT\n"
+        "#include <GLFW/glfw3.h>\n"
+        "#include <math.h>\n" +
+        more +
+        "#include <stdio.h>\n"
+        "#include <stdlib.h>\n" +
+        std::string(emission.functions.contains(CFunction::Unpack) ||
+                            emission.functions.contains(CFunction::ReadDds)
+                        ? "#include <string.h>\n"
+                        : "") +
+        "\n";
     append(lines, linesOf(headers));
     if (emission.functions.erase(CFunction::MeshTypes) > 0) {
         append(lines, linesOf({CFunction::MeshTypes}));

@@ -130,8 +130,8 @@ public:
     }
 
 private:
-    /// Whether readDds() gives the same levels: all that the file has, whose blocks may be turned around where
-    /// that is done by whole blocks or in the only row of them.
+    /// Whether readDds() gives the same levels: all that the file has, whose blocks may be turned around
+    /// where that is done by whole blocks or in the only row of them.
     [[nodiscard]] bool isWhatTheFileHolds(const TextureLevels& levels) {
         if (target_ != Target::Texture2D || picture_.faces != 1 || levels.border != 0 ||
             texture_.compression == Compression::Cached ||
@@ -170,8 +170,8 @@ private:
 
     void addBlocks(const Faces& faces, const BlockImage& first) {
         out_.blocks = first.format;
-        out_.levels.push_back({faces.number, first.width, first.height, 1, TexelSource::Compressed, {}, 0,
-                               joined(faces)});
+        out_.levels.push_back(
+            {faces.number, first.width, first.height, 1, TexelSource::Compressed, {}, 0, joined(faces)});
     }
 
     void addPixels(const Faces& faces, const Image& first) {
@@ -290,9 +290,9 @@ Bytes packed(ByteView texels) {
         if (run > 0)
             put(0xC0 | (run - 1));
         run = 0;
-        const auto place = static_cast<std::size_t>(texel[0] * 3 + texel[1] * 5 + texel[2] * 7 +
-                                                    texel[3] * 11) %
-                           seen.size();
+        const auto place =
+            static_cast<std::size_t>(texel[0] * 3 + texel[1] * 5 + texel[2] * 7 + texel[3] * 11) %
+            seen.size();
         const auto change = [&](std::size_t i) { return static_cast<std::int8_t>(texel[i] - before[i]); };
         const int red = change(0);
         const int green = change(1);

@@ -58,7 +58,7 @@ struct TextureCode {
     bool driverCompresses = false;
     FileReader reader = FileReader::None; ///< of the level with TexelSource::Read, or of all of a DDS file
     bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
-    reference::SampledTexture shape{}; ///< the extents of its levels
+    reference::SampledTexture shape{};    ///< the extents of its levels
 };
 
 /// Most texels that are listed.

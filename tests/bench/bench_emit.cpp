@@ -1,5 +1,5 @@
-// A scene as a program: the start scene and one with the bricks, whose texels are packed; and once more, as the
-// Commands tab writes it while one drags a value.
+// A scene as a program: the start scene and one with the bricks, whose texels are packed; and once more, as
+// the Commands tab writes it while one drags a value.
 
 #include "core/emit/program.h"
 

@@ -42,8 +42,9 @@ void addCommands(CommandLine& line) {
     command.flag("--all", options->all,
                  "All calls; without it only those that change what OpenGL starts with.");
     command.flag("--json", options->json, "As JSON, for programs: \"language\" and \"lines\".");
-    command.footer("The program of \"texshot emit\", on standard output: what the window's Commands tab shows.\n"
-                   "Exit status: 0 done, 1 the scene or an image can't be read, 2 a wrong call.");
+    command.footer(
+        "The program of \"texshot emit\", on standard output: what the window's Commands tab shows.\n"
+        "Exit status: 0 done, 1 the scene or an image can't be read, 2 a wrong call.");
     command.onCall([options] { return commands(*options); });
 }
 

@@ -55,8 +55,7 @@ void makeRows(CommandsTabState& state) {
 /// Makes the lines and rows anew where something is another.
 void renew(const Session& session, CommandsTabState& state, std::size_t columns) {
     const Document& document = session.document;
-    const bool isSame =
-        state.scene && *state.scene == document.scene && state.images == document.images;
+    const bool isSame = state.scene && *state.scene == document.scene && state.images == document.images;
     // The numbers of a list are compared with those before only where something changed.
     if (isSame && state.columns == columns && state.rowsShowAll == state.showsAll &&
         state.lastChanged == document.lastChanged)

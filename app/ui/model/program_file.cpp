@@ -35,8 +35,7 @@ Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
         const bool below = !relative.empty() && *relative.begin() != "..";
         return (below ? relative : whole).generic_string();
     };
-    const auto lines =
-        emit::program(session.window.flavour, document.scene, document.images, options, codes);
+    const auto lines = emit::program(session.window.flavour, document.scene, document.images, options, codes);
     if (!lines)
         return fail(lines.error().code, describe(lines.error()));
     const std::string text = textOf(*lines, false);

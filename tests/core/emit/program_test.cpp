@@ -188,7 +188,8 @@ TEST(EmittedCalls, OfPassesAreTheSameInEveryFrame) {
     ASSERT_NE(second, lines.end());
     const std::vector<std::string> first(frame, second);
     const std::vector<std::string> rest(second, lines.end());
-    EXPECT_THAT(first, Contains("glDisable(GL_BLEND);")) << "which the second pass of the frame before has on";
+    EXPECT_THAT(first, Contains("glDisable(GL_BLEND);"))
+        << "which the second pass of the frame before has on";
     EXPECT_THAT(first, Contains("glDisable(GL_TEXTURE_1D);"));
     EXPECT_THAT(first, Contains("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);"));
     EXPECT_THAT(rest, Contains("glEnable(GL_BLEND);"));
@@ -232,8 +233,9 @@ TEST(EmittedTextures, NameTheTargetThatTheyAreShownAs) {
               "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 64, 64, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);");
     EXPECT_EQ(upload(Target::Texture3D),
               "glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 64, 64, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);");
-    EXPECT_EQ(upload(Target::CubeMap), "glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA, 64, 64, 0, "
-                                       "GL_RGBA, GL_UNSIGNED_BYTE, texels + face * 64 * 64 * 4);");
+    EXPECT_EQ(upload(Target::CubeMap),
+              "glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA, 64, 64, 0, "
+              "GL_RGBA, GL_UNSIGNED_BYTE, texels + face * 64 * 64 * 4);");
     EXPECT_THAT(all(scene), Contains("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_REPEAT);"));
     scene.textures[0].border = 1;
     EXPECT_THAT(upload(Target::Texture2D), HasSubstr("66, 66, 1, GL_RGBA")) << "the edge once more";
@@ -252,7 +254,8 @@ TEST(EmittedTextures, AreComputedListedOrPacked) {
     scene.textures[0].pattern = Pattern::Brick;
     EXPECT_THAT(needed(scene), Contains("unpack(texture0Packed, sizeof texture0Packed, texels);"));
     scene.textures[0] = {.pattern = Pattern::ColorLine};
-    EXPECT_THAT(needed(scene), Contains("255, 0, 0, 255, 255, 255, 0, 255, 0, 255, 0, 255, 0, 255, 255, 255,"));
+    EXPECT_THAT(needed(scene),
+                Contains("255, 0, 0, 255, 255, 255, 0, 255, 0, 255, 0, 255, 0, 255, 255, 255,"));
     scene.textures[0] = {.source = SourceKind::File, .file = "none.png"};
     EXPECT_THAT(needed(scene), Contains("/* the file isn't there */"));
 }
@@ -361,9 +364,10 @@ TEST(EmittedUnits, SetEyePlanesWhileTheMatrixIsTheIdentity) {
     EXPECT_THAT(after(), Not(Contains("glPushMatrix();"))) << "it is the identity when the program begins";
     scene.passes.push_back(scene.passes[0]);
     scene.passes[1].units[0].texGenT.eyePlane = {0, 0, 2, 0};
-    EXPECT_THAT(after(), ElementsAre("glEnable(GL_TEXTURE_GEN_T);", "glPushMatrix();", "glLoadIdentity();",
-                                     "const GLfloat pass0Unit0TEyePlane[] = {0.0f, 0.0f, 1.0f, 0.0f};",
-                                     "glTexGenfv(GL_T, GL_EYE_PLANE, pass0Unit0TEyePlane);", "glPopMatrix();"));
+    EXPECT_THAT(after(),
+                ElementsAre("glEnable(GL_TEXTURE_GEN_T);", "glPushMatrix();", "glLoadIdentity();",
+                            "const GLfloat pass0Unit0TEyePlane[] = {0.0f, 0.0f, 1.0f, 0.0f};",
+                            "glTexGenfv(GL_T, GL_EYE_PLANE, pass0Unit0TEyePlane);", "glPopMatrix();"));
     scene.passes.pop_back();
     t.mode = TexGenMode::ObjectLinear;
     t.objectPlane = {0, 0, 2, 0};
@@ -406,11 +410,9 @@ TEST(EmittedModels, AreListsShapesOrArrays) {
     EXPECT_THAT(of({.shape = Shape::Cube}), Contains(HasSubstr("glVertex3f(")).Times(24));
     EXPECT_THAT(
         of({.shape = Shape::Quad}, {.enabled = true}),
-        Contains(
-            "glMultiTexCoord2f(GL_TEXTURE0, 1.0f, 0.0f); glMultiTexCoord2f(GL_TEXTURE1, 1.0f, 0.0f); "
-            "glVertex3f(1.0f, -1.0f, 0.0f);"));
-    EXPECT_THAT(of({.shape = Shape::Teapot}),
-                Contains(StartsWith("glDrawElements(GL_TRIANGLES, ")).Times(1));
+        Contains("glMultiTexCoord2f(GL_TEXTURE0, 1.0f, 0.0f); glMultiTexCoord2f(GL_TEXTURE1, 1.0f, 0.0f); "
+                 "glVertex3f(1.0f, -1.0f, 0.0f);"));
+    EXPECT_THAT(of({.shape = Shape::Teapot}), Contains(StartsWith("glDrawElements(GL_TRIANGLES, ")).Times(1));
     Model lines{.shape = Shape::Mesh, .lineWidth = 3};
     lines.mesh.primitive = Primitive::LineStrip;
     lines.mesh.positions.resize(5);
@@ -457,11 +459,14 @@ TEST(EmittedModels, SetTheirOwnMaterialAndGiveTheScenesBack) {
 
 TEST(EmittedPrograms, SayWhatTheyAreAndHowTheyAreCompiled) {
     emit::TextureCodes codes;
-    const emit::ProgramOptions options{.title = "Wrap */ \"it\"", .about = "Two sentences.", .source = "my wrap.c"};
+    const emit::ProgramOptions options{
+        .title = "Wrap */ \"it\"", .about = "Two sentences.", .source = "my wrap.c"};
     const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {}, options, codes);
     ASSERT_TRUE(lines);
     const std::string text = textOf(*lines, false);
-    EXPECT_THAT(text, StartsWith("/* Wrap * / \"it\"\n * Two sentences.\n * cc my_wrap.c -o my_wrap -lglfw -lGL -lm */\n"));
+    EXPECT_THAT(
+        text,
+        StartsWith("/* Wrap * / \"it\"\n * Two sentences.\n * cc my_wrap.c -o my_wrap -lglfw -lGL -lm */\n"));
     EXPECT_THAT(text, HasSubstr(R"("Wrap */ \"it\"")"));
 }
 
@@ -470,9 +475,8 @@ TEST(EmittedPrograms, HaveAWordOnWhatALessonIsAbout) {
     const emit::ProgramOptions options{.explained = {"textures[0].minFilter"}};
     const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {}, options, codes);
     ASSERT_TRUE(lines);
-    const auto call = std::ranges::find_if(*lines, [](const Line& line) {
-        return mentions(line, "textures[0].minFilter");
-    });
+    const auto call = std::ranges::find_if(
+        *lines, [](const Line& line) { return mentions(line, "textures[0].minFilter"); });
     ASSERT_NE(call, lines->end());
     EXPECT_THAT(textOf(*(call - 1)), StartsWith("    /* How a colour is found where a pixel covers more"));
 }
@@ -483,8 +487,9 @@ TEST(EmittedPrograms, RefuseWhatTheyCantDraw) {
     emit::TextureCodes codes;
     const auto lines = emit::program(emit::Flavour::Fixed, scene, {}, {}, codes);
     ASSERT_FALSE(lines);
-    EXPECT_EQ(describe(lines.error()), "textures[0].internalFormat: a program draws what the light sees into a "
-                                       "texture of depths, not GL_RGBA");
+    EXPECT_EQ(describe(lines.error()),
+              "textures[0].internalFormat: a program draws what the light sees into a "
+              "texture of depths, not GL_RGBA");
     scene.textures[0].internalFormat = InternalFormat::DepthComponent24;
     EXPECT_THAT(needed(scene), Contains("drawShadowMap0();"));
 }

@@ -1,5 +1,4 @@
 #include "core/emit/texel_code.h"
-
 #include "core/image/patterns/pattern.h"
 #include "core/texture/image_source.h"
 
@@ -69,7 +68,8 @@ TEST(TexelCode, IsWhatTakesTheFewestLines) {
     EXPECT_THAT(sourcesOf({.pattern = Pattern::Brick}), ElementsAre(TexelSource::Packed));
     EXPECT_THAT(sourcesOf({.pattern = Pattern::ColorLine}), ElementsAre(TexelSource::Listed));
     EXPECT_THAT(sourcesOf({.pattern = Pattern::MipColors}), ElementsAre(TexelSource::Flat));
-    EXPECT_EQ(sourcesOf({.pattern = Pattern::MipColors, .mipmaps = MipPolicy::Colored}).back(), TexelSource::Listed)
+    EXPECT_EQ(sourcesOf({.pattern = Pattern::MipColors, .mipmaps = MipPolicy::Colored}).back(),
+              TexelSource::Listed)
         << "a texel alone";
     const std::vector<TexelSource> chain =
         sourcesOf({.pattern = Pattern::Checker, .mipmaps = MipPolicy::Generated});
@@ -93,7 +93,9 @@ TEST(TexelCode, HalvesOnlyWhatIsTheAverage) {
 TEST(FileReaders, ReadWhatTakesFewLines) {
     using emit::FileReader;
     Bytes bmp(54, std::byte{0});
-    const auto put = [](Bytes& bytes, std::size_t at, int value) { bytes.at(at) = static_cast<std::byte>(value); };
+    const auto put = [](Bytes& bytes, std::size_t at, int value) {
+        bytes.at(at) = static_cast<std::byte>(value);
+    };
     put(bmp, 0, 'B');
     put(bmp, 1, 'M');
     put(bmp, 14, 40);
