@@ -66,6 +66,7 @@ Result<void> writeScenes(const SceneFiles& files) {
         if (random.temper > wildest)
             continue;
         if (files.tame) {
+            random.scene.timeline = {}; // which programs refuse
             for (Texture& texture : random.scene.textures)
                 texture.maxAnisotropy = 1;
         }

@@ -248,7 +248,8 @@ TEST_P(AsPrograms, DrawThem) {
             worst = std::max(worst, difference);
         }
         EXPECT_GT(covered, extent);
-        EXPECT_LE(worst, 1) << others << " components differ";
+        // The shaders' matrices are not multiplied by OpenGL, and have other last bits.
+        EXPECT_LE(worst, testedRenderer() == RendererKind::Fixed ? 1 : 2) << others << " components differ";
     }
 }
 

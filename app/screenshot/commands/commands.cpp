@@ -25,7 +25,7 @@ std::string callsJson(const std::string& text) {
 }
 
 ExitCode commands(const CallsOptions& options) {
-    const auto lines = programOf(options.scene, emit::Flavour::Fixed, {});
+    const auto lines = programOf(options.scene, emit::Flavour::Fixed, {.title = ""});
     if (!lines)
         return complain(lines.error().error, lines.error().code);
     const std::string text = textOf(*lines, options.all);

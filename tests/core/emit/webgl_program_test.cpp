@@ -1,3 +1,5 @@
+// The pages of core/emit/webgl_page.cpp and what it is put together from.
+
 #include "core/emit/program.h"
 #include "tests/random/random_scene.h"
 

@@ -83,7 +83,7 @@ class Shot(Texshot):
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
-            ("one of lesson, vertices, levels, commands, glsl, explain, file, memory, a-b, history, figures, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("one of lesson, vertices, levels, commands, glsl, explain, file, memory, a-b, history, figures, timeline, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
             ("one of environments, sheet, block, flip, objects, emboss, edge, found \"bytes\"", ["--ui", "--figure", "bytes"]),
             ("--ui", ["--figure", "edge"]),
