@@ -35,6 +35,15 @@ void writeUnitOff(Emission& emission, std::size_t unit) {
         emission.writer.add(fmt::format("glDisable({});", rowOf(target).name));
 }
 
+/// Whether what is drawn into it turns with the time.
+bool movesDepths(const Scene& scene) {
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        if (isDrawn(scene, m) && scene.models[m].spin != glm::vec3(0))
+            return true;
+    }
+    return false;
+}
+
 /// The objects that show it.
 std::vector<std::size_t> shadowMapsOf(const Emission& emission) {
     std::vector<std::size_t> maps;
@@ -83,8 +92,8 @@ void writeShadowMaps(Emission& emission) {
                   fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
                               keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
-        writer.open(emission.moves ? fmt::format("static void drawShadowMap{}(double seconds)", map)
-                                   : fmt::format("static void drawShadowMap{}(void)", map));
+        writer.open(movesDepths(scene) ? fmt::format("static void drawShadowMap{}(double seconds)", map)
+                                       : fmt::format("static void drawShadowMap{}(void)", map));
         writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
         writer.add("glPushAttrib(GL_ALL_ATTRIB_BITS);");
         writer.add("glDisable(GL_ALPHA_TEST);");
@@ -119,7 +128,8 @@ void writeShadowMaps(Emission& emission) {
 
 void writeShadowMapCalls(Emission& emission) {
     for (const std::size_t map : shadowMapsOf(emission))
-        emission.writer.add(fmt::format("drawShadowMap{}({});", map, emission.moves ? "seconds" : ""));
+        emission.writer.add(
+            fmt::format("drawShadowMap{}({});", map, movesDepths(emission.scene) ? "seconds" : ""));
 }
 
 } // namespace texplorer::emit

@@ -371,8 +371,9 @@ TEST(EmittedUnits, SetEyePlanesWhileTheMatrixIsTheIdentity) {
                             "const GLfloat pass0Unit0TEyePlane[] = {0.0f, 0.0f, 1.0f, 0.0f};",
                             "glTexGenfv(GL_T, GL_EYE_PLANE, pass0Unit0TEyePlane);", "glPopMatrix();"));
     scene.passes.pop_back();
-    t.mode = TexGenMode::ObjectLinear;
-    t.objectPlane = {0, 0, 2, 0};
+    TexGen& linear = scene.passes[0].units[0].texGenT; // the passes have moved
+    linear.mode = TexGenMode::ObjectLinear;
+    linear.objectPlane = {0, 0, 2, 0};
     EXPECT_THAT(needed(scene), IsSupersetOf({"glTexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);",
                                              "glTexGenfv(GL_T, GL_OBJECT_PLANE, unit0TObjectPlane);"}));
     EXPECT_THAT(all(scene), Not(Contains(HasSubstr("EYE_PLANE"))));

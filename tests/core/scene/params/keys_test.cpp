@@ -98,8 +98,8 @@ TEST(Keys, AreRecognisedInALiteral) {
         EXPECT_FALSE(isMadeOfKeys(other, keys)) << other;
 }
 
-/// What writes C, GLSL or JavaScript has the names of their variables, as "position", and words of glTexImage,
-/// as "depth".
+/// What writes C, GLSL or JavaScript has the names of their variables, as "position", and words of
+/// glTexImage, as "depth".
 bool hasWordsOfPrograms(const std::string& file) {
     constexpr std::array<std::string_view, 4> files{"emit_image.cpp", "emit_camera.cpp", "emit_model.cpp",
                                                     "js_functions.cpp"};
