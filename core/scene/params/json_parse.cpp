@@ -45,7 +45,7 @@ ElementNumbers numbersOf(Kind kind) {
 bool isKeyValue(const ParamRow* row) {
     return row && row->member == memberId<&KeyFrame::value>;
 }
-constexpr std::size_t mostNumbers = 16; // of such an array: a matrix
+constexpr std::size_t mostNumbersOfAKey = 16; // of such an array: a matrix
 
 /// An object or array that has begun and not ended.
 struct Frame {
@@ -201,7 +201,7 @@ bool Reader::version(std::optional<std::int64_t> number, const std::string& text
 bool Reader::number(float value, std::optional<std::int64_t> whole, const std::string& text) {
     if (!frames_.empty() && frames_.back().kind == Frame::Kind::Numbers) {
         Frame& frame = frames_.back();
-        const std::size_t limit = isKeyValue(frame.row) ? mostNumbers : numbersOf(frame.row->kind).most;
+        const std::size_t limit = isKeyValue(frame.row) ? mostNumbersOfAKey : numbersOf(frame.row->kind).most;
         if (frame.count == limit)
             return stop(ErrorCode::OutOfRange,
                         fmt::format("expected {}, found more than {}", describeAccepted(*frame.row), limit));
