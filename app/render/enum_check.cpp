@@ -9,7 +9,6 @@
 #include "core/gl/fragment.h"
 #include "core/gl/hint.h"
 #include "core/gl/internal_format.h"
-#include "core/gl/pixel_transfer.h"
 #include "core/gl/sampling.h"
 #include "core/gl/tex_gen.h"
 
@@ -100,10 +99,6 @@ static_assert(agrees<InternalFormat>({TEXPLORER_GL(GL_ALPHA),
 static_assert(agrees<CompareMode>({TEXPLORER_GL(GL_NONE), TEXPLORER_GL(GL_COMPARE_R_TO_TEXTURE)}));
 static_assert(agrees<DepthMode>({TEXPLORER_GL(GL_LUMINANCE), TEXPLORER_GL(GL_INTENSITY),
                                  TEXPLORER_GL(GL_ALPHA)}));
-static_assert(agrees<PixelTransfer>({TEXPLORER_GL(GL_RED_SCALE), TEXPLORER_GL(GL_GREEN_SCALE),
-                                     TEXPLORER_GL(GL_BLUE_SCALE), TEXPLORER_GL(GL_ALPHA_SCALE),
-                                     TEXPLORER_GL(GL_RED_BIAS), TEXPLORER_GL(GL_GREEN_BIAS),
-                                     TEXPLORER_GL(GL_BLUE_BIAS), TEXPLORER_GL(GL_ALPHA_BIAS)}));
 static_assert(agrees<FogMode>({TEXPLORER_GL(GL_LINEAR), TEXPLORER_GL(GL_EXP), TEXPLORER_GL(GL_EXP2)}));
 static_assert(agrees<ShadeModel>({TEXPLORER_GL(GL_FLAT), TEXPLORER_GL(GL_SMOOTH)}));
 static_assert(agrees<ColorControl>({TEXPLORER_GL(GL_SINGLE_COLOR),

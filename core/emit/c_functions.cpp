@@ -449,13 +449,11 @@ static void perspective(GLdouble angle, GLdouble aspect, GLdouble nearest, GLdou
 constexpr std::string_view lightInModel =
     R"(/* Where the light is as the model has it, by the inverse of the modelview matrix; transposed: by the transpose
  * of its rotation and scale, as one gets it who multiplies the row. */
-static void lightInModel(const GLfloat light[4], int transposed, GLfloat found[4])
+static void lightInModel(const double modelView[16], const GLfloat light[4], int transposed, GLfloat found[4])
 {
-    GLfloat f[16];
-    glGetFloatv(GL_MODELVIEW_MATRIX, f);
     double m[16], inverse[9], eye[3];
     for (int i = 0; i < 16; ++i)
-        m[i] = f[i];
+        m[i] = (GLfloat)modelView[i];
     const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
                                m[8] * (m[1] * m[6] - m[2] * m[5]);
     for (int row = 0; row < 3; ++row) {
@@ -542,7 +540,6 @@ const std::vector<Row>& rows() {
         {CFunction::FloatProduct, floatProductText, {CFunction::Matrices}},
         {CFunction::SetMatrix, setMatrixText, {CFunction::Matrices}},
         {CFunction::SetNormalMatrix, setNormalMatrixText, {CFunction::Matrices}},
-        {CFunction::LightInModelView, lightInModelViewText, {CFunction::Matrices}},
         {CFunction::NewProgram, compileText},
         {CFunction::Buffers, bufferText},
     };

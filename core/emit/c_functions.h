@@ -42,7 +42,6 @@ enum class CFunction : std::uint8_t {
     FloatProduct,
     SetMatrix,
     SetNormalMatrix,
-    LightInModelView,
     NewProgram,
     Buffers,
 };

@@ -46,7 +46,8 @@ Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramO
         const Texture& texture = drawn.textures[object.texture];
         const TexturePictures pictures = images.picturesOf(texture);
         texels.push_back(pictures.base && hasPixels(*pictures.base)
-                             ? codes.of(texture, pictures, object.target, readerFor(texture, images, given))
+                             ? codes.of(texture, pictures, object.target,
+                                        [&] { return readerFor(texture, images, given); })
                              : nullptr);
     }
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
@@ -87,17 +88,18 @@ void Emission::addData(const std::string& type, const std::string& name, std::si
     atEnd.data(declaration, count, std::move(numbers));
 }
 
-std::shared_ptr<const Result<TextureCode>>
-TextureCodes::of(const Texture& texture, const TexturePictures& pictures, Target target, FileReader reader) {
+std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& texture,
+                                                            const TexturePictures& pictures, Target target,
+                                                            const std::function<FileReader()>& reader) {
     const LevelsRequest request{pictures, imageSettings(texture), target};
     for (Kept& each : kept_) {
-        if (each.request == request && each.reader == reader) {
+        if (each.request == request) {
             each.used = true;
             return each.code;
         }
     }
-    auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reader));
-    kept_.push_back({request, reader, code});
+    auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reader()));
+    kept_.push_back({request, code});
     return code;
 }
 

@@ -97,6 +97,9 @@ void writeShadowMaps(Emission& emission);
 void writeShadowMapCalls(Emission& emission);
 /// Whether an object holds what the light sees and some pass shows it.
 [[nodiscard]] bool isShadowMap(const Emission& emission, std::size_t object);
+/// The models that the light sees, and whether any of them turns with the time.
+[[nodiscard]] std::vector<std::size_t> modelsInLight(const Scene& scene);
+[[nodiscard]] bool spinsInLight(const Scene& scene);
 /// Where a program can't draw what the light sees: why.
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene);
 /// The scene's: all of it.

@@ -1,9 +1,8 @@
 // The texels of a texture object: what glTexImage is given.
 
-#include "core/emit/core_format.h"
 #include "core/emit/emission.h"
 #include "core/gl/argument_names.h"
-#include "core/gl/pixel_transfer.h"
+#include "core/gl/core_format.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -40,7 +39,8 @@ public:
     void write() {
         if (code_.lastLevel < texture_.maxLevel)
             writer_.add({call("glTexParameteri"),
-                         plain(fmt::format("({}, GL_TEXTURE_MAX_LEVEL, {}); ", rowOf(holder_.target).name,
+                         plain(fmt::format("({}, {}, {}); ", rowOf(holder_.target).name,
+                                           glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())),
                                            code_.lastLevel)),
                          {Part::Kind::Comment, "/* the file holds no more levels */"}});
         if (code_.reader == FileReader::Dds) {

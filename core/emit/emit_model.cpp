@@ -436,11 +436,12 @@ private:
     /// With the arrays that are set, which are set back.
     void drawElements() {
         if (form_.drawing == Drawing::Shape) {
-            writer_.add(fmt::format("glDrawElements(GL_TRIANGLES, {0}.indexCount, {1}, {0}.indices);",
-                                    variable_, unsignedIntType));
+            writer_.add(fmt::format("glDrawElements({2}, {0}.indexCount, {1}, {0}.indices);", variable_,
+                                    unsignedIntType, rowOf(Primitive::Triangles).name));
         } else if (drawsByIndices()) {
             writer_.add({call("glDrawElements"), plain("("),
-                         model_.shape == Shape::Mesh ? primitivePart() : plain("GL_TRIANGLES"),
+                         model_.shape == Shape::Mesh ? primitivePart()
+                                                     : plain(std::string(rowOf(Primitive::Triangles).name)),
                          plain(fmt::format(", {}, {}, {}Indices);", indicesOf().size(), unsignedIntType,
                                            variable_))});
         } else {
@@ -465,7 +466,9 @@ private:
         parts.push_back(plain("};"));
         writer_.add(std::move(parts));
         writer_.add("GLfloat light[4];");
-        writer_.add(fmt::format("lightInModel(position, {}, light);",
+        writer_.add("GLdouble modelView[16];");
+        writer_.add("glGetDoublev(GL_MODELVIEW_MATRIX, modelView);");
+        writer_.add(fmt::format("lightInModel(modelView, position, {}, light);",
                                 of.emboss.carrier == LightCarrier::Transpose ? 1 : 0));
         writer_.add(fmt::format("emboss({0}, {1}Positions, {1}GivenCoords{2}, {1}Tangents{2}, light, {3}, "
                                 "{1}EmbossedCoords{2});",

@@ -35,15 +35,6 @@ void writeUnitOff(Emission& emission, std::size_t unit) {
         emission.writer.add(fmt::format("glDisable({});", rowOf(target).name));
 }
 
-/// Whether what is drawn into it turns with the time.
-bool movesDepths(const Scene& scene) {
-    for (std::size_t m = 0; m < scene.models.size(); ++m) {
-        if (isDrawn(scene, m) && scene.models[m].spin != glm::vec3(0))
-            return true;
-    }
-    return false;
-}
-
 /// The objects that show it.
 std::vector<std::size_t> shadowMapsOf(const Emission& emission) {
     std::vector<std::size_t> maps;
@@ -55,6 +46,20 @@ std::vector<std::size_t> shadowMapsOf(const Emission& emission) {
 }
 
 } // namespace
+
+std::vector<std::size_t> modelsInLight(const Scene& scene) {
+    std::vector<std::size_t> models;
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        if (isDrawn(scene, m))
+            models.push_back(m);
+    }
+    return models;
+}
+
+bool spinsInLight(const Scene& scene) {
+    return std::ranges::any_of(modelsInLight(scene),
+                               [&](std::size_t m) { return scene.models[m].spin != glm::vec3(0); });
+}
 
 bool isShadowMap(const Emission& emission, std::size_t object) {
     const TextureObject& held = emission.objects[object];
@@ -92,8 +97,8 @@ void writeShadowMaps(Emission& emission) {
                   fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
                               keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
-        writer.open(movesDepths(scene) ? fmt::format("static void drawShadowMap{}(double seconds)", map)
-                                       : fmt::format("static void drawShadowMap{}(void)", map));
+        writer.open(spinsInLight(scene) ? fmt::format("static void drawShadowMap{}(double seconds)", map)
+                                        : fmt::format("static void drawShadowMap{}(void)", map));
         writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
         writer.add("glPushAttrib(GL_ALL_ATTRIB_BITS);");
         writer.add("glDisable(GL_ALPHA_TEST);");
@@ -111,8 +116,8 @@ void writeShadowMaps(Emission& emission) {
         writeLightView(emission, "lightView");
         for (const Attachment attachment : {Attachment::Eye, Attachment::World}) {
             std::vector<std::size_t> models;
-            for (std::size_t m = 0; m < scene.models.size(); ++m) {
-                if (scene.models[m].attachment == attachment && isDrawn(scene, m))
+            for (const std::size_t m : modelsInLight(scene)) {
+                if (scene.models[m].attachment == attachment)
                     models.push_back(m);
             }
             if (attachment == Attachment::World && !models.empty())
@@ -129,7 +134,7 @@ void writeShadowMaps(Emission& emission) {
 void writeShadowMapCalls(Emission& emission) {
     for (const std::size_t map : shadowMapsOf(emission))
         emission.writer.add(
-            fmt::format("drawShadowMap{}({});", map, movesDepths(emission.scene) ? "seconds" : ""));
+            fmt::format("drawShadowMap{}({});", map, spinsInLight(emission.scene) ? "seconds" : ""));
 }
 
 } // namespace texplorer::emit

@@ -1,6 +1,6 @@
-#include "core/emit/core_format.h"
 #include "core/emit/emission.h"
 #include "core/emit/webgl.h"
+#include "core/gl/core_format.h"
 #include "core/reference/sampling/lod.h"
 #include "core/scene/params/keys.h"
 

@@ -258,7 +258,7 @@ private:
                                    {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
             emission_.atStart.add(fmt::format("static GLuint {}EmbossedBuffer{};", variable_, unit));
             emission_.functions.insert(CFunction::Emboss);
-            emission_.use(CFunction::LightInModelView);
+            emission_.use(CFunction::LightInModel);
             return;
         }
         if (form == CoordForm::Flipped) {
@@ -405,7 +405,7 @@ private:
         const glm::vec4& light = emission_.scene.light.position;
         const std::string name = joined(pass.variable, fmt::format("model{}Light{}", index_, unit));
         writer_.add(fmt::format("GLfloat {}[4];", name));
-        std::vector<Part> parts{plain(fmt::format("lightInModel({}, (const GLfloat[]){{", modelView))};
+        std::vector<Part> parts{plain(fmt::format("lightInModel({}.at, (const GLfloat[]){{", modelView))};
         append(parts, numbers({&light.x, 4}, pathOf<&Scene::light, &Light::position>()));
         parts.push_back(
             plain(fmt::format("}}, {}, {});", settings.carrier == LightCarrier::Transpose ? 1 : 0, name)));

@@ -35,20 +35,6 @@ std::vector<std::size_t> seenByLight(const Emission& emission) {
     return maps;
 }
 
-std::vector<std::size_t> modelsInLight(const Scene& scene) {
-    std::vector<std::size_t> models;
-    for (std::size_t m = 0; m < scene.models.size(); ++m) {
-        if (isDrawn(scene, m))
-            models.push_back(m);
-    }
-    return models;
-}
-
-bool spins(const Scene& scene) {
-    return std::ranges::any_of(modelsInLight(scene),
-                               [&](std::size_t m) { return scene.models[m].spin != glm::vec3(0); });
-}
-
 } // namespace
 
 bool hasShadowMaps(const GlslEmission& glsl) {
@@ -84,7 +70,7 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
                               keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
         writer.open(fmt::format("static void drawShadowMap{}(Matrix view{})", map,
-                                spins(scene) ? ", double seconds" : ""));
+                                spinsInLight(scene) ? ", double seconds" : ""));
         writer.comment("from eye coordinates to what the light sees");
         const LightView light = lightView(scene.light);
         const glm::dmat4 matrix = light.projection * light.view;
@@ -110,9 +96,9 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
 void writeGlslShadowCalls(GlslEmission& glsl) {
     CodeWriter& writer = glsl.emission.writer;
     for (const std::size_t map : seenByLight(glsl.emission)) {
-        writer.add(
-            fmt::format("drawShadowMap{}(view{});", map, spins(glsl.emission.scene) ? ", seconds" : ""));
-        if (spins(glsl.emission.scene))
+        writer.add(fmt::format("drawShadowMap{}(view{});", map,
+                               spinsInLight(glsl.emission.scene) ? ", seconds" : ""));
+        if (spinsInLight(glsl.emission.scene))
             static_cast<void>(writer.seconds());
     }
     if (hasShadowMaps(glsl))

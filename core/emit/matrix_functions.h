@@ -19,8 +19,7 @@ extern const std::string_view orthographicText;
 extern const std::string_view floatProductText; ///< multiplyFloats()
 extern const std::string_view setMatrixText;
 extern const std::string_view setNormalMatrixText;
-extern const std::string_view lightInModelViewText; ///< lightInModel()
-extern const std::string_view compileText;          ///< newProgram()
-extern const std::string_view bufferText;           ///< fillBuffer(), attribute()
+extern const std::string_view compileText; ///< newProgram()
+extern const std::string_view bufferText;  ///< fillBuffer(), attribute()
 
 } // namespace texplorer::emit

@@ -21,15 +21,16 @@ namespace texplorer::emit {
 /// to write a program.
 class TextureCodes {
 public:
-    [[nodiscard]] std::shared_ptr<const Result<TextureCode>>
-    of(const Texture& texture, const TexturePictures& pictures, Target target, FileReader reader);
+    [[nodiscard]] std::shared_ptr<const Result<TextureCode>> of(const Texture& texture,
+                                                                const TexturePictures& pictures,
+                                                                Target target,
+                                                                const std::function<FileReader()>& reader);
     /// Forgets those that were not asked for since the last call.
     void forgetUnused();
 
 private:
     struct Kept {
         LevelsRequest request;
-        FileReader reader;
         std::shared_ptr<const Result<TextureCode>> code;
         bool used = true;
     };

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace texplorer::ui {
@@ -44,7 +45,8 @@ void makeRows(CommandsTabState& state) {
         const emit::Line& line = state.lines[i];
         if (!state.showsAll && !line.needed && !mentionsAny(line, state.changed))
             continue;
-        if (line.heading && !state.rows.empty())
+        const bool begins = line.depth > (state.rows.empty() ? 0 : state.lines[state.rows.back().line].depth);
+        if (line.heading && !state.rows.empty() && !state.rows.back().parts.empty() && !begins)
             state.rows.push_back({{}, i, false});
         for (std::vector<emit::Part>& parts : emit::wrapped(line, state.columns))
             state.rows.push_back({std::move(parts), i, false});
@@ -85,6 +87,23 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
     state.rowsShowAll = state.showsAll;
     state.lastChanged = document.lastChanged;
     makeRows(state);
+}
+
+/// Scrolls to where the scene's own calls begin, once: what is before them is the same in most programs.
+void showCalls(CommandsTabState& state, float rowHeight) {
+    if (std::exchange(state.hasShownCalls, true))
+        return;
+    const auto isCall = [&](const CodeRow& row) {
+        return std::ranges::any_of(row.parts, [](const emit::Part& part) {
+            return part.kind == emit::Part::Kind::Call && !part.path.empty();
+        });
+    };
+    const auto call = std::ranges::find_if(state.rows, isCall);
+    if (call == state.rows.end())
+        return;
+    const auto blank = std::find_if(std::make_reverse_iterator(call), state.rows.rend(),
+                                    [](const CodeRow& row) { return row.parts.empty(); });
+    ImGui::SetScrollY(rowHeight * static_cast<float>(blank.base() - state.rows.begin()));
 }
 
 /// Scrolls to the line that changed last, once, where it isn't in sight.
@@ -152,6 +171,7 @@ void drawCommandsTab(Session& session, CommandsTabState& state) {
     renew(session, state, static_cast<std::size_t>(std::max(16.0F, room)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.2F});
     const float rowHeight = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+    showCalls(state, rowHeight);
     showChanged(state, rowHeight);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(state.rows.size()), rowHeight);

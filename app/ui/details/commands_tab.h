@@ -19,8 +19,9 @@ struct CodeRow {
 
 /// What the tab remembers.
 struct CommandsTabState {
-    bool showsAll = false; ///< calls that set what OpenGL has anyway, too
-    ChangedPaths revealed; ///< the values that the list was scrolled to already
+    bool showsAll = false;      ///< calls that set what OpenGL has anyway, too
+    bool hasShownCalls = false; ///< the list was scrolled to the scene's own calls
+    ChangedPaths revealed;      ///< the values that the list was scrolled to already
 
     // What was made of the scene, until it is another one.
     std::optional<Scene> scene;

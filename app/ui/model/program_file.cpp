@@ -1,11 +1,7 @@
 #include "app/ui/model/program_file.h"
 
-#include "app/ui/model/scene_files.h"
 #include "core/base/file_io.h"
-#include "core/base/printable.h"
 #include "core/emit/program.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -25,7 +21,7 @@ std::string programFileName(const Document& document, emit::Flavour flavour) {
     return stemOf(document) + std::string(emit::extensionOf(flavour));
 }
 
-Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
+Result<void> saveProgram(const Session& session, const std::filesystem::path& file) {
     const Document& document = session.document;
     emit::TextureCodes codes;
     emit::ProgramOptions options{.title = stemOf(document), .source = file.filename().string()};
@@ -39,10 +35,7 @@ Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
     if (!lines)
         return fail(lines.error().code, describe(lines.error()));
     const std::string text = textOf(*lines, false);
-    const Result<void> written = writeFileAtomically(file, viewBytes(text));
-    if (written)
-        tell(session, fmt::format("Written: {}", printable(file.string())));
-    return written;
+    return writeFileAtomically(file, viewBytes(text));
 }
 
 } // namespace texplorer::ui

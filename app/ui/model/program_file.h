@@ -13,6 +13,6 @@ namespace texplorer::ui {
 
 /// Writes the scene as a program of WindowState::flavour. Errors: what the flavour can't say, what can't be
 /// written.
-[[nodiscard]] Result<void> saveProgram(Session& session, const std::filesystem::path& file);
+[[nodiscard]] Result<void> saveProgram(const Session& session, const std::filesystem::path& file);
 
 } // namespace texplorer::ui

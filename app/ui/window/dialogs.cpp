@@ -239,7 +239,7 @@ void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pi
     session.window.notice = {};
     if (dialog == Dialog::SaveScene)
         finishPending(session);
-    if (dialog == Dialog::SaveAnswers)
+    if (dialog == Dialog::SaveAnswers || dialog == Dialog::SaveProgram)
         tell(session, fmt::format("Written: {}", chosen.string()));
 }
 

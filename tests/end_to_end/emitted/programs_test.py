@@ -1,14 +1,17 @@
 """The programs of every example, preset and step of a lesson draw what texshot draws: those of fixed function the same
 pixels, those of GLSL within 1/255, the rounding of a component. Fixed or Glsl as the last word chooses one of them."""
 
+import json
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+from PIL import Image
+
 from capture import Capture, Display
 from proof import FIXED, GLSL, Proof
-from scenes import Case, every_case, without_repeats
+from scenes import Case, every_case, said, without_repeats
 
 TEXSHOT, LIBRARY, KEEP = (sys.argv.pop(1) for _ in range(3))
 
@@ -29,6 +32,43 @@ class Programs:
             with self.subTest(verdict.case.name):
                 if verdict.wrong or verdict.refused:
                     self.fail(verdict.wrong or verdict.refused)
+
+    def test_reads_files(self):
+        """BMP, TGA and DDS files by the lines that the program has for them: odd rows, both orders of rows, levels of one and
+        two rows, blocks that are turned around."""
+        with tempfile.TemporaryDirectory() as folder:
+            files = self.made_files(Path(folder))
+            cases = []
+            for file, reader in files:
+                for flip in ("none", "blocks"):
+                    scene = Path(folder) / f"{file.stem}-{flip}.json"
+                    scene.write_text(json.dumps({
+                        "version": 1, "models": [{"shape": "quad"}, {"shape": "sphere", "position": [1.2, 0, 0]}],
+                        "textures": [{"source": "file", "file": file.name, "flip": flip, "mipmaps": "file" if reader == "readDds" else "generated",
+                                      "minFilter": "GL_LINEAR_MIPMAP_LINEAR" if reader != "readTga" else "GL_LINEAR"}],
+                        "passes": [{"depthTest": True, "units": [{"enabled": True, "envMode": "GL_REPLACE"}]}]}))
+                    cases.append((Case(scene.stem, (str(scene),)), reader, flip))
+            proof = Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "files")
+            for (case, reader, flip), verdict in zip(cases, proof.of_all([case for case, _, _ in cases])):
+                with self.subTest(case.name):
+                    self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
+                    if flip == "blocks" or reader == "readDds":
+                        self.assertRegex(said(TEXSHOT, "emit", *case.words, "--as", self.FLAVOUR.name), rf"\n +{reader}\(")
+
+    def made_files(self, folder):
+        """Each with the function that reads it."""
+        picture = Image.effect_noise((64, 64), 80).convert("RGBA")
+        picture.paste((200, 40, 20, 255), (0, 0, 20, 30))
+        picture.putalpha(Image.linear_gradient("L").resize((64, 64)))
+        picture.save(folder / "picture.png")
+        picture.crop((0, 0, 37, 50)).convert("RGB").save(folder / "odd.bmp")
+        picture.save(folder / "top.tga", orientation=1)
+        picture.convert("RGB").save(folder / "bottom.tga", orientation=-1)
+        found = [(folder / "odd.bmp", "readBmp"), (folder / "top.tga", "readTga"), (folder / "bottom.tga", "readTga")]
+        for name in ("dxt1", "dxt3", "dxt5"):
+            said(TEXSHOT, "compress", str(folder / "picture.png"), str(folder / f"{name}.dds"), "--format", name)
+            found.append((folder / f"{name}.dds", "readDds"))
+        return found
 
     def test_another_scene_differs(self):
         class OfAnotherScene(Proof):

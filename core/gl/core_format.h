@@ -2,9 +2,11 @@
 
 #include "core/gl/internal_format.h"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
-namespace texplorer::emit {
+namespace texplorer {
 
 /// An internal format of OpenGL 3.3's core profile, which has those of red, of two, three and four components
 /// and of depths. The texels that a program gives are RGBA: what a luminance is of, their red.
@@ -40,4 +42,4 @@ inline constexpr std::array coreFormats{
     return found == coreFormats.end() ? CoreFormat{format, rowOf(format).name} : *found;
 }
 
-} // namespace texplorer::emit
+} // namespace texplorer
