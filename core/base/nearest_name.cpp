@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 
 namespace texplorer {
 namespace {
 
 constexpr std::size_t longestName = 64;
+constexpr std::size_t fewestLetters = 3; ///< of a beginning
 
 char smallLetter(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -34,12 +36,22 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return last.back();
 }
 
+bool beginsWith(std::string_view name, std::string_view text) {
+    return name.size() > text.size() &&
+           std::ranges::equal(text, name.substr(0, text.size()), {}, smallLetter, smallLetter);
+}
+
 } // namespace
 
 std::vector<std::string_view> nearestNames(std::string_view text,
                                            const std::vector<std::string_view>& names) {
     std::vector<std::string_view> nearest;
     if (text.size() > longestName)
+        return nearest;
+    if (text.size() >= fewestLetters)
+        std::ranges::copy_if(names, std::back_inserter(nearest),
+                             [&](std::string_view name) { return beginsWith(name, text); });
+    if (!nearest.empty())
         return nearest;
     std::size_t least = text.size() < 4 ? 1 : text.size() / 3; // the farthest that counts as close
     for (const std::string_view name : names) {

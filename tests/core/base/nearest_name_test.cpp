@@ -36,5 +36,11 @@ TEST(NearestName, ThoseThatAreEquallyCloseAreAllNamed) {
     EXPECT_THAT(nearestNames(std::string(65, 'a'), {"a"}), IsEmpty());
 }
 
+TEST(NearestName, ABeginningOfThreeLettersStandsForWhatBeginsWithIt) {
+    EXPECT_THAT(nearestNames("dist", {"azimuth", "distance", "list"}), ElementsAre("distance"));
+    EXPECT_THAT(nearestNames("WRAP", {"wrapS", "magFilter", "wrapT", "rap"}), ElementsAre("wrapS", "wrapT"));
+    EXPECT_THAT(nearestNames("di", {"distance"}), IsEmpty());
+}
+
 } // namespace
 } // namespace texplorer::nearest_name_test
