@@ -1,17 +1,21 @@
 #pragma once
 
-// Functions of C that a program has where it calls them, the same for all scenes.
+// Functions of C that a program has where it calls them, the same for all scenes: the files of pieces/.
 
 #include "core/emit/code.h"
 
 #include <cstdint>
 #include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::emit {
 
 /// In the order in which they stand: each calls only those before it.
 enum class CFunction : std::uint8_t {
+    MeshTypes, ///< no function: what a mesh is made of
+    Pi,
     Checkerboard,
     Gradient,
     Fill,
@@ -20,8 +24,7 @@ enum class CFunction : std::uint8_t {
     ReadBmp,
     ReadTga,
     ReadDds,
-    MeshTypes, ///< no function: what a mesh is made of
-    Turned,    ///< a surface that is turned about an axis, and its quadrilaterals
+    Grid, ///< of vertices, and its quadrilaterals: what is turned about an axis
     Ring,
     Sphere,
     Cylinder,
@@ -30,13 +33,13 @@ enum class CFunction : std::uint8_t {
     Perspective,
     LightInModel,
     Emboss,
-    Matrices, ///< of programs whose OpenGL has none: see matrix_functions.h
+    Matrices, ///< the type, and multiply(): of programs whose OpenGL has none
     Degree,
     Identity,
     Translation,
     Rotation,
     Scaling,
-    About,
+    About, ///< what turns or scales moved to a pivot
     Frustum,
     Orthographic,
     FloatProduct,
@@ -46,9 +49,16 @@ enum class CFunction : std::uint8_t {
     Buffers,
 };
 
-/// A function, with those that it calls.
+/// A function, with those that it calls: a piece begins with #include of each file that it needs.
 void addWithCallees(std::set<CFunction>& functions, CFunction function);
 
+/// Without what they include.
 [[nodiscard]] std::vector<Line> linesOf(const std::set<CFunction>& functions);
+
+/// Those of C's library that they include, as "math.h".
+[[nodiscard]] std::set<std::string_view> headersOf(const std::set<CFunction>& functions);
+
+/// The lines by which every program has GLFW and OpenGL.
+[[nodiscard]] std::string_view openGlHeaders();
 
 } // namespace texplorer::emit

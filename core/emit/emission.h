@@ -52,7 +52,6 @@ struct Emission {
     std::vector<std::shared_ptr<const Result<TextureCode>>> texels; ///< of each object
     std::vector<ModelForm> models;                                  ///< how each is drawn
     bool needsNormals;                                              ///< some pass is lit or reflects
-    bool needsPi = false;
     bool isCore = false;             ///< OpenGL 3.3 without what it took from OpenGL 2.1
     bool isWeb = false;              ///< and WebGL 2
     std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them

@@ -40,7 +40,6 @@ void writeProjection(Emission& emission) {
     CodeWriter& writer = emission.writer;
     const View& view = emission.scene.view;
     const Holder holder = viewHolder(emission.scene);
-    emission.needsPi = true;
     writer.heading("background");
     writer.add("glViewport(0, 0, width, height);");
     writer.row(holder, memberId<&View::background>);
@@ -53,6 +52,7 @@ void writeProjection(Emission& emission) {
     writer.add("glLoadIdentity();");
     const Part angle = number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
     if (view.projection == Projection::Orthographic) {
+        emission.use(CFunction::Pi);
         writer.add({plain("const GLdouble half = distance * tan("), angle, plain(" * pi / 180 / 2);")});
         writer.add("glOrtho(-half * aspect, half * aspect, -half, half, -farthest, farthest);");
     } else {

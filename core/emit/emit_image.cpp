@@ -49,23 +49,17 @@ public:
                                 plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
                                 comment("every mip level")});
         }
-        for (std::size_t i = 0; i < code_.levels.size();) {
-            std::size_t end = i + 1;
-            while (end < code_.levels.size() && code_.levels[end].source == TexelSource::Halved)
-                ++end;
-            writeGroup(i, end);
-            i = end;
-        }
+        for (const LevelGroup& group : groupsOf(code_))
+            writeGroup(group);
     }
 
 private:
     [[nodiscard]] bool isCube() const { return code_.faces > 1; }
 
-    /// Texels of a level, and those that are made of it by averages.
-    void writeGroup(std::size_t first, std::size_t end) {
-        const LevelCode& level = code_.levels[first];
-        std::string texels = makeTexels(level);
-        if (end == first + 1) {
+    void writeGroup(const LevelGroup& group) {
+        const LevelCode& level = group.first();
+        std::string texels = makeTexels(level, !group.isOne());
+        if (group.isOne()) {
             const std::string number = std::to_string(level.number);
             return upload(
                 number,
@@ -73,29 +67,30 @@ private:
                 level, faceOf(texels, level));
         }
         emission_.use(CFunction::Halve);
-        const int last = code_.levels[end - 1].number;
-        const int left = missingIn(first, end);
         if (isCube()) {
             writer_.add("for (GLenum face = 0; face < 6; ++face) {");
             writer_.indent();
             writer_.add(fmt::format("GLubyte *image = {};", faceOf(texels, level)));
             texels = "image";
         }
-        const bool isApart = !isCube() && first > 0; // its variables have the names of others before them
+        const bool isApart =
+            !isCube() &&
+            &level != &code_.levels.front(); // its variables have the names of others before them
         if (isApart) {
             writer_.add("{");
             writer_.indent();
         }
         writer_.add(fmt::format("GLsizei width = {}, height = {};", level.width, level.height));
-        writer_.add(fmt::format("for (GLint level = {}; level <= {}; ++level) {{", level.number, last));
+        writer_.add(
+            fmt::format("for (GLint level = {}; level <= {}; ++level) {{", level.number, group.last()));
         writer_.indent();
-        if (left >= 0) {
-            writer_.add({plain(fmt::format("if (level != {}) ", left)),
+        if (group.missing >= 0) {
+            writer_.add({plain(fmt::format("if (level != {}) ", group.missing)),
                          {Part::Kind::Comment, "/* this one is missing */"}});
             writer_.indent();
         }
         writer_.add(imageCall("level", {"width", "height", "1"}, texels));
-        if (left >= 0)
+        if (group.missing >= 0)
             writer_.outdent();
         writer_.add({plain(fmt::format("halve({}, &width, &height); ", texels)),
                      {Part::Kind::Comment, "/* the next mip level */"}});
@@ -107,14 +102,6 @@ private:
         }
     }
 
-    [[nodiscard]] int missingIn(std::size_t first, std::size_t end) const {
-        for (std::size_t i = first + 1; i < end; ++i) {
-            if (code_.levels[i].number != code_.levels[i - 1].number + 1)
-                return code_.levels[i].number - 1;
-        }
-        return -1;
-    }
-
     /// Where the texels of a face begin.
     [[nodiscard]] std::string faceOf(const std::string& texels, const LevelCode& level) const {
         if (!isCube())
@@ -124,8 +111,8 @@ private:
                            size > 0 ? std::to_string(size) : product({level.width, level.height, 4}));
     }
 
-    /// Makes them, and says what they are called.
-    std::string makeTexels(const LevelCode& level) {
+    /// Makes them, and says what they are called; `changes`: they are overwritten by those of other levels.
+    std::string makeTexels(const LevelCode& level, bool changes) {
         const std::string own = level.number == code_.levels.front().number
                                     ? holder_.variable
                                     : fmt::format("{}Level{}", holder_.variable, level.number);
@@ -148,9 +135,8 @@ private:
             std::vector<std::uint8_t> bytes(level.bytes.size());
             std::ranges::transform(level.bytes, bytes.begin(),
                                    [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
-            writer_.add(
-                {plain(fmt::format("{}GLubyte {}[] = {{ ", isHalvedNext(level) ? "" : "const ", variable)),
-                 comment(), plain("")});
+            writer_.add({plain(fmt::format("{}GLubyte {}[] = {{ ", changes ? "" : "const ", variable)),
+                         comment(), plain("")});
             writer_.indent();
             const std::size_t row = std::size_t{4} * static_cast<std::size_t>(std::clamp(level.width, 1, 4));
             for (std::size_t at = 0; at < bytes.size(); at += row)
@@ -189,11 +175,6 @@ private:
             break;
         }
         return variable;
-    }
-
-    [[nodiscard]] bool isHalvedNext(const LevelCode& level) const {
-        const auto found = std::ranges::find(code_.levels, level.number, &LevelCode::number);
-        return found + 1 != code_.levels.end() && (found + 1)->source == TexelSource::Halved;
     }
 
     [[nodiscard]] Part

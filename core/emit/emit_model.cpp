@@ -250,6 +250,7 @@ private:
         emission_.atStart.add({plain(fmt::format("static GLfloat {}EmbossedCoords{}[{}]; ", variable_, unit,
                                                  4 * mesh_.vertices.size())),
                                {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
+        emission_.use(CFunction::LightInModel);
         emission_.use(CFunction::Emboss);
     }
 

@@ -257,8 +257,8 @@ private:
                                                      4 * mesh_.vertices.size())),
                                    {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
             emission_.atStart.add(fmt::format("static GLuint {}EmbossedBuffer{};", variable_, unit));
-            emission_.functions.insert(CFunction::Emboss);
             emission_.use(CFunction::LightInModel);
+            emission_.use(CFunction::Emboss);
             return;
         }
         if (form == CoordForm::Flipped) {

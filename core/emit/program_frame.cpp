@@ -118,31 +118,18 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     if (!options.about.empty())
         about.insert(about.begin() + 1, options.about);
     addComment(lines, about);
-    std::string more;
-    for (const std::string& header : program.headers)
-        more += fmt::format("#include <{}>\n", header);
-    const std::string headers =
-        "#define GL_GLEXT_PROTOTYPES /* functions of OpenGL after 1.1, as glActiveTexture */\n"
-        "#define GLFW_INCLUDE_GLEXT\n"
-        "#include <GLFW/glfw3.h>\n"
-        "#include <math.h>\n" +
-        more +
-        "#include <stdio.h>\n"
-        "#include <stdlib.h>\n" +
-        std::string(emission.functions.contains(CFunction::Unpack) ||
-                            emission.functions.contains(CFunction::ReadDds)
-                        ? "#include <string.h>\n"
-                        : "") +
-        "\n";
-    append(lines, linesOf(headers));
+    append(lines, linesOf(openGlHeaders()));
+    std::set<std::string_view> headers = headersOf(emission.functions);
+    headers.insert({"math.h", "stdio.h", "stdlib.h"}); // of the frame itself
+    headers.insert(program.headers.begin(), program.headers.end());
+    for (const std::string_view header : headers)
+        append(lines, linesOf(fmt::format("#include <{}>\n", header)));
+    append(lines, linesOf("\n"));
     if (emission.functions.erase(CFunction::MeshTypes) > 0) {
         append(lines, linesOf({CFunction::MeshTypes}));
         append(lines, linesOf("\n"));
     }
     append(lines, std::move(emission.atStart).take());
-    if (emission.needsPi || emission.functions.contains(CFunction::Turned) ||
-        emission.functions.contains(CFunction::Perspective))
-        append(lines, linesOf("static const double pi = 3.14159265358979323846;\n"));
     append(lines, linesOf(emission.functions));
     append(lines, std::move(emission.writer).take());
     append(lines, linesOf(mouse));

@@ -243,6 +243,22 @@ Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& p
     });
 }
 
+std::vector<LevelGroup> groupsOf(const TextureCode& code) {
+    std::vector<LevelGroup> groups;
+    const std::span<const LevelCode> levels = code.levels;
+    for (std::size_t first = 0; first < levels.size();) {
+        std::size_t end = first + 1;
+        int missing = -1;
+        for (; end < levels.size() && levels[end].source == TexelSource::Halved; ++end) {
+            if (levels[end].number != levels[end - 1].number + 1)
+                missing = levels[end].number - 1;
+        }
+        groups.push_back({levels.subspan(first, end - first), missing});
+        first = end;
+    }
+    return groups;
+}
+
 FileReader readerOf(ByteView start) {
     const auto at = [&](std::size_t place) {
         return place < start.size() ? std::to_integer<unsigned>(start[place]) : 0U;

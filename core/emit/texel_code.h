@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace texplorer::emit {
@@ -60,6 +61,19 @@ struct TextureCode {
     bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
     reference::SampledTexture shape{};    ///< the extents of its levels
 };
+
+/// Levels that are uploaded by one loop: the first, and those that are made of it by averages.
+struct LevelGroup {
+    std::span<const LevelCode> levels;
+    int missing = -1; ///< the number of one between them that there isn't; -1: none
+
+    [[nodiscard]] const LevelCode& first() const { return levels.front(); }
+    [[nodiscard]] int last() const { return levels.back().number; }
+    [[nodiscard]] bool isOne() const { return levels.size() == 1; }
+};
+
+/// All levels of `code`, which they point into.
+[[nodiscard]] std::vector<LevelGroup> groupsOf(const TextureCode& code);
 
 /// Most texels that are listed.
 inline constexpr int mostListed = 64;

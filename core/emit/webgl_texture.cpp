@@ -67,20 +67,14 @@ public:
         , isDepth_(isDepth(code.shape.internalFormat)) {}
 
     void write() {
-        for (std::size_t i = 0; i < code_.levels.size();) {
-            std::size_t end = i + 1;
-            while (end < code_.levels.size() && code_.levels[end].source == TexelSource::Halved)
-                ++end;
-            writeGroup(i, end);
-            i = end;
-        }
+        for (const LevelGroup& group : groupsOf(code_))
+            writeGroup(group);
     }
 
 private:
-    void writeGroup(std::size_t first, std::size_t end) {
-        const LevelCode& level = code_.levels[first];
-        const bool isOne = end == first + 1;
-        const std::string name = first == 0 ? std::string("texels") : fmt::format("texels{}", level.number);
+    void writeGroup(const LevelGroup& group) {
+        const LevelCode& level = group.first();
+        const std::string name = "texels" + suffix(level);
         writer_.add(fmt::format("const {} = {}; // {}", name, made(level),
                                 isDepth_ ? "depths, the bottom row first"
                                          : "red, green, blue, alpha: the bottom row first"));
@@ -91,44 +85,39 @@ private:
             writer_.indent();
             texels = fmt::format("{}.subarray(face * {}, (face + 1) * {})", name, size, size);
         }
-        if (isOne)
+        if (group.isOne())
             upload(std::to_string(level.number), std::to_string(level.width), std::to_string(level.height),
                    level.depth, texels);
         else
-            writeHalved(first, end, texels);
+            writeHalved(group, texels);
         if (code_.faces > 1) {
             writer_.outdent();
             writer_.add("}");
         }
     }
 
-    void writeHalved(std::size_t first, std::size_t end, const std::string& texels) {
-        const LevelCode& level = code_.levels[first];
-        int left = -1;
-        for (std::size_t i = first + 1; i < end; ++i) {
-            if (code_.levels[i].number != code_.levels[i - 1].number + 1)
-                left = code_.levels[i].number - 1;
-        }
-        writer_.add(fmt::format("let image{} = {{width: {}, height: {}, texels: {}}};", suffix(first),
-                                level.width, level.height, texels));
-        writer_.add(fmt::format("for (let level = {}; level <= {}; ++level) {{", level.number,
-                                code_.levels[end - 1].number));
+    void writeHalved(const LevelGroup& group, const std::string& texels) {
+        const LevelCode& level = group.first();
+        const std::string image = "image" + suffix(level);
+        writer_.add(fmt::format("let {} = {{width: {}, height: {}, texels: {}}};", image, level.width,
+                                level.height, texels));
+        writer_.add(fmt::format("for (let level = {}; level <= {}; ++level) {{", level.number, group.last()));
         writer_.indent();
-        if (left >= 0) {
-            writer_.add(fmt::format("if (level !== {}) // this one is missing", left));
+        if (group.missing >= 0) {
+            writer_.add(fmt::format("if (level !== {}) // this one is missing", group.missing));
             writer_.indent();
         }
-        const std::string image = "image" + suffix(first);
         upload("level", image + ".width", image + ".height", 1, image + ".texels");
-        if (left >= 0)
+        if (group.missing >= 0)
             writer_.outdent();
         writer_.add(fmt::format("{0} = halve({0}); // the next mip level", image));
         writer_.outdent();
         writer_.add("}");
     }
 
-    [[nodiscard]] std::string suffix(std::size_t first) const {
-        return first == 0 ? std::string() : std::to_string(code_.levels[first].number);
+    /// Of the names of its variables.
+    [[nodiscard]] std::string suffix(const LevelCode& level) const {
+        return &level == &code_.levels.front() ? std::string() : std::to_string(level.number);
     }
 
     /// The call that makes them.

@@ -1,0 +1,1 @@
+static const double pi = 3.14159265358979323846;
