@@ -63,7 +63,7 @@ struct Piece {
 };
 
 std::string_view textOfFile(std::string_view name) {
-    const auto& files = pieceFiles();
+    const auto& files = cFunctionFiles();
     const auto found = std::ranges::find(files, name, &PieceFile::name);
     assert(found != files.end());
     return found->text;

@@ -5,13 +5,15 @@
 
 namespace texplorer::emit {
 
-/// A file of pieces/: a function that programs have where they call it, the same for all scenes.
+/// A file of pieces/: what programs have where they ask for it, the same for all scenes.
 struct PieceFile {
     std::string name; ///< "halve.c"
     std::string text;
 };
 
-/// The files as they were when Texplorer was built.
-[[nodiscard]] const std::vector<PieceFile>& pieceFiles();
+// The files as they were when Texplorer was built.
+
+/// Functions in C; each begins with #include of those that it calls.
+[[nodiscard]] const std::vector<PieceFile>& cFunctionFiles();
 
 } // namespace texplorer::emit

@@ -21,11 +21,11 @@ TEST(Pieces, AreTheFilesOfTheFolder) {
     std::vector<std::string> expected;
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(TEXPLORER_SOURCE_DIR) /
                                                                  "core/emit/pieces")) {
-        if (!entry.path().filename().string().starts_with('.'))
+        if (entry.path().extension() == ".c" || entry.path().extension() == ".h")
             expected.push_back(entry.path().filename().string());
     }
     std::vector<std::string> names;
-    for (const PieceFile& each : pieceFiles())
+    for (const PieceFile& each : cFunctionFiles())
         names.push_back(each.name);
     EXPECT_THAT(names, testing::UnorderedElementsAreArray(expected));
 }

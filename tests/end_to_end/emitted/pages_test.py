@@ -2,10 +2,11 @@
 against the reference by the rules of texshot conform."""
 
 import sys
+import tempfile
 import unittest
 
 from canvas import Pages
-from scenes import every_case, without_repeats
+from scenes import every_case
 from web_proof import PagesProof
 
 TEXSHOT, JUDGE, KEEP = (sys.argv.pop(1) for _ in range(3))
@@ -22,7 +23,8 @@ class PagesTest(unittest.TestCase):
             cls.addClassCleanup(cls.browsers[-1].quit)
 
     def test_draws_what_opengl_allows(self):
-        verdicts = PagesProof(TEXSHOT, JUDGE, self.browsers, KEEP).of_all(without_repeats(TEXSHOT, every_case(TEXSHOT)))
+        with tempfile.TemporaryDirectory() as folder:
+            verdicts = PagesProof(TEXSHOT, JUDGE, self.browsers, KEEP).of_all(every_case(TEXSHOT, folder))
         for verdict in verdicts:
             with self.subTest(verdict.case.name):
                 if verdict.wrong:

@@ -29,7 +29,8 @@ class RandomScenes:
         subprocess.run([SOAK, "write", str(self.path), "--count", str(COUNT), "--seed", SEED, *kind], check=True)
         numbers = sorted(int(file.stem.split("-")[1]) for file in self.path.glob("scene-*.json"))
         self.assertEqual(len(numbers), COUNT)
-        return [Case(f"scene-{number}", (str(self.path / f"scene-{number}.json"),)) for number in numbers]
+        files = [self.path / f"scene-{number}.json" for number in numbers]
+        return [Case(file.stem, (str(file),), file) for file in files]
 
     def hold(self, proof, cases, least):
         """All that are drawn are right, and that is at least this share."""

@@ -7,33 +7,38 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-EXAMPLES = Path(__file__).parents[3] / "assets" / "scenes"
+ASSETS = Path(__file__).parents[3] / "assets"
 
 
 class Case(NamedTuple):
     name: str  # of a file, too
     words: tuple  # that name the scene to texshot
+    file: Path  # where it is written out, with the whole paths of its images
 
 
-def every_case(texshot):
+def every_case(texshot, folder):
+    """Of scenes that are the same the first one. They are written into the folder."""
     presets = json.loads(said(texshot, "presets", "--json"))["presets"]
     lessons = json.loads(said(texshot, "lessons", "--json"))["lessons"]
-    cases = [Case("start", ())]
-    cases += [Case("example-" + file.stem, ("--example", file.stem)) for file in sorted(EXAMPLES.glob("*.json"))]
-    cases += [Case("preset-" + each["name"], ("--preset", each["name"])) for each in presets]
-    cases += [Case(f"{lesson['name']}-{step}", ("--lesson", lesson["name"], "--step", str(step)))
-              for lesson in lessons for step in range(1, len(lesson["steps"]) + 1)]
-    return cases
-
-
-def without_repeats(texshot, cases):
-    """Of scenes that are the same the first one."""
+    words = {"start": ()}
+    words |= {f"example-{file.stem}": ("--example", file.stem) for file in sorted((ASSETS / "scenes").glob("*.json"))}
+    words |= {f"preset-{each['name']}": ("--preset", each["name"]) for each in presets}
+    words |= {f"{lesson['name']}-{step}": ("--lesson", lesson["name"], "--step", str(step))
+              for lesson in lessons for step in range(1, len(lesson["steps"]) + 1)}
+    cases = [Case(name, each, Path(folder) / f"{name}.json") for name, each in words.items()]
     with ThreadPoolExecutor() as threads:
-        texts = threads.map(lambda case: said(texshot, "scene", *case.words), cases)
+        texts = threads.map(lambda case: written(texshot, case), cases)
     first = {}
     for case, text in zip(cases, texts):
         first.setdefault(text, case)
     return list(first.values())
+
+
+def written(texshot, case):
+    """The text of its file. A lesson is read from its folder, or its images would be named as if they lay beside the file."""
+    words = [str(ASSETS / "lessons" / word) if before == "--lesson" else word for before, word in zip(("", *case.words), case.words)]
+    said(texshot, "scene", *words, "-o", str(case.file))
+    return case.file.read_text()
 
 
 def said(texshot, *words):
