@@ -1,5 +1,6 @@
 // The texels of a texture object: what glTexImage is given.
 
+#include "core/diagnosis/applied_texture.h"
 #include "core/emit/emission.h"
 #include "core/gl/argument_names.h"
 #include "core/gl/core_format.h"
@@ -37,12 +38,7 @@ public:
         , code_(code) {}
 
     void write() {
-        if (code_.lastLevel < texture_.maxLevel)
-            writer_.add({call("glTexParameteri"),
-                         plain(fmt::format("({}, {}, {}); ", rowOf(holder_.target).name,
-                                           glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())),
-                                           code_.lastLevel)),
-                         {Part::Kind::Comment, "/* the file holds no more levels */"}});
+        writeMaxLevel();
         if (code_.reader == FileReader::Dds) {
             emission_.use(CFunction::ReadDds);
             return writer_.add({plain("readDds("), path(),
@@ -55,6 +51,20 @@ public:
 
 private:
     [[nodiscard]] bool isCube() const { return code_.faces > 1; }
+
+    /// Where a renderer gives OpenGL another than the scene's.
+    void writeMaxLevel() {
+        const int level = appliedTexture(texture_, code_.shape, code_.lastLevel, {}).texture.maxLevel;
+        if (level == texture_.maxLevel)
+            return;
+        const bool isFew = level < texture_.maxLevel;
+        writer_.add(
+            {call("glTexParameteri"),
+             plain(fmt::format("({}, {}, {}); ", rowOf(holder_.target).name,
+                               glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), level)),
+             {Part::Kind::Comment, isFew ? "/* the file holds no more levels */"
+                                         : "/* at least the base level, or Mesa crashes */"}});
+    }
 
     void writeGroup(const LevelGroup& group) {
         const LevelCode& level = group.first();

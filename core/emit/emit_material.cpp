@@ -20,9 +20,19 @@ bool followsColor(const ParamRow& row) {
 
 void writeRows(CodeWriter& writer, const Holder& holder, bool all) {
     const bool isFollowing = static_cast<const Material*>(holder.values)->colorMaterial;
+    const ParamRow& follows = *findParam(holder.table, keyOf<&Material::colorMaterial>());
+    const bool beginsToFollow = isFollowing && writer.differs(holder, follows);
+    if (beginsToFollow) {
+        // glColor comes after it: the colour that there is Mesa 22.3 copies where glMaterial hasn't set
+        // another.
+        writer.row(holder, follows);
+        writer.forget(fmt::format("{}.{}", holder.state, keyOf<&Material::color>()));
+    }
     for (const ParamRow& row : holder.table.params) {
         if (isFollowing && followsColor(row))
             writer.forget(fmt::format("{}.{}", holder.state, row.key));
+        else if (beginsToFollow && row.member == follows.member)
+            continue;
         else if (all || writer.differs(holder, row))
             writer.row(holder, row);
     }

@@ -425,7 +425,7 @@ private:
         if (emission_.needsNormals)
             pointer(normalArray, "glNormalPointer(", "normal");
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (!takesCoords(pass.units[u]))
+            if (!takesCoords(pass, u, model_))
                 continue;
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
                         u != 0 || isSecond(pass));
@@ -453,8 +453,12 @@ private:
     }
 
     /// Whether a unit beside the first takes coordinates.
-    static bool isSecond(const Pass& pass) {
-        return std::any_of(pass.units.begin() + 1, pass.units.end(), takesCoords);
+    [[nodiscard]] bool isSecond(const Pass& pass) const {
+        for (std::size_t u = 1; u < maxUnits; ++u) {
+            if (takesCoords(pass, u, model_))
+                return true;
+        }
+        return false;
     }
 
     /// In braces, for several passes may do it.
@@ -482,7 +486,7 @@ private:
     void drawArrays(const Pass& pass) {
         writeSize();
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (takesCoords(pass.units[u]) && pass.units[u].emboss.enabled)
+            if (takesCoords(pass, u, model_) && pass.units[u].emboss.enabled)
                 moveCoords(u, pass.units[u]);
         }
         writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
@@ -493,7 +497,7 @@ private:
             point(colorArray, "glColorPointer(4, ", "Colors");
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = pass.units[u];
-            if (!takesCoords(unit))
+            if (!takesCoords(pass, u, model_))
                 continue;
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
                         u != 0 || isSecond(pass));

@@ -63,6 +63,7 @@ void writeTexture(Emission& emission, std::size_t object) {
         for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
             *wrap = *wrap == Wrap::Clamp ? other : *wrap; // the core profile has no GL_CLAMP
     }
+    texture.baseLevel = std::max(0, texture.baseLevel); // OpenGL refuses another
     if (emission.isWeb)
         texture.maxLevel = std::min(texture.maxLevel, (*emission.texels[object])->lastLevel);
     const std::string variable = fmt::format("texture{}", object);

@@ -155,7 +155,10 @@ public:
 private:
     [[nodiscard]] bool movesMatrix() const {
         return std::ranges::any_of(unit_.matrix, [](const MatrixStep& step) {
-            return step.rate != glm::vec3(0) || step.angleRate != 0;
+            const bool moves =
+                step.op == MatrixOp::Translate || step.op == MatrixOp::Rotate || step.op == MatrixOp::Scale;
+            return moves &&
+                   (step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0));
         });
     }
 

@@ -14,6 +14,14 @@ bool isMadeOfQuads(Shape shape) {
     return shape == Shape::Cube || shape == Shape::Quad || shape == Shape::Floor;
 }
 
+/// Whether some vertex has another r than 0, which is compared, or another q than 1, by which all are
+/// divided.
+bool givesRorQ(const Model& model, std::size_t unit) {
+    const auto isOdd = [](const glm::vec4& coord) { return coord.z != 0 || coord.w != 1; };
+    return std::ranges::any_of(model.texCoords[unit], isOdd) ||
+           (model.shape == Shape::Mesh && std::ranges::any_of(model.mesh.texCoords, isOdd));
+}
+
 } // namespace
 
 bool isTurned(Shape shape) {
@@ -21,11 +29,14 @@ bool isTurned(Shape shape) {
            shape == Shape::PartialDisk || shape == Shape::Torus;
 }
 
-bool takesCoords(const Unit& unit) {
+bool takesCoords(const Pass& pass, std::size_t index, const Model& model) {
+    const Unit& unit = pass.units[index];
     if (!unit.enabled)
         return false;
-    const std::array generated{unit.texGenS.enabled, unit.texGenT.enabled, unit.texGenR.enabled};
-    const int looked = coordinatesOf(unit.target);
+    const std::array generated{unit.texGenS.enabled, unit.texGenT.enabled, unit.texGenR.enabled,
+                               unit.texGenQ.enabled};
+    const bool looksAtAll = !unit.matrix.empty() || givesRorQ(model, index);
+    const int looked = looksAtAll ? 4 : coordinatesOf(unit.target);
     return !std::all_of(generated.begin(), generated.begin() + looked, [](bool on) { return on; });
 }
 
@@ -48,8 +59,8 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
         passes += static_cast<int>(std::ranges::count(drawn, index));
         for (std::size_t u = 0; u < maxUnits && std::ranges::find(drawn, index) != drawn.end(); ++u) {
             const Unit& unit = pass.units[u];
-            form.coords[u] |= takesCoords(unit) && !unit.emboss.enabled;
-            form.embossed[u] |= takesCoords(unit) && unit.emboss.enabled;
+            form.coords[u] |= takesCoords(pass, u, model) && !unit.emboss.enabled;
+            form.embossed[u] |= takesCoords(pass, u, model) && unit.emboss.enabled;
         }
     }
     if (passes == 0)

@@ -58,10 +58,14 @@ void assembleQuads(Mesh& mesh, Order order) {
         addQuad(mesh, {order[i - 3], order[i - 2], order[i - 1], order[i]});
 }
 
-// The corners run 0, 1, 3, 2. The strip's last vertex has to be the last corner: it gives the flat colour.
+// The corners run 0, 1, 3, 2. The strip's last vertex has to be the last corner: it gives the flat colour. Of
+// the two triangles Mesa draws that with the first edge first, which shows where a twisted quadrilateral
+// covers itself.
 void assembleQuadStrip(Mesh& mesh, Order order) {
-    for (std::size_t i = 3; i < order.size(); i += 2)
-        addQuad(mesh, {order[i - 1], order[i - 3], order[i - 2], order[i]});
+    for (std::size_t i = 3; i < order.size(); i += 2) {
+        addTriangle(mesh, order[i - 3], order[i - 2], order[i]);
+        addTriangle(mesh, order[i - 1], order[i - 3], order[i]);
+    }
 }
 
 // A polygon has the flat colour of its first vertex.

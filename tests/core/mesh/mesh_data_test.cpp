@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
              {},
              {"Quad 1", "Quad 2"}},
         Case{"NoQuads", Primitive::Quads, 3, {}, {}, {}, {}},
-        Case{"QuadStrip", Primitive::QuadStrip, 7, {2, 0, 3, 0, 1, 3, 4, 2, 5, 2, 3, 5}, {}, {}, {"Strip"}},
+        Case{"QuadStrip", Primitive::QuadStrip, 7, {0, 1, 3, 2, 0, 3, 2, 3, 5, 4, 2, 5}, {}, {}, {"Strip"}},
         Case{"NoQuadStrip", Primitive::QuadStrip, 3, {}, {}, {}, {}},
         Case{"Polygon", Primitive::Polygon, 5, {1, 2, 0, 2, 3, 0, 3, 4, 0}, {}, {}, {"Polygon"}},
         Case{"NoPolygon", Primitive::Polygon, 2, {}, {}, {}, {}}),
