@@ -286,22 +286,44 @@ Part CodeWriter::seconds() {
 void CodeWriter::floats(const std::string& name, std::vector<Part> values, bool needed) {
     const auto [known, isNew] = arrays_.try_emplace(name, lines_.size());
     if (!isNew) {
-        lines_[known->second].needed |= needed;
+        for (std::size_t i = known->second; i < lines_.size(); ++i) {
+            lines_[i].needed |= needed;
+            if (textOf(lines_[i]).ends_with("};"))
+                return;
+        }
         return;
     }
+    const auto numbers = std::ranges::count(values, Part::Kind::Number, &Part::kind);
     std::vector<Part> parts{plain(fmt::format("const GLfloat {}[] = {{", name))};
-    append(parts, std::move(values));
+    if (numbers == 16) { // a matrix: a row for each column of it
+        add(std::move(parts), needed);
+        parts.clear();
+        indent();
+        int written = 0;
+        for (Part& part : values) {
+            const bool isNumber = part.kind == Part::Kind::Number;
+            if (isNumber || !parts.empty())
+                parts.push_back(std::move(part));
+            if (isNumber && ++written % 4 == 0) {
+                parts.push_back(plain(","));
+                add(std::exchange(parts, {}), needed);
+            }
+        }
+        outdent();
+    } else
+        append(parts, std::move(values));
     parts.push_back(plain("};"));
     add(std::move(parts), needed);
 }
 
-void CodeWriter::row(const Holder& holder, const ParamRow& row) {
+void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {
     const Value value = row.read(holder.values);
-    const bool needed = set(fmt::format("{}.{}", holder.state, row.key), value, row.read(holder.initial));
+    const bool differs = set(fmt::format("{}.{}", holder.state, row.key), value, row.read(holder.initial));
     const std::string path = fmt::format("{}.{}", holder.path, row.key);
     const std::string words = callFor(row, holder.target);
     const std::size_t bracket = words.find('(');
     const std::string name = words.substr(0, bracket);
+    const bool needed = differs && matters;
     std::vector<Part> parts = argumentsOf(holder, row, words.substr(bracket) + ";");
     const bool switches = row.kind == Kind::Bool && name == "glEnable";
     parts.insert(parts.begin(), switches ? enabling(std::get<bool>(value), path) : call(name));

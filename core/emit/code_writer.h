@@ -86,8 +86,8 @@ public:
     void add(std::string_view statement, bool needed = true);
 
     /// The call of a row, and before it the array that it points to. What one call sets together with the row
-    /// before is one line.
-    void row(const Holder& holder, const ParamRow& row);
+    /// before is one line. `matters`: something that is drawn depends on it.
+    void row(const Holder& holder, const ParamRow& row, bool matters = true);
     /// The same of the row of a member.
     void row(const Holder& holder, MemberId member);
 
@@ -111,7 +111,7 @@ public:
     /// What OpenGL starts with, of everything in state().
     [[nodiscard]] const State& initialState() const { return initial_; }
 
-    /// "GLfloat name[] = {…};", where there is no such array yet.
+    /// "GLfloat name[] = {…};", where there is no such array yet. A matrix has a row for each of its columns.
     void floats(const std::string& name, std::vector<Part> values, bool needed = true);
 
     /// The array's name with all of its numbers, in a line of its own that shows none of them.
@@ -125,7 +125,7 @@ private:
     State initial_;
     std::set<std::string, std::less<>> explained_;
     int depth_ = 0;
-    std::map<std::string, std::size_t, std::less<>> arrays_; ///< which line declares each
+    std::map<std::string, std::size_t, std::less<>> arrays_; ///< with which line each begins
     bool usesSeconds_ = false;
 };
 

@@ -40,6 +40,7 @@ Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramO
     : scene(drawn)
     , options(given)
     , objects(textureObjectsOf(drawn))
+    , isLit(std::ranges::any_of(drawn.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; }))
     , needsNormals(std::ranges::any_of(drawn.passes, looksAtNormals)) {
     writer.explain(given.explained);
     for (const TextureObject& object : objects) {

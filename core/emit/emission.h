@@ -51,7 +51,9 @@ struct Emission {
     std::vector<TextureObject> objects;
     std::vector<std::shared_ptr<const Result<TextureCode>>> texels; ///< of each object
     std::vector<ModelForm> models;                                  ///< how each is drawn
+    bool isLit;                                                     ///< some pass is
     bool needsNormals;                                              ///< some pass is lit or reflects
+    bool hasLightExtent = false;                                    ///< a constant of the program
     bool isCore = false;             ///< OpenGL 3.3 without what it took from OpenGL 2.1
     bool isWeb = false;              ///< and WebGL 2
     std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them

@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::emit {
 namespace {
@@ -103,18 +104,17 @@ void writeLight(Emission& emission) {
     static const Light initial;
     CodeWriter& writer = emission.writer;
     const Scene& scene = emission.scene;
-    const bool isLit =
-        std::ranges::any_of(scene.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; });
     const std::string& path = keyOf<&Scene::light>();
     const Holder holder{lightTable(), &scene.light, &initial, path, path, path};
     writer.heading("light 0, in eye coordinates");
     writer.add("glLoadIdentity();", false); // as the matrix is at the start
-    if (isLit)
+    if (emission.isLit)
         writer.add("glEnable(GL_LIGHT0);");
     if (emission.needsNormals)
-        writer.add("glEnable(GL_NORMALIZE);");
+        writer.add({plain("glEnable(GL_NORMALIZE); "),
+                    {Part::Kind::Comment, "/* normals have the length 1 where models are scaled, too */"}});
     for (const ParamRow& row : holder.table.params)
-        writer.row(holder, row);
+        writer.row(holder, row, emission.isLit);
 }
 
 void declareCamera(Emission& emission) {
@@ -152,7 +152,11 @@ void writeLightProjection(Emission& emission) {
         plain(");")};
     std::vector<Part> parts;
     if (light.position.w == 0) {
-        parts = {call("glOrtho"), plain(fmt::format("(-{0}, {0}, -{0}, {0}", seen.extent))};
+        if (!std::exchange(emission.hasLightExtent, true))
+            emission.atStart.add(
+                {plain(fmt::format("static const GLdouble lightExtent = {}; ", seen.extent)),
+                 {Part::Kind::Comment, "/* half of what the light sees, in width and height */"}});
+        parts = {call("glOrtho"), plain("(-lightExtent, lightExtent, -lightExtent, lightExtent")};
     } else {
         emission.use(CFunction::Perspective);
         parts = {plain("perspective("),

@@ -18,14 +18,21 @@ bool followsColor(const ParamRow& row) {
     return row.member == memberId<&Material::ambient> || row.member == memberId<&Material::diffuse>;
 }
 
-void writeRows(CodeWriter& writer, const Holder& holder, bool all) {
+/// Without light the colour is all that is looked at, and how it is interpolated.
+bool looksAt(const Emission& emission, const ParamRow& row) {
+    return emission.isLit || row.member == memberId<&Material::color> ||
+           row.member == memberId<&Material::shadeModel>;
+}
+
+void writeRows(Emission& emission, const Holder& holder, bool all) {
+    CodeWriter& writer = emission.writer;
     const bool isFollowing = static_cast<const Material*>(holder.values)->colorMaterial;
     const ParamRow& follows = *findParam(holder.table, keyOf<&Material::colorMaterial>());
     const bool beginsToFollow = isFollowing && writer.differs(holder, follows);
     if (beginsToFollow) {
         // glColor comes after it: the colour that there is Mesa 22.3 copies where glMaterial hasn't set
         // another.
-        writer.row(holder, follows);
+        writer.row(holder, follows, emission.isLit);
         writer.forget(fmt::format("{}.{}", holder.state, keyOf<&Material::color>()));
     }
     for (const ParamRow& row : holder.table.params) {
@@ -34,7 +41,7 @@ void writeRows(CodeWriter& writer, const Holder& holder, bool all) {
         else if (beginsToFollow && row.member == follows.member)
             continue;
         else if (all || writer.differs(holder, row))
-            writer.row(holder, row);
+            writer.row(holder, row, looksAt(emission, row));
     }
 }
 
@@ -43,8 +50,7 @@ void writeRows(CodeWriter& writer, const Holder& holder, bool all) {
 void writeMaterial(Emission& emission) {
     const std::string& key = keyOf<&Scene::material>();
     emission.writer.heading(key);
-    writeRows(emission.writer, {materialTable(), &emission.scene.material, &initialMaterial(), key, key, key},
-              true);
+    writeRows(emission, {materialTable(), &emission.scene.material, &initialMaterial(), key, key, key}, true);
 }
 
 void writeMaterial(Emission& emission, std::size_t index) {
@@ -56,7 +62,7 @@ void writeMaterial(Emission& emission, std::size_t index) {
         holder.path = fmt::format("{}.{}", elementOf<&Scene::models>(index), keyOf<&Model::material>());
         holder.variable = joined(fmt::format("model{}", index), key);
     }
-    writeRows(emission.writer, holder, false);
+    writeRows(emission, holder, false);
 }
 
 } // namespace texplorer::emit

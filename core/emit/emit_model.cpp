@@ -119,7 +119,7 @@ public:
 
     void drawShape() {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
-        writer_.add("glPushMatrix();");
+        writer_.add("glPushMatrix();", isPlaced());
         place(false);
         const auto sized = [&](const std::string& stride, const std::string& vertices) {
             writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
@@ -141,12 +141,12 @@ public:
             drawElements();
             break;
         }
-        writer_.add("glPopMatrix();");
+        writer_.add("glPopMatrix();", isPlaced());
     }
 
     void draw(const Pass& pass) {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
-        writer_.add("glPushMatrix();");
+        writer_.add("glPushMatrix();", isPlaced());
         place();
         writeMaterial(emission_, index_);
         switch (form_.drawing) {
@@ -165,7 +165,7 @@ public:
         }
         if (isColored()) // glColor is the last vertex's
             writer_.forget(fmt::format("{}.{}", keyOf<&Scene::material>(), keyOf<&Material::color>()));
-        writer_.add("glPopMatrix();");
+        writer_.add("glPopMatrix();", isPlaced());
     }
 
 private:
@@ -297,6 +297,13 @@ private:
         return indices;
     }
 
+    /// Whether it lies elsewhere than where its vertices say.
+    [[nodiscard]] bool isPlaced() const {
+        return model_.attachment == Attachment::Eye || model_.position != glm::vec3(0) ||
+               model_.rotation != glm::vec3(0) || model_.spin != glm::vec3(0) || model_.size != 1 ||
+               model_.scale != glm::vec3(1);
+    }
+
     void place(bool beforeTheEye = true) {
         if (model_.attachment == Attachment::Eye && beforeTheEye)
             writer_.add("glLoadIdentity();");
@@ -370,6 +377,7 @@ private:
         std::optional<glm::vec3> normal;
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
             const Vertex& vertex = mesh_.vertices[i];
+            writeFace(i);
             if (emission_.needsNormals && normal != normalOf(vertex)) {
                 normal = normalOf(vertex);
                 writer_.add(callWith("glNormal3f", numbers({&normal->x, 3})));
@@ -380,6 +388,16 @@ private:
         }
         writer_.add("glEnd();");
         writer_.add("glEndList();");
+    }
+
+    /// Which face begins with a vertex, of a shape that has several.
+    void writeFace(std::size_t vertex) {
+        if (model_.shape == Shape::Mesh || mesh_.faces.size() < 2)
+            return;
+        for (const Face& face : mesh_.faces) {
+            if (face.vertices.front() == vertex)
+                writer_.comment(face.name);
+        }
     }
 
     [[nodiscard]] Part primitivePart() const {

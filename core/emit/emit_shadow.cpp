@@ -101,7 +101,7 @@ void writeShadowMaps(Emission& emission) {
                                         : fmt::format("static void drawShadowMap{}(void)", map));
         writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
         writer.add("glPushAttrib(GL_ALL_ATTRIB_BITS);");
-        writer.add("glDisable(GL_ALPHA_TEST);");
+        writer.add("glDisable(GL_ALPHA_TEST);", std::ranges::any_of(scene.passes, &Pass::alphaTest));
         for (std::size_t unit = 0; unit < maxUnits; ++unit)
             writeUnitOff(emission, unit);
         writer.add(callWith("glViewport", {plain("0, 0, "), size, plain(", "), size}));

@@ -27,8 +27,8 @@ struct ModelForm {
     bool operator==(const ModelForm&) const = default;
 };
 
-/// Whether any coordinate that a unit of a pass looks at comes from the model's vertices. A texture matrix looks
-/// at all four.
+/// Whether any coordinate that a unit of a pass looks at comes from the model's vertices. A texture matrix
+/// looks at all four.
 [[nodiscard]] bool takesCoords(const Pass& pass, std::size_t unit, const Model& model);
 
 /// `flips`: whether t of its coordinates is turned around for some unit.

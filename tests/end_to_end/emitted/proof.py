@@ -17,6 +17,7 @@ from capture import DRIVER, PATIENCE, ProgramError, compile_program, differing
 
 TIMES = ("0", "1.75")  # seconds
 SIZE = (640, 480)  # of a program's window
+AT_ONCE = 25  # scenes that a call of texshot draws
 LAST_BITS = 1e-4  # of a picture, by which the rule last-bit of texshot conform allows two programs of a driver to differ
 
 
@@ -52,7 +53,9 @@ class Proof:
         """The verdicts in the order of the cases."""
         shutil.rmtree(self.keep, ignore_errors=True)
         with tempfile.TemporaryDirectory() as expected, ThreadPoolExecutor(os.cpu_count()) as threads:
-            failed = self.expect(cases, Path(expected))
+            failed = {}
+            for first in range(0, len(cases), AT_ONCE):
+                failed |= self.expect(cases[first:first + AT_ONCE], Path(expected))
             return list(threads.map(lambda case: self.of(case, Path(expected), failed.get(case.name)), cases))
 
     def of(self, case, expected, failed):
