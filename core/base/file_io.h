@@ -56,12 +56,12 @@ enum class Leftovers : bool { Keep, Remove };
                                                ByteView bytes, const std::string& where);
 
 struct FileContent {
-    std::string name; ///< within the folder, without a slash
+    std::string name; ///< within the folder, or in one of its own: "programs/demo.c"
     ByteView bytes;
 };
 
 /// Writes all of them, or none: every byte is on the disk before the first file appears. The folder is made
-/// where it is missing, with what is above it.
+/// where it is missing, with what is above it and what the names lead to below it.
 [[nodiscard]] Result<void> writeFolderAtomically(const std::filesystem::path& folder,
                                                  std::span<const FileContent> files,
                                                  const BeforePlacing& beforePlacing = {});

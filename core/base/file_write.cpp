@@ -174,6 +174,11 @@ Result<void> writeFolderAtomically(const fs::path& folder, std::span<const FileC
     MadeFolders made;
     if (!made.make(fs::absolute(folder)))
         return unwritable("can't make the folder", errno, folder.string());
+    for (const FileContent& file : files) {
+        const fs::path below = fs::path(file.name).parent_path();
+        if (!below.empty() && !made.make(fs::absolute(folder / below)))
+            return unwritable("can't make the folder", errno, (folder / below).string());
+    }
     const Descriptor directory = openDirectory(folder);
     if (!directory.valid())
         return unwritable(errno, folder.string());

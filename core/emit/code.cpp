@@ -65,15 +65,25 @@ bool mentions(const Line& line, std::string_view path) {
            std::ranges::any_of(line.parts, [&](const Part& part) { return part.path == path; });
 }
 
-std::string textOf(const std::vector<Line>& lines, bool all) {
-    std::string text;
+std::vector<Line> shownLines(const std::vector<Line>& lines, bool all) {
+    std::vector<Line> shown;
     int depth = 0;
+    bool isApart = true;
     for (const Line& line : lines) {
         if (!all && !line.needed)
             continue;
-        const bool isApart = text.empty() || text.ends_with("\n\n") || line.depth > depth;
-        text += line.heading && !isApart ? "\n" : "";
+        if (line.heading && !isApart && line.depth <= depth)
+            shown.emplace_back();
         depth = line.depth;
+        isApart = textOf(line).empty();
+        shown.push_back(line);
+    }
+    return shown;
+}
+
+std::string textOf(const std::vector<Line>& lines, bool all) {
+    std::string text;
+    for (const Line& line : shownLines(lines, all)) {
         if (!line.data) {
             text += textOf(line) + "\n";
             continue;

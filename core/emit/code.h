@@ -47,8 +47,10 @@ struct Line {
 /// Whether a line has to do with a parameter.
 [[nodiscard]] bool mentions(const Line& line, std::string_view path);
 
-/// The lines as a text, each ended by a newline, with an empty one before headings that begin no brace: those
-/// that are needed, or all. Of an array of many numbers there are all.
+/// The lines that are needed, or all, with an empty one before headings that begin no brace.
+[[nodiscard]] std::vector<Line> shownLines(const std::vector<Line>& lines, bool all);
+
+/// The same as a text, each ended by a newline. Of an array of many numbers there are all.
 [[nodiscard]] std::string textOf(const std::vector<Line>& lines, bool all);
 
 /// Breaks a line into rows of at most `columns` characters where that can be done: after a comma or a

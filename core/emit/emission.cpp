@@ -26,9 +26,12 @@ bool looksAtNormals(const Pass& pass) {
 /// What of a program may read the texture's file.
 FileReader readerFor(const Texture& texture, const ImageSource& images, const ProgramOptions& options) {
     constexpr std::size_t header = 128;
-    if (texture.source != SourceKind::File || !options.fileName || images.fileInMemory(texture.file) ||
-        options.fileName(texture.file).empty())
+    const std::shared_ptr<const Bytes> inMemory = images.fileInMemory(texture.file);
+    if (texture.source != SourceKind::File || !options.fileName ||
+        (inMemory && !options.readsFilesInMemory) || options.fileName(texture.file).empty())
         return FileReader::None;
+    if (inMemory)
+        return readerOf(*inMemory);
     const Result<Bytes> start = readFileStart(images.directory() / texture.file, header);
     return start ? readerOf(*start) : FileReader::None;
 }
@@ -121,6 +124,20 @@ Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const Ima
         return fixedProgram(scene, images, options, codes);
     }
     return fail(ErrorCode::OutOfRange, "there is no such flavour");
+}
+
+std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene) {
+    std::set<std::string> files;
+    for (const FileName& each : fileNamesOf(scene)) {
+        const bool isRead = std::ranges::any_of(program, [&](const Line& line) {
+            return std::ranges::any_of(line.parts, [&](const Part& part) {
+                return part.kind == Part::Kind::Plain && part.path == each.path; // a comment may name it, too
+            });
+        });
+        if (isRead)
+            files.insert(each.file);
+    }
+    return files;
 }
 
 void TextureCodes::forgetUnused() {

@@ -196,7 +196,8 @@ private:
 
     /// The file that is read.
     [[nodiscard]] Part path() const {
-        return plain(stringLiteral(emission_.options.fileName(texture_.file)));
+        return {Part::Kind::Plain, stringLiteral(emission_.options.fileName(texture_.file)),
+                pathOf(keyOf<&Texture::file>())};
     }
 
     void upload(const std::string& level, const std::array<std::string, 3>& size, const LevelCode& of,

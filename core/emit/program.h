@@ -48,6 +48,9 @@ struct ProgramOptions {
     /// What the program calls an image file of the scene that lies in a folder: BMP, TGA and DDS files whose
     /// format takes few lines are read by it. Empty, or an empty name: their texels stand in the program.
     std::function<std::string(const std::string& file)> fileName{};
+    /// Files that lie in no folder, as those of the program's lessons, are read as well: somebody writes them
+    /// beside the program.
+    bool readsFilesInMemory = false;
 };
 
 /// The program. What the scene's textures hold comes from `images`; one that has none is left out, as
@@ -67,6 +70,9 @@ struct ProgramOptions {
 [[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene,
                                                 const ImageSource& images, const ProgramOptions& options,
                                                 TextureCodes& codes);
+
+/// The files of a scene's textures that its program reads, as the scene spells them.
+[[nodiscard]] std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene);
 
 /// Meshes of more vertices are data at the end of the program.
 inline constexpr std::size_t mostWrittenVertices = 64;

@@ -25,10 +25,10 @@ std::string callsJson(const std::string& text) {
 }
 
 ExitCode commands(const CallsOptions& options) {
-    const auto lines = programOf(options.scene, emit::Flavour::Fixed, {.title = ""});
-    if (!lines)
-        return complain(lines.error().error, lines.error().code);
-    const std::string text = textOf(*lines, options.all);
+    const auto program = programOf(options.scene, emit::Flavour::Fixed, {.title = ""});
+    if (!program)
+        return complain(program.error().error, program.error().code);
+    const std::string text = textOf(program->lines, options.all);
     const Result<void> printed = print(options.json ? callsJson(text) : text);
     return printed ? success : complain(printed.error());
 }

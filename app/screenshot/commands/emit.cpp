@@ -3,8 +3,11 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/reports/program_text.h"
+#include "core/base/file_io.h"
 
 #include <fmt/core.h>
+
+#include <filesystem>
 
 namespace texplorer::screenshot {
 namespace {
@@ -13,12 +16,46 @@ struct EmitOptions {
     SceneArgument scene;
     std::string out = "-";
     std::string flavour{rowOf(emit::Flavour::Fixed).name};
+    bool files = false;
 };
+
+/// Whether --files can be had. The error names an option.
+Result<void> checkFilesBeside(const EmitOptions& options) {
+    if (options.files && options.scene.lesson.empty())
+        return fail(ErrorCode::OutOfRange, "only the files of a lesson are written beside a program",
+                    "--files");
+    if (options.files && isStandardOutput(options.out))
+        return fail(ErrorCode::OutOfRange, "expected a file's name, beside which there may be others",
+                    "--out");
+    return {};
+}
+
+/// Files that are there already stay, if they are what they should be.
+Result<void> writeBeside(const std::string& program, const std::vector<ReadFile>& files) {
+    const std::filesystem::path folder = std::filesystem::path(program).parent_path();
+    std::vector<const ReadFile*> missing;
+    for (const ReadFile& each : files) {
+        const std::filesystem::path path = folder / each.name;
+        const Result<Bytes> there = readFile(path, each.bytes.size());
+        if (!there && there.error().code == ErrorCode::NotFound)
+            missing.push_back(&each);
+        else if (!there || *there != each.bytes)
+            return fail(ErrorCode::Unwritable,
+                        "is there already, and is not the file that the program would read", path.string());
+    }
+    for (const ReadFile* each : missing) {
+        if (const Result<void> written = writeFileAtomically(folder / each->name, each->bytes); !written)
+            return written;
+    }
+    return {};
+}
 
 ExitCode emitProgram(const EmitOptions& options) {
     const Result<emit::Flavour> flavour = parseChoice<emit::Flavour>(options.flavour, "--as");
     if (!flavour)
         return complain(flavour.error(), wrongCall);
+    if (const Result<void> possible = checkFilesBeside(options); !possible)
+        return complain(possible.error(), wrongCall);
     if (const Result<void> apart = checkOutputsApart({{"--out", options.out}}, {options.scene.file}); !apart)
         return complain(apart.error(), wrongCall);
     const Result<Output> out = Output::open(options.out);
@@ -28,11 +65,14 @@ ExitCode emitProgram(const EmitOptions& options) {
     asked.title.clear();
     if (!isStandardOutput(options.out))
         asked.source = options.out;
-    const auto lines = programOf(options.scene, *flavour, std::move(asked));
-    if (!lines)
-        return complain(lines.error().error, lines.error().code);
-    const std::string text = textOf(*lines, false);
-    const Result<void> written = out->write(std::as_bytes(std::span(text)));
+    const auto program = programOf(options.scene, *flavour, std::move(asked),
+                                   options.files ? ImageFiles::Beside : ImageFiles::WhereTheyAre);
+    if (!program)
+        return complain(program.error().error, program.error().code);
+    if (const Result<void> beside = writeBeside(options.out, program->files); !beside)
+        return complain(beside.error());
+    const std::string text = textOf(program->lines, false);
+    const Result<void> written = out->write(viewBytes(text));
     return written ? success : complain(written.error());
 }
 
@@ -46,6 +86,9 @@ void addEmit(CommandLine& line) {
                    {.value = "FLAVOUR", .showsDefault = true, .offers = {choiceNames<emit::Flavour>}});
     command.option("-o,--out", options->out, "The file to write; - for standard output.",
                    {.value = "FILE", .showsDefault = true});
+    command.flag("--files", options->files,
+                 "Write the lesson's BMP, TGA and DDS files beside the program, which reads them; without it "
+                 "their texels stand in the program.");
     command.footer(
         "One file that needs GLFW and OpenGL; the line that compiles it stands at its top. It draws the pixels of "
         "\"texshot shot\", moves as the scene does and turns by the mouse. Patterns of few lines are computed; the "

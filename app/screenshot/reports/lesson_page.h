@@ -12,19 +12,20 @@
 namespace texplorer::screenshot {
 
 struct PageFile {
-    std::string name;
+    std::string name; ///< "wrap-1.png", "programs/wrap/wrap-1.c"
     Bytes bytes;
 };
 
 struct LessonPageOptions {
     std::vector<lesson::LessonFolder> folders; ///< in the order in which they are shown
     ui::Language language = ui::Language::English;
-    std::function<void(float done)> progress;
+    std::function<void(float done)> progress; ///< called from several threads
     std::stop_token stop;
 };
 
-/// Lessons to be read, or to be printed: index.html, and beside it the pictures of each step, drawn by the
-/// reference. Errors: what can't be read or drawn of a lesson; Cancelled.
+/// Lessons to be read, or to be printed: index.html, beside it the pictures of each step, drawn by the
+/// reference, and its programs, with the image files that they read. Errors: what can't be read or drawn of a
+/// lesson; Cancelled.
 [[nodiscard]] Result<std::vector<PageFile>> lessonPage(const LessonPageOptions& options);
 
 } // namespace texplorer::screenshot

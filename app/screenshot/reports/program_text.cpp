@@ -1,9 +1,11 @@
 #include "app/screenshot/reports/program_text.h"
 
+#include "core/base/file_io.h"
 #include "core/lesson/lesson.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace texplorer::screenshot {
@@ -12,29 +14,73 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a lesson's step says, and what it is about.
+void tellOfStep(const lesson::Lesson& lesson, std::size_t index, emit::ProgramOptions& options) {
+    const lesson::Step& step = lesson.steps.at(index);
+    options.title = fmt::format("{}: {}", lesson.title, step.title);
+    options.about = step.text;
+    options.explained = subjectsOf(step);
+}
+
 Result<void> tellOfStep(const SceneArgument& argument, emit::ProgramOptions& options) {
-    const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson);
-    if (!folder)
-        return fail(folder.error());
-    const Result<lesson::Lesson> lesson = readLesson(*folder);
+    const Result<lesson::Lesson> lesson = lessonFolder(argument.lesson).and_then(lesson::readLesson);
     if (!lesson)
         return fail(lesson.error());
-    const lesson::Step& step = lesson->steps.at(argument.step - 1);
-    options.title = fmt::format("{}: {}", lesson->title, step.title);
-    options.about = step.text;
-    if (!step.look.param.empty())
-        options.explained.insert(step.look.param);
-    for (const lesson::Edit& edit : step.edits) {
-        if (!edit.path.empty())
-            options.explained.insert(edit.path);
-    }
+    tellOfStep(*lesson, argument.step - 1, options);
     return {};
+}
+
+Result<Bytes> bytesOf(const ImageSource& images, const std::string& file) {
+    if (const std::shared_ptr<const Bytes> inMemory = images.fileInMemory(file))
+        return *inMemory;
+    return readFile(images.directory() / file, lesson::maxLessonFileBytes);
+}
+
+/// With the files that it reads in its own folder.
+Result<ProgramText> programBesideFiles(emit::Flavour flavour, const Scene& scene, const ImageSource& images,
+                                       emit::ProgramOptions options, emit::TextureCodes& codes) {
+    const auto nameOfFile = [](const std::string& file) { return fs::path(file).filename().string(); };
+    options.fileName = nameOfFile;
+    options.readsFilesInMemory = true;
+    Result<std::vector<emit::Line>> lines = emit::program(flavour, scene, images, options, codes);
+    if (!lines)
+        return fail(lines.error());
+    ProgramText program{*std::move(lines)};
+    for (const std::string& file : filesRead(program.lines, scene)) {
+        Result<Bytes> bytes = bytesOf(images, file);
+        if (!bytes)
+            return fail(bytes.error());
+        const std::string name = nameOfFile(file);
+        if (std::ranges::find(program.files, name, &ReadFile::name) != program.files.end())
+            return fail(ErrorCode::Unsupported, "two files of this name can't lie in one folder", name);
+        program.files.push_back({name, *std::move(bytes)});
+    }
+    return program;
 }
 
 } // namespace
 
-tl::expected<std::vector<emit::Line>, SceneProblem>
-programOf(const SceneArgument& argument, emit::Flavour flavour, emit::ProgramOptions options) {
+std::set<std::string, std::less<>> subjectsOf(const lesson::Step& step) {
+    std::set<std::string, std::less<>> paths;
+    if (!step.look.param.empty())
+        paths.insert(step.look.param);
+    for (const lesson::Edit& edit : step.edits) {
+        if (!edit.path.empty())
+            paths.insert(edit.path);
+    }
+    return paths;
+}
+
+Result<ProgramText> programOfStep(const lesson::Lesson& lesson, std::size_t step,
+                                  const lesson::LessonScene& scene, emit::Flavour flavour,
+                                  const std::string& source, emit::TextureCodes& codes) {
+    emit::ProgramOptions options;
+    options.source = source;
+    tellOfStep(lesson, step, options);
+    return programBesideFiles(flavour, scene.scene, scene.images, std::move(options), codes);
+}
+
+tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument, emit::Flavour flavour,
+                                                  emit::ProgramOptions options, ImageFiles files) {
     const auto problem = [&](const Error& error) {
         return tl::unexpected(SceneProblem{inScene(argument, error), failure});
     };
@@ -50,6 +96,14 @@ programOf(const SceneArgument& argument, emit::Flavour flavour, emit::ProgramOpt
         options.title = nameOf(argument);
     const fs::path place = fs::path(options.source).parent_path();
     options.source = fs::path(options.source).filename().string();
+    emit::TextureCodes codes;
+    if (files == ImageFiles::Beside) {
+        Result<ProgramText> program =
+            programBesideFiles(flavour, opened->scene, opened->images, std::move(options), codes);
+        if (!program)
+            return problem(program.error());
+        return *std::move(program);
+    }
     options.fileName = [&](const std::string& file) {
         std::error_code ignored; // where the current folder was removed, a relative name stays one
         const fs::path here = fs::current_path(ignored);
@@ -58,11 +112,10 @@ programOf(const SceneArgument& argument, emit::Flavour flavour, emit::ProgramOpt
         const bool below = !relative.empty() && *relative.begin() != "..";
         return (below ? relative : whole).generic_string();
     };
-    emit::TextureCodes codes;
     auto lines = emit::program(flavour, opened->scene, opened->images, options, codes);
     if (!lines)
         return problem(lines.error());
-    return *std::move(lines);
+    return ProgramText{*std::move(lines)};
 }
 
 } // namespace texplorer::screenshot

@@ -2,16 +2,45 @@
 
 #include "app/screenshot/arguments/scene_argument.h"
 #include "core/emit/program.h"
+#include "core/lesson/lesson_scene.h"
 
 #include <string>
 #include <vector>
 
 namespace texplorer::screenshot {
 
+/// An image file that a program reads.
+struct ReadFile {
+    std::string name; ///< as the program calls it
+    Bytes bytes;
+};
+
+struct ProgramText {
+    std::vector<emit::Line> lines;
+    std::vector<ReadFile> files{}; ///< which are to be written beside the program
+};
+
+/// Where a program looks for the image files that it reads.
+enum class ImageFiles : bool {
+    WhereTheyAre, ///< those of the program's lessons are nowhere: their texels stand in the program
+    Beside,       ///< copies lie in the program's folder; of a lesson alone, whose files have plain names
+};
+
 /// The program that draws the scene of a command line. With a lesson its text is said at the top, and what
 /// the step is about has a word on it. options.source is the path of the program: images are named from
 /// there.
-[[nodiscard]] tl::expected<std::vector<emit::Line>, SceneProblem>
-programOf(const SceneArgument& argument, emit::Flavour flavour, emit::ProgramOptions options);
+[[nodiscard]] tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument,
+                                                                emit::Flavour flavour,
+                                                                emit::ProgramOptions options,
+                                                                ImageFiles files = ImageFiles::WhereTheyAre);
+
+/// The parameters that a step of a lesson is about.
+[[nodiscard]] std::set<std::string, std::less<>> subjectsOf(const lesson::Step& step);
+
+/// The same of a lesson's step whose scene is at hand, with the files beside it. `source` is the program's
+/// name.
+[[nodiscard]] Result<ProgramText> programOfStep(const lesson::Lesson& lesson, std::size_t step,
+                                                const lesson::LessonScene& scene, emit::Flavour flavour,
+                                                const std::string& source, emit::TextureCodes& codes);
 
 } // namespace texplorer::screenshot

@@ -339,13 +339,16 @@ TEST_P(Writing, MakesAndReplacesFiles) {
         EXPECT_TRUE(writeFileAtomically(old, viewBytes("after")));
         EXPECT_TRUE(checkFileWritable(old));
         EXPECT_TRUE(checkFileWritable(folder_ / "later"));
-        const std::vector<FileContent> both{{"a", viewBytes("1")}, {"b", viewBytes("2")}};
-        EXPECT_TRUE(writeFolderAtomically(folder_ / "sub" / "report", both));
+        const std::vector<FileContent> all{
+            {"a", viewBytes("1")}, {"b", viewBytes("2")}, {"c/d/e", viewBytes("3")}, {"c/f", viewBytes("4")}};
+        EXPECT_TRUE(writeFolderAtomically(folder_ / "sub" / "report", all));
     });
     EXPECT_EQ(test::readRawText(folder_ / "new"), "fresh");
     EXPECT_EQ(test::readRawText(old), "after");
     EXPECT_EQ(mode(old), 0751U);
     EXPECT_EQ(test::readRawText(folder_ / "sub" / "report" / "b"), "2");
+    EXPECT_EQ(test::readRawText(folder_ / "sub" / "report" / "c" / "d" / "e"), "3");
+    EXPECT_EQ(test::readRawText(folder_ / "sub" / "report" / "c" / "f"), "4");
     EXPECT_THAT(names(), testing::ElementsAre("new", "old", "sub"));
 }
 
@@ -432,6 +435,10 @@ TEST_F(FileIo, AFolderIsWrittenAsAWholeOrNotAtAll) {
     expectError(writeFolderAtomically(folder_ / "there", blocked), ErrorCode::Unwritable,
                 folder_ / "there" / "b", "Is a directory");
     EXPECT_FALSE(fs::exists(folder_ / "there" / "new"));
+    const std::vector<FileContent> deeper{{"own/new", viewBytes("1")}, {"a/new", viewBytes("2")}};
+    expectError(writeFolderAtomically(folder_ / "there", deeper), ErrorCode::Unwritable,
+                folder_ / "there" / "a" / "new", "Not a directory");
+    EXPECT_FALSE(fs::exists(folder_ / "there" / "own"));
     make("file", "x");
     expectError(writeFolderAtomically(folder_ / "file" / "below", files), ErrorCode::Unwritable,
                 folder_ / "file" / "below", "file is no folder");

@@ -1,0 +1,206 @@
+#include "app/screenshot/reports/lesson_step.h"
+
+#include "app/screenshot/reports/step_programs.h"
+#include "app/ui/model/figures.h"
+#include "core/codec/png/png.h"
+#include "core/image/convert.h"
+#include "core/lesson/match.h"
+#include "core/lesson/reason.h"
+#include "core/reference/draw.h"
+#include "core/reference/false_colors.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::screenshot {
+namespace {
+
+using lesson::LessonScene;
+
+constexpr int stepWidth = 320; // of a step's picture; others are as the window has them
+constexpr int stepHeight = 240;
+
+class StepWriter {
+public:
+    StepWriter(const PageLesson& lesson, std::size_t index, LessonScene start, const std::stop_token& stop)
+        : lesson_(lesson)
+        , step_(lesson.lesson.steps[index])
+        , index_(index)
+        , place_(fmt::format("{}-{}", lesson.anchor, index + 1))
+        , start_(std::move(start))
+        , stop_(stop) {}
+
+    Result<PageStep> write();
+
+private:
+    [[nodiscard]] const PageWords& words() const { return lesson_.words; }
+    [[nodiscard]] std::string& section() { return out_.section; }
+
+    Result<void> writeTask(const std::monostate& /*task*/) { return {}; }
+    Result<void> writeTask(const lesson::Try& task);
+    Result<void> writeTask(const lesson::Predict& predict);
+    Result<void> writeTask(const lesson::Match& match);
+    void writeTaskText(const std::string& kind, const std::string& english);
+    /// What one sees when one wants to; on paper it stands on the last pages.
+    void writeHidden(const std::string& summary, const std::string& html);
+
+    /// The picture becomes a file, and this is how it is shown.
+    Result<std::string> image(const std::string& name, const Result<Image>& picture, const std::string& alt);
+    [[nodiscard]] Result<Image> shownPicture() const;
+    [[nodiscard]] Result<Image> pictureWith(const std::vector<lesson::Edit>& edits) const;
+
+    const PageLesson& lesson_;
+    const lesson::Step& step_;
+    std::size_t index_;
+    std::string place_; ///< "wrap-3"
+    LessonScene start_;
+    std::stop_token stop_;
+    PageStep out_;
+};
+
+Result<PageStep> StepWriter::write() {
+    const std::string title = words().text(step_.title);
+    const Result<std::string> shown = image(
+        place_, shownPicture(), words().word(fmt::format("The picture of step {}: {}", index_ + 1, title)));
+    if (!shown)
+        return fail(shown.error());
+    Result<StepPrograms> programs = stepPrograms(lesson_, index_, start_, place_);
+    if (!programs)
+        return fail(programs.error());
+    const lesson::Look& look = step_.look;
+    const std::string mark = look.probeX < 0
+                                 ? std::string()
+                                 : fmt::format("<i class=\"mark\" style=\"left:{}%;top:{}%\"></i>",
+                                               look.probeX / 10.0, look.probeY / 10.0);
+    section() += fmt::format("<section class=\"step\" id=\"{}\">\n<h3>{}. {}</h3>\n"
+                             "<figure class=\"shown\">{}{}</figure>\n<p>{}</p>\n",
+                             place_, index_ + 1, htmlOf(title), *shown, mark, words().textHtml(step_.text));
+    const auto* const figure = std::ranges::find(ui::figureRows, look.figure, &ui::FigureRow::name);
+    if (figure != ui::figureRows.end())
+        section() += fmt::format("<p class=\"source\">{}</p>\n",
+                                 words().wordHtml(fmt::format("In the window this step opens the figure {}.",
+                                                              words().word(figure->label))));
+    for (const std::string& note : imageNotes(start_))
+        section() += fmt::format("<p class=\"source\">{}</p>\n", words().wordHtml(note));
+    section() += programs->excerpt;
+    if (const Result<void> task =
+            std::visit([this](const auto& each) { return writeTask(each); }, step_.task);
+        !task)
+        return fail(task.error());
+    section() += programs->whole + "</section>\n";
+    std::ranges::move(programs->files, std::back_inserter(out_.files));
+    return std::move(out_);
+}
+
+void StepWriter::writeTaskText(const std::string& kind, const std::string& english) {
+    section() += fmt::format("<p class=\"task\"><b>{}.</b> {}</p>\n", words().wordHtml(kind),
+                             words().textHtml(english));
+}
+
+void StepWriter::writeHidden(const std::string& summary, const std::string& html) {
+    const std::string name = words().wordHtml(summary);
+    section() += fmt::format("<details><summary>{}</summary><p>{}</p></details>\n", name, html);
+    out_.answer = fmt::format("<p><b>{}. {}.</b> {}</p>\n", index_ + 1, name, html);
+}
+
+Result<void> StepWriter::writeTask(const lesson::Try& task) {
+    writeTaskText("Try", task.task);
+    return {};
+}
+
+Result<void> StepWriter::writeTask(const lesson::Predict& predict) {
+    writeTaskText("Predict", predict.question);
+    std::string list;
+    bool isPictured = false;
+    for (std::size_t i = 0; i < predict.answers.size(); ++i) {
+        const lesson::Answer& answer = predict.answers[i];
+        std::string picture;
+        if (!answer.edits.empty()) {
+            isPictured = true;
+            Result<std::string> shown =
+                image(fmt::format("{}-answer-{}", place_, i + 1), pictureWith(answer.edits),
+                      words().word(fmt::format("The picture of answer {}", static_cast<char>('A' + i))));
+            if (!shown)
+                return fail(shown.error());
+            picture = *std::move(shown);
+        }
+        list += fmt::format("<li>{}{}</li>\n", picture, words().textHtml(answer.text));
+    }
+    section() += fmt::format("<ol class=\"answers{}\">\n{}</ol>\n", isPictured ? " pictured" : "", list);
+    const Result<std::string> reason =
+        withEdits(start_, predict.answers[predict.right].edits).and_then([&](const LessonScene& scene) {
+            return reasonOf(words().text(predict.reason), scene, step_.look.probeX, step_.look.probeY);
+        });
+    if (!reason)
+        return fail(reason.error());
+    writeHidden("The right answer",
+                fmt::format("{}. {}", static_cast<char>('A' + predict.right), htmlOf(*reason)));
+    return {};
+}
+
+Result<void> StepWriter::writeTask(const lesson::Match& match) {
+    writeTaskText("Match", match.task);
+    const Result<std::string> shown =
+        image(place_ + "-reached", pictureWith(match.edits), words().word("The picture to reach"));
+    if (!shown)
+        return fail(shown.error());
+    section() += fmt::format("<figure>{}</figure>\n", *shown);
+    std::string edits;
+    for (const lesson::Edit& edit : match.edits)
+        edits +=
+            fmt::format("{}<code>{}</code>", edits.empty() ? "" : ", ",
+                        htmlOf(edit.path.empty() ? "preset:" + edit.value : edit.path + "=" + edit.value));
+    writeHidden("What leads there", edits);
+    return {};
+}
+
+Result<Image> StepWriter::pictureWith(const std::vector<lesson::Edit>& edits) const {
+    return withEdits(start_, edits).and_then([this](const LessonScene& scene) {
+        return lesson::drawSmall(scene, stop_);
+    });
+}
+
+/// As the step shows it: false colours where the window has them.
+Result<Image> StepWriter::shownPicture() const {
+    const reference::DrawRequest request{start_.scene, start_.images, 0, stepWidth, stepHeight};
+    reference::DrawOptions drawing;
+    drawing.threads = 1; // other steps are drawn beside it
+    drawing.stop = stop_;
+    const EnumRow* row = findRow(EnumTable<reference::Shown>::rows, step_.look.shown);
+    const auto shown = row ? static_cast<reference::Shown>(row->value) : reference::Shown::Picture;
+    if (shown == reference::Shown::Picture)
+        return reference::drawReference(request, drawing).map([](Frame frame) {
+            return withoutAlpha(std::move(frame.image)); // the page must not shine through it
+        });
+    return reference::levelMap(request, {}, drawing).map([shown](const reference::LevelMap& map) {
+        return reference::falseColors(map, shown);
+    });
+}
+
+Result<std::string> StepWriter::image(const std::string& name, const Result<Image>& picture,
+                                      const std::string& alt) {
+    if (!picture)
+        return fail(picture.error());
+    Result<Bytes> bytes = encodePng(*picture);
+    if (!bytes)
+        return fail(bytes.error());
+    out_.files.push_back({name + ".png", *std::move(bytes)});
+    return fmt::format("<img src=\"{}.png\" alt=\"{}\" width=\"{}\" height=\"{}\">", name, htmlOf(alt),
+                       picture->width, picture->height);
+}
+
+} // namespace
+
+Result<PageStep> pageStep(const PageLesson& lesson, std::size_t index, const std::stop_token& stop) {
+    Result<LessonScene> start = startOf(lesson.folder, lesson.lesson, index);
+    if (!start) {
+        const std::filesystem::path& path = lesson.folder.path();
+        return fail(start.error().code, describe(start.error()),
+                    path.empty() ? lesson.folder.name() : (path / lesson::lessonFileName).string());
+    }
+    return StepWriter(lesson, index, *std::move(start), stop).write();
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/ui/language/catalogue.h"
+#include "core/base/html.h"
+#include "core/base/printable.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace texplorer::screenshot {
+
+[[nodiscard]] inline std::string htmlOf(std::string_view text) {
+    return escapedHtml(printable(text, LineBreaks::Keep));
+}
+
+/// What a page says in its language, where there is a translation: the program's words, and a lesson's texts.
+struct PageWords {
+    const ui::Catalogue* words = nullptr;
+    std::shared_ptr<const ui::Catalogue> texts{};
+
+    [[nodiscard]] std::string word(const std::string& english) const { return in(words, english); }
+    [[nodiscard]] std::string text(const std::string& english) const { return in(texts.get(), english); }
+
+    // As they stand in HTML.
+    [[nodiscard]] std::string wordHtml(const std::string& english) const { return htmlOf(word(english)); }
+    [[nodiscard]] std::string textHtml(const std::string& english) const { return htmlOf(text(english)); }
+
+private:
+    [[nodiscard]] static std::string in(const ui::Catalogue* catalogue, const std::string& english) {
+        return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(english);
+    }
+};
+
+} // namespace texplorer::screenshot

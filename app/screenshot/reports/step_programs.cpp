@@ -1,0 +1,165 @@
+#include "app/screenshot/reports/step_programs.h"
+
+#include "app/screenshot/reports/program_text.h"
+#include "core/base/file_io.h"
+#include "core/emit/excerpt.h"
+#include "core/emit/flavour.h"
+
+#include <fmt/core.h>
+
+#include <set>
+
+namespace texplorer::screenshot {
+namespace {
+
+using Paths = std::set<std::string, std::less<>>;
+
+constexpr std::size_t mostExcerptLines = 12;
+/// Of a photograph the texels alone would be tens of megabytes.
+constexpr std::size_t mostProgramBytes = std::size_t{4} << 20;
+
+/// A line of a program, of whose comments the page may have a translation.
+std::string codeHtml(const emit::Line& line, const PageWords* words) {
+    std::string html;
+    for (const emit::Part& part : line.parts) {
+        if (part.kind != emit::Part::Kind::Comment) {
+            html += htmlOf(part.text);
+            continue;
+        }
+        constexpr std::string_view begin = "/* ";
+        constexpr std::string_view end = " */";
+        const bool isWhole = part.text.size() > begin.size() + end.size() && part.text.starts_with(begin) &&
+                             part.text.ends_with(end);
+        const std::string said =
+            isWhole && words ? fmt::format("{}{}{}", begin,
+                                           words->word(part.text.substr(
+                                               begin.size(), part.text.size() - begin.size() - end.size())),
+                                           end)
+                             : part.text;
+        html += fmt::format("<i>{}</i>", htmlOf(said));
+    }
+    return html + "\n";
+}
+
+std::string excerptHtml(const PageWords& words, const emit::Excerpt& excerpt) {
+    if (excerpt.lines.empty())
+        return {};
+    std::string code;
+    for (const emit::Line& line : excerpt.lines)
+        code += codeHtml(line, &words);
+    if (excerpt.left > 0)
+        code +=
+            fmt::format("<i>/* {} */</i>\n", words.wordHtml(fmt::format("and {} more lines", excerpt.left)));
+    return fmt::format("<div class=\"excerpt\"><p class=\"source\">{}</p><pre><code>{}</code></pre></div>\n",
+                       words.wordHtml("In the program:"), code);
+}
+
+/// All of it but the numbers of long arrays. What the step is about is marked.
+std::string wholeHtml(const PageWords& words, const std::vector<emit::Line>& program, const Paths& paths) {
+    const std::vector<emit::Line> lines = shownLines(program, false);
+    std::string code;
+    for (const emit::Line& line : lines) {
+        const std::string html = codeHtml(line, nullptr);
+        code +=
+            isAbout(line, paths) ? fmt::format("<mark>{}</mark>\n", html.substr(0, html.size() - 1)) : html;
+    }
+    return fmt::format(
+        "<details class=\"whole\"><summary>{}</summary><pre tabindex=\"0\"><code>{}</code></pre></details>\n",
+        words.wordHtml(fmt::format("The whole program, {} lines", lines.size())), code);
+}
+
+/// The fixed-function program of the step before, where both are of one scene: what is new shows itself then.
+std::vector<emit::Line> programBefore(const PageLesson& lesson, std::size_t index) {
+    if (index == 0 || !lesson.lesson.steps[index].scene.empty())
+        return {};
+    emit::TextureCodes codes;
+    return startOf(lesson.folder, lesson.lesson, index - 1)
+        .and_then([&](const lesson::LessonScene& scene) {
+            return programOfStep(lesson.lesson, index - 1, scene, emit::Flavour::Fixed, "before.c", codes);
+        })
+        .map([](ProgramText&& program) { return std::move(program.lines); })
+        .value_or(std::vector<emit::Line>{});
+}
+
+std::string fileOf(emit::Flavour flavour, const std::string& place) {
+    return fmt::format("{}{}{}", place, flavour == emit::Flavour::Glsl ? "-glsl" : "", extensionOf(flavour));
+}
+
+/// The programs of a step, one after the other.
+class ProgramsWriter {
+public:
+    ProgramsWriter(const PageLesson& lesson, std::size_t index, const lesson::LessonScene& scene,
+                   const std::string& place)
+        : lesson_(lesson)
+        , index_(index)
+        , scene_(scene)
+        , place_(place) {}
+
+    Result<StepPrograms> write() {
+        std::string names;
+        for (const EnumRow& row : emit::flavourRows) {
+            const auto flavour = static_cast<emit::Flavour>(row.value);
+            const std::string name = fileOf(flavour, place_);
+            // A page has no other file: what its textures hold is made apart.
+            emit::TextureCodes& codes = flavour == emit::Flavour::WebGl ? codesOfPages_ : codes_;
+            Result<ProgramText> program = programOfStep(lesson_.lesson, index_, scene_, flavour, name, codes);
+            if (!program && program.error().code != ErrorCode::Unsupported)
+                return fail(program.error());
+            names += fmt::format("<li>{}</li>\n", program ? add(row, name, *program)
+                                                          : refusal(row, describe(program.error())));
+        }
+        out_.whole = fmt::format("{}<ul class=\"files\">\n{}</ul>\n", shown_, names);
+        return std::move(out_);
+    }
+
+private:
+    [[nodiscard]] const PageWords& words() const { return lesson_.words; }
+
+    [[nodiscard]] std::string refusal(const EnumRow& row, const std::string& sentence) const {
+        return fmt::format("{}: {}", words().wordHtml(row.label), words().wordHtml(sentence));
+    }
+
+    std::string add(const EnumRow& row, const std::string& name, const ProgramText& program) {
+        const std::string text = textOf(program.lines, false);
+        if (row.value == static_cast<std::uint32_t>(emit::Flavour::Fixed)) {
+            const Paths paths = subjectsOf(lesson_.lesson.steps[index_]);
+            const emit::Excerpt excerpt =
+                excerptOf(program.lines, paths, programBefore(lesson_, index_), mostExcerptLines);
+            out_.excerpt = excerptHtml(words(), excerpt);
+            shown_ = wholeHtml(words(), program.lines, paths);
+        }
+        if (text.size() > mostProgramBytes)
+            return refusal(row, fmt::format("the program holds {} MB of texels; \"texshot emit\" writes it",
+                                            text.size() >> 20));
+        const std::string folder = fmt::format("programs/{}/", lesson_.anchor);
+        const ByteView bytes = viewBytes(text);
+        out_.files.push_back({folder + name, Bytes(bytes.begin(), bytes.end())});
+        std::string with;
+        for (const ReadFile& each : program.files) {
+            out_.files.push_back({folder + each.name, each.bytes});
+            with += (with.empty() ? "" : ", ") + each.name;
+        }
+        const std::string reads =
+            with.empty() ? "" : ", " + words().wordHtml(fmt::format("which reads {}", with));
+        return fmt::format("<a href=\"{0}{1}\">{1}</a> <b>{2}{3}</b>", folder, name,
+                           words().wordHtml(row.label), reads);
+    }
+
+    const PageLesson& lesson_;
+    std::size_t index_;
+    const lesson::LessonScene& scene_;
+    const std::string& place_;
+    emit::TextureCodes codes_;
+    emit::TextureCodes codesOfPages_;
+    std::string shown_; ///< the program that stands on the page
+    StepPrograms out_;
+};
+
+} // namespace
+
+Result<StepPrograms> stepPrograms(const PageLesson& lesson, std::size_t index,
+                                  const lesson::LessonScene& scene, const std::string& place) {
+    return ProgramsWriter(lesson, index, scene, place).write();
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,108 @@
+#include "core/emit/excerpt.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace texplorer::emit {
+namespace {
+
+/// A word on the line below it.
+bool isRemark(const Line& line) {
+    const bool hasMore = std::ranges::any_of(line.parts, [](const Part& part) {
+        return part.kind != Part::Kind::Comment && part.text.find_first_not_of(' ') != std::string::npos;
+    });
+    return !line.heading && !hasMore && textOf(line).find_first_not_of(' ') != std::string::npos;
+}
+
+/// Whether it makes a call, or has a value of the scene.
+bool doesSomething(const Line& line) {
+    return std::ranges::any_of(line.parts, [](const Part& part) {
+        return part.kind == Part::Kind::Call || (part.kind != Part::Kind::Comment && !part.path.empty());
+    });
+}
+
+std::size_t indentOf(const Line& line) {
+    const std::string text = textOf(line);
+    return std::min(text.find_first_not_of(' '), text.size());
+}
+
+void takeIndent(Line& line, std::size_t count) {
+    for (Part& part : line.parts) {
+        const std::size_t taken = std::min(count, part.text.size());
+        part.text.erase(0, taken);
+        count -= taken;
+    }
+}
+
+/// Which lines are about them.
+std::vector<std::size_t> linesAbout(const std::vector<Line>& lines,
+                                    const std::set<std::string, std::less<>>& paths) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (isAbout(lines[i], paths))
+            found.push_back(i);
+    }
+    return found;
+}
+
+std::vector<std::size_t> newLines(const std::vector<Line>& lines, const std::vector<Line>& before) {
+    std::set<std::string> known;
+    for (const Line& line : shownLines(before, false))
+        known.insert(textOf(line));
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (doesSomething(lines[i]) && !known.contains(textOf(lines[i])))
+            found.push_back(i);
+    }
+    return found;
+}
+
+} // namespace
+
+bool isAbout(const Line& line, const std::set<std::string, std::less<>>& paths) {
+    return std::ranges::any_of(line.parts, [&](const Part& part) {
+        if (part.path.empty() || part.kind == Part::Kind::Comment)
+            return false;
+        return std::ranges::any_of(paths, [&](const std::string& path) {
+            return part.path.starts_with(path) &&
+                   (part.path.size() == path.size() || part.path[path.size()] == '[' ||
+                    part.path[path.size()] == '.');
+        });
+    });
+}
+
+Excerpt excerptOf(const std::vector<Line>& program, const std::set<std::string, std::less<>>& paths,
+                  const std::vector<Line>& before, std::size_t most) {
+    const std::vector<Line> lines = shownLines(program, false);
+    std::vector<std::size_t> wanted = linesAbout(lines, paths);
+    if (wanted.empty() && !before.empty())
+        wanted = newLines(lines, before);
+    Excerpt excerpt;
+    excerpt.left = wanted.size() - std::min(wanted.size(), most);
+    wanted.resize(wanted.size() - excerpt.left);
+    std::optional<std::size_t> heading;
+    for (const std::size_t each : wanted) {
+        std::size_t above = each;
+        while (above > 0 && !lines[above].heading)
+            --above;
+        if (heading != above && lines[above].heading) {
+            if (heading)
+                excerpt.lines.emplace_back();
+            excerpt.lines.push_back(lines[above]);
+            heading = above;
+        }
+        if (each > 0 && isRemark(lines[each - 1]))
+            excerpt.lines.push_back(lines[each - 1]);
+        excerpt.lines.push_back(lines[each]);
+    }
+    std::size_t indent = std::string::npos;
+    for (const Line& line : excerpt.lines) {
+        if (!line.parts.empty())
+            indent = std::min(indent, indentOf(line));
+    }
+    for (Line& line : excerpt.lines)
+        takeIndent(line, indent == std::string::npos ? 0 : indent);
+    return excerpt;
+}
+
+} // namespace texplorer::emit

@@ -1,0 +1,30 @@
+#pragma once
+
+// A program as somebody reads it who wants to know one thing: which of its lines that is.
+
+#include "core/emit/code.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace texplorer::emit {
+
+/// Whether a line is about one of these parameters, or about a part of it: "models[0].texCoords0" is also
+/// what "models[0].texCoords0[2]" is.
+[[nodiscard]] bool isAbout(const Line& line, const std::set<std::string, std::less<>>& paths);
+
+/// Lines out of a program, each group with the heading that it stands below. Groups are apart by an empty
+/// line; what all of them are indented by is taken away.
+struct Excerpt {
+    std::vector<Line> lines;
+    std::size_t left = 0; ///< lines that would be too many
+};
+
+/// Of the lines that stand in the file those about these parameters, with the word on what they do; at most
+/// `most`, without headings. Where there are none: those that another program, the one before it, hasn't.
+[[nodiscard]] Excerpt excerptOf(const std::vector<Line>& program,
+                                const std::set<std::string, std::less<>>& paths,
+                                const std::vector<Line>& before, std::size_t most);
+
+} // namespace texplorer::emit
