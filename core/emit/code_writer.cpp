@@ -320,10 +320,11 @@ void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {
     const Value value = row.read(holder.values);
     const bool differs = set(fmt::format("{}.{}", holder.state, row.key), value, row.read(holder.initial));
     const std::string path = fmt::format("{}.{}", holder.path, row.key);
+    const bool isExplained = explained_.contains(path); // then it is said, even where OpenGL has it already
+    const bool needed = (differs || isExplained) && matters;
     const std::string words = callFor(row, holder.target);
     const std::size_t bracket = words.find('(');
     const std::string name = words.substr(0, bracket);
-    const bool needed = differs && matters;
     std::vector<Part> parts = argumentsOf(holder, row, words.substr(bracket) + ";");
     const bool switches = row.kind == Kind::Bool && name == "glEnable";
     parts.insert(parts.begin(), switches ? enabling(std::get<bool>(value), path) : call(name));
@@ -337,7 +338,7 @@ void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {
         lines_.back().needed |= needed;
         return;
     }
-    if (explained_.contains(path))
+    if (isExplained)
         comment(row.help, needed);
     if (takesPointer(words) && isVector(row.kind))
         floats(joined(holder.variable, row.key), numbers(numbersOf(value), path), needed);

@@ -102,7 +102,7 @@ public:
     Part seconds();
     [[nodiscard]] bool usesSeconds() const { return usesSeconds_; }
 
-    /// Parameters whose calls have a word on what they do before them.
+    /// Parameters whose calls are needed in any case, and have a word on what they do before them.
     void explain(std::set<std::string, std::less<>> paths) { explained_ = std::move(paths); }
 
     /// What is known of OpenGL's state.

@@ -34,6 +34,15 @@ void takeIndent(Line& line, std::size_t count) {
     }
 }
 
+/// Which one a line stands below; what stands outside of functions needs none.
+std::optional<std::size_t> headingOf(const std::vector<Line>& lines, std::size_t line) {
+    for (std::size_t i = line; lines[line].depth > 0 && i-- > 0;) {
+        if (lines[i].heading)
+            return i;
+    }
+    return {};
+}
+
 /// Which lines are about them.
 std::vector<std::size_t> linesAbout(const std::vector<Line>& lines,
                                     const std::set<std::string, std::less<>>& paths) {
@@ -81,17 +90,15 @@ Excerpt excerptOf(const std::vector<Line>& program, const std::set<std::string, 
     excerpt.left = wanted.size() - std::min(wanted.size(), most);
     wanted.resize(wanted.size() - excerpt.left);
     std::optional<std::size_t> heading;
+    std::set<std::string> remarks;
     for (const std::size_t each : wanted) {
-        std::size_t above = each;
-        while (above > 0 && !lines[above].heading)
-            --above;
-        if (heading != above && lines[above].heading) {
-            if (heading)
-                excerpt.lines.emplace_back();
-            excerpt.lines.push_back(lines[above]);
-            heading = above;
-        }
-        if (each > 0 && isRemark(lines[each - 1]))
+        const std::optional<std::size_t> above = headingOf(lines, each);
+        if (heading != above && !excerpt.lines.empty())
+            excerpt.lines.emplace_back();
+        if (heading != above && above)
+            excerpt.lines.push_back(lines[*above]);
+        heading = above;
+        if (each > 0 && isRemark(lines[each - 1]) && remarks.insert(textOf(lines[each - 1])).second)
             excerpt.lines.push_back(lines[each - 1]);
         excerpt.lines.push_back(lines[each]);
     }

@@ -21,7 +21,7 @@ struct Excerpt {
     std::size_t left = 0; ///< lines that would be too many
 };
 
-/// Of the lines that stand in the file those about these parameters, with the word on what they do; at most
+/// Of the lines that stand in the file those about these parameters, with the word on what they do, once; at most
 /// `most`, without headings. Where there are none: those that another program, the one before it, hasn't.
 [[nodiscard]] Excerpt excerptOf(const std::vector<Line>& program,
                                 const std::set<std::string, std::less<>>& paths,

@@ -43,7 +43,8 @@ struct ProgramOptions {
     std::string source = "demo.c";   ///< what the file is called: for the line that compiles it
     int width = 640;                 ///< of the window, in pixels
     int height = 480;
-    /// Parameters whose calls have a word on what they do before them.
+    /// Parameters whose calls have a word on what they do before them, and stand there even where they set what
+    /// OpenGL starts with.
     std::set<std::string, std::less<>> explained{};
     /// What the program calls an image file of the scene that lies in a folder: BMP, TGA and DDS files whose
     /// format takes few lines are read by it. Empty, or an empty name: their texels stand in the program.

@@ -66,7 +66,7 @@ ExitCode emitProgram(const EmitOptions& options) {
     if (!isStandardOutput(options.out))
         asked.source = options.out;
     const auto program = programOf(options.scene, *flavour, std::move(asked),
-                                   options.files ? ImageFiles::Beside : ImageFiles::WhereTheyAre);
+                                   options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
     if (!program)
         return complain(program.error().error, program.error().code);
     if (const Result<void> beside = writeBeside(options.out, program->files); !beside)

@@ -224,7 +224,7 @@ void addLessons(CommandLine& line) {
     const Option& page = command.option(
         "--page", options->page,
         "Write the lessons as a page for a browser or a printer into a folder: index.html with every step, "
-        "question and answer, and the pictures beside it.",
+        "question and answer, beside it the pictures, and below programs/ those of each step.",
         {.value = "DIR", .excludes = &json});
     options->pageOption = &page;
     options->checkOption = &check;
@@ -237,6 +237,10 @@ void addLessons(CommandLine& line) {
                    {.value = "LANGUAGE", .needs = &page, .offers = {pageLanguages}});
     command.footer(
         "\"texshot shot --lesson NAME --step N\" draws a step. CONTRIBUTING.md says how a lesson is written.\n"
+        "On the page a step's program is folded, and the calls that it is about stand beside its text. The files are "
+        "those of \"texshot emit --lesson NAME --step N --files\", for each --as that can say the scene; the page "
+        "says why another one can't. Printed on A4 or Letter, each lesson begins a page, without the folded programs, "
+        "and the answers are on the last pages.\n"
         "Exit status: 0 done, 1 something is wrong with the lesson, 2 a wrong call.");
     command.onCall([options] { return lessons(*options); });
 }

@@ -80,7 +80,7 @@ Result<ProgramText> programOfStep(const lesson::Lesson& lesson, std::size_t step
 }
 
 tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument, emit::Flavour flavour,
-                                                  emit::ProgramOptions options, ImageFiles files) {
+                                                  emit::ProgramOptions options, FilePlaces files) {
     const auto problem = [&](const Error& error) {
         return tl::unexpected(SceneProblem{inScene(argument, error), failure});
     };
@@ -97,7 +97,7 @@ tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument,
     const fs::path place = fs::path(options.source).parent_path();
     options.source = fs::path(options.source).filename().string();
     emit::TextureCodes codes;
-    if (files == ImageFiles::Beside) {
+    if (files == FilePlaces::Beside) {
         Result<ProgramText> program =
             programBesideFiles(flavour, opened->scene, opened->images, std::move(options), codes);
         if (!program)

@@ -21,7 +21,7 @@ struct ProgramText {
 };
 
 /// Where a program looks for the image files that it reads.
-enum class ImageFiles : bool {
+enum class FilePlaces : bool {
     WhereTheyAre, ///< those of the program's lessons are nowhere: their texels stand in the program
     Beside,       ///< copies lie in the program's folder; of a lesson alone, whose files have plain names
 };
@@ -32,7 +32,7 @@ enum class ImageFiles : bool {
 [[nodiscard]] tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument,
                                                                 emit::Flavour flavour,
                                                                 emit::ProgramOptions options,
-                                                                ImageFiles files = ImageFiles::WhereTheyAre);
+                                                                FilePlaces files = FilePlaces::WhereTheyAre);
 
 /// The parameters that a step of a lesson is about.
 [[nodiscard]] std::set<std::string, std::less<>> subjectsOf(const lesson::Step& step);

@@ -76,6 +76,17 @@ TEST(Excerpts, AreWhatIsNewWhereNoLineIsAboutTheParameter) {
                 ElementsAre("/* texture */", "    name();"));
 }
 
+TEST(Excerpts, SayEachWordOnceAndTakeNoHeadingOfOthersForVariables) {
+    const std::vector<Line> lines{
+        heading("/* functions */"),         {{{Part::Kind::Number, "distance = 1;", "view.distance"}}},
+        heading("/* texture 0 */"),         remark("/* to the left */"),
+        call("wrap(", "textures[0].wrapS"), heading("/* texture 1 */"),
+        remark("/* to the left */"),        call("wrap(", "textures[1].wrapS")};
+    EXPECT_THAT(textsOf(excerptOf(lines, {"view.distance", "textures[0].wrapS", "textures[1].wrapS"}, {}, 9)),
+                ElementsAre("distance = 1;", "", "/* texture 0 */", "    /* to the left */", "    wrap();",
+                            "", "/* texture 1 */", "    wrap();"));
+}
+
 TEST(Excerpts, LoseWhatAllAreIndentedBy) {
     const std::vector<Line> lines{heading("    /* unit 0 */", 1), call("one(", "a.b"), call("two(", "a.b")};
     EXPECT_THAT(textsOf(excerptOf(lines, {"a"}, {}, 9)), ElementsAre("/* unit 0 */", "one();", "two();"));

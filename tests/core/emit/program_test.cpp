@@ -484,6 +484,18 @@ TEST(EmittedPrograms, HaveAWordOnWhatALessonIsAbout) {
     EXPECT_THAT(textOf(*(call - 1)), StartsWith("    /* How a colour is found where a pixel covers more"));
 }
 
+TEST(EmittedPrograms, SayWhatALessonIsAboutAlsoWhereOpenGlStartsWithIt) {
+    emit::TextureCodes codes;
+    const emit::ProgramOptions options{.explained = {"textures[0].wrapS", "passes[0].units[0].envColor"}};
+    const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {}, options, codes);
+    ASSERT_TRUE(lines);
+    const std::string call = "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);";
+    EXPECT_THAT(textOf(*lines, false), HasSubstr(call));
+    EXPECT_THAT(textOf(*lines, false),
+                HasSubstr("glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, unit0EnvColor);"));
+    EXPECT_THAT(needed(defaultScene()), Not(Contains(call)));
+}
+
 TEST(EmittedPrograms, RefuseWhatTheyCantDraw) {
     Scene scene = defaultScene();
     scene.textures[0].source = SourceKind::LightDepth;

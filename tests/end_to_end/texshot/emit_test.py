@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import unittest
+from pathlib import Path
 
 from PIL import Image
 
@@ -84,6 +85,22 @@ class Emit(Texshot):
         before = scene.read_bytes()
         self.assertEqual(texshot("emit", scene, "-o", scene).returncode, 2)
         self.assertEqual(scene.read_bytes(), before)
+
+    def test_a_lesson_s_files_are_written_beside_its_program(self):
+        step = ("--lesson", "textured-cube", "--step", "5")
+        self.assertNotIn("readBmp(", self.emitted(*step))
+        self.assertEqual([file.name for file in self.path.iterdir()], ["demo.c"])
+        for _ in range(2):  # the second finds it there
+            self.assertIn("readBmp(\"uv.bmp\", 96, 96, ", self.emitted(*step, "--files"))
+        original = Path(__file__).parents[3] / "assets/lessons/textured-cube/uv.bmp"
+        self.assertEqual((self.path / "uv.bmp").read_bytes(), original.read_bytes())
+        (self.path / "uv.bmp").write_bytes(b"mine")
+        (self.path / "demo.c").unlink()
+        self.assertIn("uv.bmp: is there already", self.refused(*step, "--files"))
+        self.assertEqual((self.path / "uv.bmp").read_bytes(), b"mine")
+        self.assertIn("--files", self.refused("--example", "cube", "--files", code=2))
+        result = texshot("emit", *step, "--files")
+        self.assertEqual((result.returncode, result.stdout), (2, b""))
 
     def test_a_hostile_name_stays_within_its_comment(self):
         (self.path / "scene.json").write_text(json.dumps({

@@ -1,11 +1,12 @@
 """texshot lessons --page: the lessons as a page, with their pictures beside it."""
 
+import html
 import html.parser
 import json
 import unittest
 
 from PIL import Image
-from texshot import Texshot
+from texshot import Texshot, bmp, texshot
 
 LESSON = {"lesson": 1, "title": "Mine & <yours>", "about": "\"Quoted\".", "steps": [
     {"title": "One", "text": "A < B.", "scene": "cube", "look": {"probe": [500, 250]},
@@ -51,9 +52,13 @@ class LessonPage(Texshot):
         self.assertEqual(self.succeeds("lessons", "--page", self.path / "out", *arguments), b"")
         return (self.path / "out" / "index.html").read_text()
 
-    def folder_of(self, lesson):
-        folder = self.path / "mine"
-        folder.mkdir()
+    def files(self):
+        out = self.path / "out"
+        return {str(file.relative_to(out)) for file in out.rglob("*") if file.is_file()}
+
+    def folder_of(self, lesson, name="mine"):
+        folder = self.path / name
+        folder.mkdir(parents=True)
         (folder / "lesson.json").write_text(json.dumps(lesson))
         return folder
 
@@ -63,10 +68,9 @@ class LessonPage(Texshot):
         self.assertEqual(page.language, "en")
         self.assertNotIn("script", page.tags)
         self.assertNotRegex(text, r"(?:src|href)=\"(?:\w+:|/)")
-        self.assertEqual(page.links, ["#wrap", "#coordinates"])
+        self.assertEqual([each for each in page.links if each.startswith("#")], ["#wrap", "#coordinates"])
         self.assertLessEqual({"wrap", "wrap-1", "coordinates"}, page.ids)
-        listed = {file.name for file in (self.path / "out").iterdir()}
-        self.assertEqual(listed, {"index.html", *(each["src"] for each in page.images)})
+        self.assertEqual(self.files(), {"index.html", *(each["src"] for each in page.images), *page.links[2:]})
         for each in page.images:
             with Image.open(self.path / "out" / each["src"]) as picture:
                 self.assertEqual((str(picture.width), str(picture.height)), (each["width"], each["height"]))
@@ -80,6 +84,7 @@ class LessonPage(Texshot):
         self.assertIn("A &lt; B.", text)
         self.assertRegex(text, r"<details><summary>The right answer</summary><p>B\. The colour is [^{}]*\d")
         self.assertIn("<code>textures[0].pattern=gradient</code>", text)
+        self.assertEqual(text.count("The colour is "), 2, "for screens, and for the last printed page")
         self.assertEqual([each["src"] for each in page.images],
                          ["mine-1.png", "mine-1-answer-1.png", "mine-1-answer-2.png", "mine-2.png", "mine-2-reached.png"])
 
@@ -91,6 +96,62 @@ class LessonPage(Texshot):
             self.assertEqual(picture.convert("RGBA").getextrema()[3][0], 255)
         self.assertIn("<kbd>Page Up</kbd>", text)
         self.assertIn("In the window this step opens the figure Emboss.", text)
+
+    def test_programs_are_what_emit_writes(self):
+        """Each one that the flavour can say; and else the sentence in which emit refuses it."""
+        (self.path / "emitted").mkdir()
+        for lesson in "wrap", "dds":
+            text = html.unescape(self.page("--lesson", lesson))
+            for step in range(1, text.count("<section class=\"step\"") + 1):
+                for flavour, name in ("fixed", f"{lesson}-{step}.c"), ("glsl", f"{lesson}-{step}-glsl.c"), ("webgl", f"{lesson}-{step}.html"):
+                    emitted = self.path / "emitted" / name
+                    result = texshot("emit", "--lesson", lesson, "--step", step, "--as", flavour, "--files", "-o", emitted)
+                    written = self.path / "out/programs" / lesson / name
+                    self.assertEqual(written.exists(), result.returncode == 0, result.stderr)
+                    if result.returncode == 0:
+                        self.assertEqual(written.read_bytes(), emitted.read_bytes())
+                    else:
+                        self.assertIn(result.stderr.decode().removeprefix("texshot: ").strip(), text)
+        beside = {file.name for file in (self.path / "emitted").iterdir()} - {file.name for file in (self.path / "out/programs").glob("wrap/*")}
+        self.assertEqual(beside, {file.name for file in (self.path / "out/programs/dds").iterdir()})
+        self.assertIn("turned.dds", beside)
+
+    def test_a_program_of_one_s_own_lesson_has_its_files(self):
+        folder = self.folder_of({**LESSON, "steps": [{"title": "One", "text": "Text.", "scene": "scene.json"}]})
+        (folder / "image.bmp").write_bytes(bmp(8, 4, lambda x, y: (x, y, 9)))
+        (folder / "scene.json").write_text(json.dumps({
+            "version": 1, "models": [{"shape": "quad"}], "textures": [{"source": "file", "file": "image.bmp"}],
+            "passes": [{"units": [{"enabled": True}]}]}))
+        text = self.page("--lesson", folder)
+        programs = self.path / "out/programs/mine"
+        self.assertEqual((programs / "image.bmp").read_bytes(), (folder / "image.bmp").read_bytes())
+        self.assertIn("readBmp(\"image.bmp\", 8, 4, ", (programs / "mine-1.c").read_text())
+        self.assertIn("which reads image.bmp", text)
+        # Two lessons of one name, and of two files of one name the second is another.
+        other = self.folder_of({**LESSON, "steps": LESSON["steps"][1:2] + LESSON["steps"][:1]}, "more/mine")
+        page = Page(self.page("--lesson", folder, "--lesson", other))
+        self.assertLessEqual({"mine", "mine-again", "mine-again-2"}, page.ids)
+        (folder / "image.bmp").rename(folder / "mine-1.c")
+        (folder / "scene.json").write_text((folder / "scene.json").read_text().replace("image.bmp", "mine-1.c"))
+        self.complains(1, "programs/mine/mine-1.c", "lessons", "--page", self.path / "out", "--lesson", folder)
+
+    def test_what_a_flavour_cannot_say_is_a_sentence(self):
+        keyed = {"version": 1, "timeline": [{"time": 1, "path": "view.azimuth", "value": 9}]}
+        folder = self.folder_of({**LESSON, "steps": [
+            {"title": "One", "text": "Text.", "scene": "keyed.json"},
+            {"title": "Two", "text": "Text.", "scene": "cube", "edits": ["textures[0].wrapS=GL_CLAMP_TO_BORDER"]},
+            {"title": "Three", "text": "Text.", "scene": "photo.json"}]})
+        (folder / "keyed.json").write_text(json.dumps(keyed))
+        Image.effect_noise((1200, 1200), 90).convert("RGB").save(folder / "photo.png")
+        (folder / "photo.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "photo.png"}],
+                                                       "models": [{}], "passes": [{"units": [{"enabled": True}]}]}))
+        text = html.unescape(self.page("--lesson", folder))
+        self.assertEqual(text.count("timeline: a program has no key frames"), 3)
+        self.assertIn("Page with WebGL 2: textures[0].wrapS: WebGL 2 has no GL_CLAMP_TO_BORDER", text)
+        self.assertRegex(text, r"C with OpenGL 2\.1: the program holds \d+ MB of texels")
+        self.assertEqual({name for name in self.files() if name.startswith("programs/")},
+                         {"programs/mine/mine-2.c", "programs/mine/mine-2-glsl.c"})
+        self.assertLess(len(text), 60_000)
 
     def test_the_page_is_in_other_languages(self):
         for language, tag, word in (("ru", "ru", "За краем"), ("zh_CN", "zh-CN", "课程")):
@@ -109,6 +170,9 @@ class LessonPage(Texshot):
         self.complains(1, "/steps/0/scene", "lessons", "--page", out, "--lesson", broken)
         (self.path / "file").write_text("")
         self.complains(1, "file", "lessons", "--page", self.path / "file", "--lesson", "wrap")
+        (self.path / "blocked" / "programs" / "wrap" / "wrap-1.c").mkdir(parents=True)
+        self.complains(1, "wrap-1.c: ", "lessons", "--page", self.path / "blocked", "--lesson", "wrap")
+        self.assertEqual([file.name for file in (self.path / "blocked").rglob("*") if file.is_file()], [])
 
     def test_json_has_the_answers_and_the_numbers(self):
         lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
