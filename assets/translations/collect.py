@@ -32,7 +32,7 @@ CATALOGUES = {
     "explanation": ["core/reference/"],
     "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/model/", "app/ui/view/", "app/ui/language/", "app/stage/"],
     "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
-               "app/screenshot/reports/lesson_page"],
+               "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/autosave/", "core/codec/", "core/compare/difference", "core/image/",
                  "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "core/sheet/", "core/animation/", "app/animation/", "app/lettering/",

@@ -66,26 +66,7 @@ std::vector<std::size_t> newLines(const std::vector<Line>& lines, const std::vec
     return found;
 }
 
-} // namespace
-
-bool isAbout(const Line& line, const std::set<std::string, std::less<>>& paths) {
-    return std::ranges::any_of(line.parts, [&](const Part& part) {
-        if (part.path.empty() || part.kind == Part::Kind::Comment)
-            return false;
-        return std::ranges::any_of(paths, [&](const std::string& path) {
-            return part.path.starts_with(path) &&
-                   (part.path.size() == path.size() || part.path[path.size()] == '[' ||
-                    part.path[path.size()] == '.');
-        });
-    });
-}
-
-Excerpt excerptOf(const std::vector<Line>& program, const std::set<std::string, std::less<>>& paths,
-                  const std::vector<Line>& before, std::size_t most) {
-    const std::vector<Line> lines = shownLines(program, false);
-    std::vector<std::size_t> wanted = linesAbout(lines, paths);
-    if (wanted.empty() && !before.empty())
-        wanted = newLines(lines, before);
+Excerpt madeOf(const std::vector<Line>& lines, std::vector<std::size_t> wanted, std::size_t most) {
     Excerpt excerpt;
     excerpt.left = wanted.size() - std::min(wanted.size(), most);
     wanted.resize(wanted.size() - excerpt.left);
@@ -104,12 +85,37 @@ Excerpt excerptOf(const std::vector<Line>& program, const std::set<std::string, 
     }
     std::size_t indent = std::string::npos;
     for (const Line& line : excerpt.lines) {
-        if (!line.parts.empty())
+        if (!line.parts.empty() && !line.heading)
             indent = std::min(indent, indentOf(line));
     }
     for (Line& line : excerpt.lines)
-        takeIndent(line, indent == std::string::npos ? 0 : indent);
+        takeIndent(line, std::min(indentOf(line), indent));
     return excerpt;
+}
+
+} // namespace
+
+bool isAbout(const Line& line, const std::set<std::string, std::less<>>& paths) {
+    return std::ranges::any_of(line.parts, [&](const Part& part) {
+        if (part.path.empty() || part.kind == Part::Kind::Comment)
+            return false;
+        return std::ranges::any_of(paths, [&](const std::string& path) {
+            return part.path.starts_with(path) &&
+                   (part.path.size() == path.size() || part.path[path.size()] == '[' ||
+                    part.path[path.size()] == '.');
+        });
+    });
+}
+
+Excerpt excerptOf(const std::vector<Line>& program, const std::set<std::string, std::less<>>& paths,
+                  std::size_t most) {
+    const std::vector<Line> lines = shownLines(program, false);
+    return madeOf(lines, linesAbout(lines, paths), most);
+}
+
+Excerpt newIn(const std::vector<Line>& program, const std::vector<Line>& before, std::size_t most) {
+    const std::vector<Line> lines = shownLines(program, false);
+    return before.empty() ? Excerpt{} : madeOf(lines, newLines(lines, before), most);
 }
 
 } // namespace texplorer::emit

@@ -15,16 +15,19 @@ namespace texplorer::emit {
 [[nodiscard]] bool isAbout(const Line& line, const std::set<std::string, std::less<>>& paths);
 
 /// Lines out of a program, each group with the heading that it stands below. Groups are apart by an empty
-/// line; what all of them are indented by is taken away.
+/// line; what all lines but headings are indented by is taken away.
 struct Excerpt {
     std::vector<Line> lines;
     std::size_t left = 0; ///< lines that would be too many
 };
 
-/// Of the lines that stand in the file those about these parameters, with the word on what they do, once; at most
-/// `most`, without headings. Where there are none: those that another program, the one before it, hasn't.
+/// Of the lines that stand in the file those about these parameters, with the word on what they do, once; at
+/// most `most`, without headings.
 [[nodiscard]] Excerpt excerptOf(const std::vector<Line>& program,
-                                const std::set<std::string, std::less<>>& paths,
-                                const std::vector<Line>& before, std::size_t most);
+                                const std::set<std::string, std::less<>>& paths, std::size_t most);
+
+/// The same of calls and values that the program before it hasn't; nothing where there is none before it.
+[[nodiscard]] Excerpt newIn(const std::vector<Line>& program, const std::vector<Line>& before,
+                            std::size_t most);
 
 } // namespace texplorer::emit

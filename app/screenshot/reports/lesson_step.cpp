@@ -74,7 +74,7 @@ Result<PageStep> StepWriter::write() {
                                  ? std::string()
                                  : fmt::format("<i class=\"mark\" style=\"left:{}%;top:{}%\"></i>",
                                                look.probeX / 10.0, look.probeY / 10.0);
-    section() += fmt::format("<section class=\"step\" id=\"{}\">\n<h3>{}. {}</h3>\n"
+    section() += fmt::format("<section class=\"step\" id=\"{}\">\n<div class=\"told\">\n<h3>{}. {}</h3>\n"
                              "<figure class=\"shown\">{}{}</figure>\n<p>{}</p>\n",
                              place_, index_ + 1, htmlOf(title), *shown, mark, words().textHtml(step_.text));
     const auto* const figure = std::ranges::find(ui::figureRows, look.figure, &ui::FigureRow::name);
@@ -84,12 +84,12 @@ Result<PageStep> StepWriter::write() {
                                                               words().word(figure->label))));
     for (const std::string& note : imageNotes(start_))
         section() += fmt::format("<p class=\"source\">{}</p>\n", words().wordHtml(note));
-    section() += programs->excerpt;
+    section() += programs->excerpt + "</div>\n<div class=\"asked\">\n";
     if (const Result<void> task =
             std::visit([this](const auto& each) { return writeTask(each); }, step_.task);
         !task)
         return fail(task.error());
-    section() += programs->whole + "</section>\n";
+    section() += programs->whole + "</div>\n</section>\n";
     std::ranges::move(programs->files, std::back_inserter(out_.files));
     return std::move(out_);
 }

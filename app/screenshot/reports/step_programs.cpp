@@ -4,6 +4,7 @@
 #include "core/base/file_io.h"
 #include "core/emit/excerpt.h"
 #include "core/emit/flavour.h"
+#include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
 
@@ -18,27 +19,27 @@ constexpr std::size_t mostExcerptLines = 12;
 /// Of a photograph the texels alone would be tens of megabytes.
 constexpr std::size_t mostProgramBytes = std::size_t{4} << 20;
 
-/// A line of a program, of whose comments the page may have a translation.
-std::string codeHtml(const emit::Line& line, const PageWords* words) {
+std::string codeHtml(const emit::Line& line) {
     std::string html;
-    for (const emit::Part& part : line.parts) {
-        if (part.kind != emit::Part::Kind::Comment) {
-            html += htmlOf(part.text);
-            continue;
-        }
-        constexpr std::string_view begin = "/* ";
-        constexpr std::string_view end = " */";
-        const bool isWhole = part.text.size() > begin.size() + end.size() && part.text.starts_with(begin) &&
-                             part.text.ends_with(end);
-        const std::string said =
-            isWhole && words ? fmt::format("{}{}{}", begin,
-                                           words->word(part.text.substr(
-                                               begin.size(), part.text.size() - begin.size() - end.size())),
-                                           end)
-                             : part.text;
-        html += fmt::format("<i>{}</i>", htmlOf(said));
-    }
+    for (const emit::Part& part : line.parts)
+        html += part.kind == emit::Part::Kind::Comment ? fmt::format("<i>{}</i>", htmlOf(part.text))
+                                                       : htmlOf(part.text);
     return html + "\n";
+}
+
+/// The word on what a call does, in the page's language.
+emit::Line translated(emit::Line line, const PageWords& words) {
+    constexpr std::string_view begin = "/* ";
+    constexpr std::string_view end = " */";
+    for (emit::Part& part : line.parts) {
+        const std::string_view text = part.text;
+        if (!line.heading && part.kind == emit::Part::Kind::Comment && text.starts_with(begin) &&
+            text.ends_with(end))
+            part.text = fmt::format(
+                "{}{}{}", begin,
+                words.word(text.substr(begin.size(), text.size() - begin.size() - end.size())), end);
+    }
+    return line;
 }
 
 std::string excerptHtml(const PageWords& words, const emit::Excerpt& excerpt) {
@@ -46,10 +47,10 @@ std::string excerptHtml(const PageWords& words, const emit::Excerpt& excerpt) {
         return {};
     std::string code;
     for (const emit::Line& line : excerpt.lines)
-        code += codeHtml(line, &words);
+        code += fmt::format("<span>{}</span>", codeHtml(translated(line, words)));
     if (excerpt.left > 0)
-        code +=
-            fmt::format("<i>/* {} */</i>\n", words.wordHtml(fmt::format("and {} more lines", excerpt.left)));
+        code += fmt::format("<span><i>/* {} */</i>\n</span>",
+                            words.wordHtml(fmt::format("and {} more lines", excerpt.left)));
     return fmt::format("<div class=\"excerpt\"><p class=\"source\">{}</p><pre><code>{}</code></pre></div>\n",
                        words.wordHtml("In the program:"), code);
 }
@@ -59,13 +60,27 @@ std::string wholeHtml(const PageWords& words, const std::vector<emit::Line>& pro
     const std::vector<emit::Line> lines = shownLines(program, false);
     std::string code;
     for (const emit::Line& line : lines) {
-        const std::string html = codeHtml(line, nullptr);
+        const std::string html = codeHtml(line);
         code +=
             isAbout(line, paths) ? fmt::format("<mark>{}</mark>\n", html.substr(0, html.size() - 1)) : html;
     }
     return fmt::format(
         "<details class=\"whole\"><summary>{}</summary><pre tabindex=\"0\"><code>{}</code></pre></details>\n",
         words.wordHtml(fmt::format("The whole program, {} lines", lines.size())), code);
+}
+
+/// Where no call sets what a step is about, but it decides on a texture's texels: what hands these to OpenGL.
+Paths uploadsOf(const Paths& subjects) {
+    Paths paths;
+    for (const std::string& each : subjects) {
+        const std::size_t end = each.find("].");
+        if (!each.starts_with(keyOf<&Scene::textures>()) || end == std::string::npos)
+            continue;
+        for (const std::string& key : {keyOf<&Texture::internalFormat>(), keyOf<&Texture::compressedFormat>(),
+                                       keyOf<&Texture::file>()})
+            paths.insert(each.substr(0, end + 2) + key);
+    }
+    return paths;
 }
 
 /// The fixed-function program of the step before, where both are of one scene: what is new shows itself then.
@@ -79,6 +94,17 @@ std::vector<emit::Line> programBefore(const PageLesson& lesson, std::size_t inde
         })
         .map([](ProgramText&& program) { return std::move(program.lines); })
         .value_or(std::vector<emit::Line>{});
+}
+
+emit::Excerpt excerptOfStep(const PageLesson& lesson, std::size_t index,
+                            const std::vector<emit::Line>& program) {
+    const Paths subjects = subjectsOf(lesson.lesson.steps[index]);
+    for (const Paths& paths : {subjects, uploadsOf(subjects)}) {
+        emit::Excerpt excerpt = excerptOf(program, paths, mostExcerptLines);
+        if (!excerpt.lines.empty())
+            return excerpt;
+    }
+    return newIn(program, programBefore(lesson, index), mostExcerptLines);
 }
 
 std::string fileOf(emit::Flavour flavour, const std::string& place) {
@@ -108,7 +134,7 @@ public:
             names += fmt::format("<li>{}</li>\n", program ? add(row, name, *program)
                                                           : refusal(row, describe(program.error())));
         }
-        out_.whole = fmt::format("{}<ul class=\"files\">\n{}</ul>\n", shown_, names);
+        out_.whole = shown_ + fmt::format("<ul class=\"files\">\n{}</ul>\n", names);
         return std::move(out_);
     }
 
@@ -123,9 +149,7 @@ private:
         const std::string text = textOf(program.lines, false);
         if (row.value == static_cast<std::uint32_t>(emit::Flavour::Fixed)) {
             const Paths paths = subjectsOf(lesson_.lesson.steps[index_]);
-            const emit::Excerpt excerpt =
-                excerptOf(program.lines, paths, programBefore(lesson_, index_), mostExcerptLines);
-            out_.excerpt = excerptHtml(words(), excerpt);
+            out_.excerpt = excerptHtml(words(), excerptOfStep(lesson_, index_, program.lines));
             shown_ = wholeHtml(words(), program.lines, paths);
         }
         if (text.size() > mostProgramBytes)

@@ -53,27 +53,27 @@ const std::vector<Line>& program() {
 }
 
 TEST(Excerpts, AreTheLinesAboutAParameterBelowTheirHeadings) {
-    EXPECT_THAT(textsOf(excerptOf(program(), {"textures[0].wrapS"}, {}, 9)),
-                ElementsAre("/* texture */", "    /* to the left */", "    wrap();"));
-    EXPECT_THAT(textsOf(excerptOf(program(), {"textures[0].wrapS", "models[0].texCoords0"}, {}, 9)),
-                ElementsAre("/* texture */", "    /* to the left */", "    wrap();", "", "/* a frame */",
-                            "    corner();", "    corner();"));
-    EXPECT_THAT(textsOf(excerptOf(program(), {"view.distance"}, {}, 9)), IsEmpty());
+    EXPECT_THAT(textsOf(excerptOf(program(), {"textures[0].wrapS"}, 9)),
+                ElementsAre("/* texture */", "/* to the left */", "wrap();"));
+    EXPECT_THAT(textsOf(excerptOf(program(), {"textures[0].wrapS", "models[0].texCoords0"}, 9)),
+                ElementsAre("/* texture */", "/* to the left */", "wrap();", "", "/* a frame */", "corner();",
+                            "corner();"));
+    EXPECT_THAT(textsOf(excerptOf(program(), {"view.distance"}, 9)), IsEmpty());
 }
 
 TEST(Excerpts, SayHowManyLinesAreTooMany) {
-    const emit::Excerpt excerpt = excerptOf(program(), {"textures[0].wrapS", "models[0].texCoords0"}, {}, 1);
-    EXPECT_THAT(textsOf(excerpt), ElementsAre("/* texture */", "    /* to the left */", "    wrap();"));
+    const emit::Excerpt excerpt = excerptOf(program(), {"textures[0].wrapS", "models[0].texCoords0"}, 1);
+    EXPECT_THAT(textsOf(excerpt), ElementsAre("/* texture */", "/* to the left */", "wrap();"));
     EXPECT_EQ(excerpt.left, 2U);
 }
 
-TEST(Excerpts, AreWhatIsNewWhereNoLineIsAboutTheParameter) {
+TEST(Excerpts, AreWhatTheProgramBeforeHasNot) {
     std::vector<Line> before = program();
     before[3] = call("before(", "textures[0].wrapS");
-    EXPECT_THAT(textsOf(excerptOf(program(), {"view.distance"}, before, 9)),
-                ElementsAre("/* texture */", "    /* to the left */", "    wrap();"));
-    EXPECT_THAT(textsOf(excerptOf(program(), {"textures[0].wrapSome"}, before, 9)),
-                ElementsAre("/* texture */", "    name();"));
+    EXPECT_THAT(textsOf(newIn(program(), before, 9)),
+                ElementsAre("/* texture */", "/* to the left */", "wrap();"));
+    EXPECT_THAT(textsOf(newIn(program(), program(), 9)), IsEmpty());
+    EXPECT_THAT(textsOf(newIn(program(), {}, 9)), IsEmpty());
 }
 
 TEST(Excerpts, SayEachWordOnceAndTakeNoHeadingOfOthersForVariables) {
@@ -82,14 +82,14 @@ TEST(Excerpts, SayEachWordOnceAndTakeNoHeadingOfOthersForVariables) {
         heading("/* texture 0 */"),         remark("/* to the left */"),
         call("wrap(", "textures[0].wrapS"), heading("/* texture 1 */"),
         remark("/* to the left */"),        call("wrap(", "textures[1].wrapS")};
-    EXPECT_THAT(textsOf(excerptOf(lines, {"view.distance", "textures[0].wrapS", "textures[1].wrapS"}, {}, 9)),
-                ElementsAre("distance = 1;", "", "/* texture 0 */", "    /* to the left */", "    wrap();",
-                            "", "/* texture 1 */", "    wrap();"));
+    EXPECT_THAT(textsOf(excerptOf(lines, {"view.distance", "textures[0].wrapS", "textures[1].wrapS"}, 9)),
+                ElementsAre("distance = 1;", "", "/* texture 0 */", "/* to the left */", "wrap();", "",
+                            "/* texture 1 */", "wrap();"));
 }
 
 TEST(Excerpts, LoseWhatAllAreIndentedBy) {
     const std::vector<Line> lines{heading("    /* unit 0 */", 1), call("one(", "a.b"), call("two(", "a.b")};
-    EXPECT_THAT(textsOf(excerptOf(lines, {"a"}, {}, 9)), ElementsAre("/* unit 0 */", "one();", "two();"));
+    EXPECT_THAT(textsOf(excerptOf(lines, {"a"}, 9)), ElementsAre("/* unit 0 */", "one();", "two();"));
 }
 
 TEST(Excerpts, OfAProgramAreLinesOfItsText) {
@@ -97,7 +97,7 @@ TEST(Excerpts, OfAProgramAreLinesOfItsText) {
     const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {},
                                      {.explained = {"textures[0].minFilter"}}, codes);
     ASSERT_TRUE(lines);
-    const std::vector<std::string> texts = textsOf(excerptOf(*lines, {"textures[0].minFilter"}, {}, 9));
+    const std::vector<std::string> texts = textsOf(excerptOf(*lines, {"textures[0].minFilter"}, 9));
     ASSERT_EQ(texts.size(), 3U);
     EXPECT_EQ(texts[2],
               "    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);");
