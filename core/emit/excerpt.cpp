@@ -66,10 +66,36 @@ std::vector<std::size_t> newLines(const std::vector<Line>& lines, const std::vec
     return found;
 }
 
-Excerpt madeOf(const std::vector<Line>& lines, std::vector<std::size_t> wanted, std::size_t most) {
+/// What a line is about, whichever of several vertices, levels or the like it is.
+std::string subjectOf(const Line& line) {
+    const auto named = std::ranges::find_if(
+        line.parts, [](const Part& part) { return part.kind != Part::Kind::Comment && !part.path.empty(); });
+    std::string subject = named == line.parts.end() ? std::string() : named->path;
+    std::erase_if(subject, [](char c) { return c >= '0' && c <= '9'; });
+    return subject;
+}
+
+/// Of lines one below the other about the same the first ones.
+std::vector<std::size_t> withoutMoreOfTheSame(const std::vector<Line>& lines,
+                                              const std::vector<std::size_t>& wanted) {
+    constexpr std::size_t enough = 4; // the corners of a square
+    std::vector<std::size_t> kept;
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const bool goesOn = i > 0 && wanted[i] == wanted[i - 1] + 1 &&
+                            subjectOf(lines[wanted[i]]) == subjectOf(lines[wanted[i - 1]]);
+        same = goesOn ? same + 1 : 1;
+        if (same <= enough)
+            kept.push_back(wanted[i]);
+    }
+    return kept;
+}
+
+Excerpt madeOf(const std::vector<Line>& lines, const std::vector<std::size_t>& all, std::size_t most) {
+    std::vector<std::size_t> wanted = withoutMoreOfTheSame(lines, all);
+    wanted.resize(std::min(wanted.size(), most));
     Excerpt excerpt;
-    excerpt.left = wanted.size() - std::min(wanted.size(), most);
-    wanted.resize(wanted.size() - excerpt.left);
+    excerpt.left = all.size() - wanted.size();
     std::optional<std::size_t> heading;
     std::set<std::string> remarks;
     for (const std::size_t each : wanted) {

@@ -18,7 +18,7 @@ namespace texplorer::emit {
 /// line; what all lines but headings are indented by is taken away.
 struct Excerpt {
     std::vector<Line> lines;
-    std::size_t left = 0; ///< lines that would be too many
+    std::size_t left = 0; ///< lines that would be too many, as the fifth vertex of a shape
 };
 
 /// Of the lines that stand in the file those about these parameters, with the word on what they do, once; at

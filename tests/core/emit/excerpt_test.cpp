@@ -67,6 +67,17 @@ TEST(Excerpts, SayHowManyLinesAreTooMany) {
     EXPECT_EQ(excerpt.left, 2U);
 }
 
+TEST(Excerpts, HaveFourOfMoreOfTheSame) {
+    std::vector<Line> lines{heading("/* a shape */")};
+    for (int i = 0; i < 9; ++i)
+        lines.push_back(call("corner(", "models[0].texCoords0[" + std::to_string(i) + "]"));
+    lines.push_back(call("wrap(", "textures[0].wrapS"));
+    const emit::Excerpt excerpt = excerptOf(lines, {"textures[0].wrapS", "models[0].texCoords0"}, 9);
+    EXPECT_THAT(textsOf(excerpt),
+                ElementsAre("/* a shape */", "corner();", "corner();", "corner();", "corner();", "wrap();"));
+    EXPECT_EQ(excerpt.left, 5U);
+}
+
 TEST(Excerpts, AreWhatTheProgramBeforeHasNot) {
     std::vector<Line> before = program();
     before[3] = call("before(", "textures[0].wrapS");
