@@ -36,6 +36,11 @@ std::span<const float> numbersOf(const Value& value) {
     return {};
 }
 
+/// glEnable or glDisable itself.
+bool isEnabling(const Part& part) {
+    return part.kind == Part::Kind::Switch && (part.text == "glEnable" || part.text == "glDisable");
+}
+
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -245,10 +250,57 @@ void CodeWriter::comment(std::string_view words, bool needed) {
 }
 
 void CodeWriter::add(std::vector<Part> parts, bool needed) {
+    const auto switches = [&](const Part& part) { return isEnabling(part) && moves(part.path); };
+    if (const auto found = std::ranges::find_if(parts, switches); found != parts.end())
+        return addSwitch(static_cast<std::size_t>(found - parts.begin()), parts, needed);
+    needed |= resolve(parts);
     if (depth_ > 0)
         parts.insert(parts.begin(), plain(std::string(4 * static_cast<std::size_t>(depth_), ' ')));
     lines_.push_back({std::move(parts), needed});
     lines_.back().depth = depth_;
+}
+
+void CodeWriter::addSwitch(std::size_t enabling, const std::vector<Part>& parts, bool needed) {
+    const std::string path = parts[enabling].path;
+    if (taking_ == Taking::Still || !keys_->isSwitched(path, parts[enabling].text == "glEnable"))
+        return keys_->refuse(path);
+    add({plain("if ("), {Part::Kind::Plain, keys_->use(path), path}, plain(")")}, needed);
+    for (const char* function : {"glEnable", "glDisable"}) {
+        std::vector<Part> called = parts;
+        called[enabling] = call(function);
+        indent();
+        add(std::move(called), needed);
+        outdent();
+        if (function == std::string_view("glEnable"))
+            add("else", needed);
+    }
+}
+
+bool CodeWriter::movesAny(const std::vector<Part>& parts) const {
+    return std::ranges::any_of(parts, [&](const Part& part) { return moves(part.path); });
+}
+
+bool CodeWriter::resolve(std::vector<Part>& parts) {
+    bool found = false;
+    for (Part& part : parts) {
+        if (part.kind == Part::Kind::Call || part.path.empty() || !moves(part.path))
+            continue;
+        found = true;
+        if (taking_ == Taking::Still)
+            keys_->refuse(part.path);
+        else
+            keys_->replace(part);
+    }
+    return found;
+}
+
+Value CodeWriter::valueOf(const std::string& path, const Value& still) const {
+    return moves(path) ? Value("as the keys of " + path + " say") : still;
+}
+
+void CodeWriter::truncate(std::size_t size) {
+    lines_.resize(size);
+    std::erase_if(arrays_, [&](const auto& array) { return array.second >= size; });
 }
 
 void CodeWriter::add(std::string_view statement, bool needed) {
@@ -267,7 +319,8 @@ void CodeWriter::data(std::string_view declaration, std::size_t count, std::stri
 
 bool CodeWriter::differs(const Holder& holder, const ParamRow& row) const {
     const auto known = state_.find(fmt::format("{}.{}", holder.state, row.key));
-    return row.read(holder.values) != (known == state_.end() ? row.read(holder.initial) : known->second);
+    return valueOf(fmt::format("{}.{}", holder.path, row.key), row.read(holder.values)) !=
+           (known == state_.end() ? row.read(holder.initial) : known->second);
 }
 
 bool CodeWriter::set(const std::string& state, const Value& value, const Value& initial) {
@@ -317,19 +370,29 @@ void CodeWriter::floats(const std::string& name, std::vector<Part> values, bool 
 }
 
 void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {
-    const Value value = row.read(holder.values);
-    const bool differs = set(fmt::format("{}.{}", holder.state, row.key), value, row.read(holder.initial));
     const std::string path = fmt::format("{}.{}", holder.path, row.key);
     const bool isExplained = explained_.contains(path); // then it is said, even where OpenGL has it already
-    const bool needed = (differs || isExplained) && matters;
     const std::string words = callFor(row, holder.target);
     const std::size_t bracket = words.find('(');
     const std::string name = words.substr(0, bracket);
     std::vector<Part> parts = argumentsOf(holder, row, words.substr(bracket) + ";");
+    const Value value = row.read(holder.values);
     const bool switches = row.kind == Kind::Bool && name == "glEnable";
     parts.insert(parts.begin(), switches ? enabling(std::get<bool>(value), path) : call(name));
     if (parts.front().kind == Part::Kind::Call)
         parts.front().path = path;
+    if (!takes(parts) || (!matters && movesAny(parts)))
+        return;
+    const bool differs =
+        set(fmt::format("{}.{}", holder.state, row.key), valueOf(path, value), row.read(holder.initial));
+    bool needed = (differs || isExplained) && matters;
+    if (switches && moves(path)) {
+        if (needed && isExplained)
+            comment(row.help);
+        return needed ? addSwitch(0, parts, true) : void();
+    }
+    if (const bool isMoving = resolve(parts); !moves(path)) // what stands beside it in the call may
+        needed |= isMoving;
     if (depth_ > 0)
         parts.insert(parts.begin(), plain(std::string(4 * static_cast<std::size_t>(depth_), ' ')));
     Line line{std::move(parts), needed};
@@ -340,7 +403,7 @@ void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {
     }
     if (isExplained)
         comment(row.help, needed);
-    if (takesPointer(words) && isVector(row.kind))
+    if (takesPointer(words) && isVector(row.kind) && !moves(path))
         floats(joined(holder.variable, row.key), numbers(numbersOf(value), path), needed);
     lines_.push_back(std::move(line));
 }

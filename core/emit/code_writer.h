@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/emit/code.h"
+#include "core/emit/key_frames.h"
 #include "core/gl/sampling.h"
 #include "core/scene/params/params.h"
 
@@ -67,9 +68,26 @@ struct Holder {
 /// Says which lines are needed and numbers the places of each value: of a whole program.
 void finish(std::vector<Line>& lines);
 
+/// Which lines are taken, where parameters move by key frames: what is set once leaves these to the frames,
+/// and a frame may leave the others to what is set once.
+enum class Taking : std::uint8_t { Still, All, Moving };
+
 /// Collects lines, and knows what OpenGL's state is after them, so that it can tell which are needed.
 class CodeWriter {
 public:
+    /// What moves of the scene that is written, which has to outlive the writer. Until take() says otherwise
+    /// lines aren't of a frame: Taking::Still.
+    void follow(KeyFrames& keys) { keys_ = &keys; }
+    void take(Taking taking) { taking_ = taking; }
+    [[nodiscard]] bool moves(std::string_view path) const { return keys_ && keys_->moves(path); }
+    [[nodiscard]] bool movesBelow(std::string_view prefix) const {
+        return keys_ && keys_->movesBelow(prefix);
+    }
+    /// Whether a line of these parts is taken.
+    [[nodiscard]] bool takes(const std::vector<Part>& parts) const {
+        return taking_ == Taking::All || movesAny(parts) == (taking_ == Taking::Moving);
+    }
+
     /// "static void draw(void)" and a brace, up to close(): arrays that were declared before are others'.
     /// What follows is indented.
     void open(std::string_view head);
@@ -84,6 +102,9 @@ public:
     void add(std::vector<Part> parts, bool needed = true);
     /// A statement without values.
     void add(std::string_view statement, bool needed = true);
+
+    /// Lines that come as they are.
+    void add(const std::vector<Line>& lines) { lines_.insert(lines_.end(), lines.begin(), lines.end()); }
 
     /// The call of a row, and before it the array that it points to. What one call sets together with the row
     /// before is one line. `matters`: something that is drawn depends on it.
@@ -119,7 +140,18 @@ public:
 
     [[nodiscard]] std::vector<Line> take() && { return std::move(lines_); }
 
+    [[nodiscard]] std::size_t size() const { return lines_.size(); }
+    /// Takes back what was added since there were so many lines.
+    void truncate(std::size_t size);
+
 private:
+    [[nodiscard]] bool movesAny(const std::vector<Part>& parts) const;
+    /// Puts variables in the place of what moves. Whether there was any.
+    bool resolve(std::vector<Part>& parts);
+    void addSwitch(std::size_t enabling, const std::vector<Part>& parts, bool needed);
+    /// What OpenGL has where a parameter moves.
+    [[nodiscard]] Value valueOf(const std::string& path, const Value& still) const;
+
     std::vector<Line> lines_;
     State state_;
     State initial_;
@@ -127,6 +159,8 @@ private:
     int depth_ = 0;
     std::map<std::string, std::size_t, std::less<>> arrays_; ///< with which line each begins
     bool usesSeconds_ = false;
+    KeyFrames* keys_ = nullptr;
+    Taking taking_ = Taking::Still;
 };
 
 /// A C string of one line, with nothing that isn't printable.

@@ -2,7 +2,6 @@
 
 #include "core/base/file_io.h"
 #include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
 
@@ -39,13 +38,16 @@ FileReader readerFor(const Texture& texture, const ImageSource& images, const Pr
 } // namespace
 
 Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& given,
-                   TextureCodes& codes)
+                   TextureCodes& codes, KeyFrames& moving)
     : scene(drawn)
     , options(given)
+    , keys(moving)
     , objects(textureObjectsOf(drawn))
     , isLit(std::ranges::any_of(drawn.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; }))
     , needsNormals(std::ranges::any_of(drawn.passes, looksAtNormals)) {
     writer.explain(given.explained);
+    for (CodeWriter* each : {&writer, &atStart, &atEnd})
+        each->follow(moving);
     for (const TextureObject& object : objects) {
         const Texture& texture = drawn.textures[object.texture];
         const TexturePictures pictures = images.picturesOf(texture);
@@ -105,25 +107,6 @@ std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& textu
     auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reader()));
     kept_.push_back({request, code});
     return code;
-}
-
-Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
-                                  const ProgramOptions& options, TextureCodes& codes) {
-    if (!scene.timeline.keys.empty())
-        return fail(ErrorCode::Unsupported, "a program has no key frames; texshot animate draws them",
-                    keyOf<&Scene::timeline>());
-    switch (flavour) {
-    case Flavour::Glsl:
-        return glslProgram(scene, images, options, codes);
-    case Flavour::WebGl: {
-        ProgramOptions ofAPage = options;
-        ofAPage.fileName = {}; // it has no other file
-        return webGlProgram(scene, images, ofAPage, codes);
-    }
-    case Flavour::Fixed:
-        return fixedProgram(scene, images, options, codes);
-    }
-    return fail(ErrorCode::OutOfRange, "there is no such flavour");
 }
 
 std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene) {

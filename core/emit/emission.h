@@ -40,10 +40,11 @@ struct FrameStart {
 /// What is written, and what the parts of it have to know of each other.
 struct Emission {
     Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& options,
-             TextureCodes& codes);
+             TextureCodes& codes, KeyFrames& keys);
 
     const Scene& scene;
     const ProgramOptions& options;
+    KeyFrames& keys; ///< what moves of the scene
     CodeWriter writer;
     CodeWriter atEnd; ///< arrays of many numbers, of which the beginning has the names alone
     CodeWriter atStart;
@@ -76,19 +77,42 @@ struct Emission {
     void use(CFunction function) { addWithCallees(functions, function); }
 };
 
+// The program of a scene as it stands; what moves of it by key frames does so as `keys` say, which afterwards
+// know what of them it couldn't say.
+[[nodiscard]] Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
+                                                     const ProgramOptions& options, TextureCodes& codes,
+                                                     KeyFrames& keys);
+[[nodiscard]] Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
+                                                    const ProgramOptions& options, TextureCodes& codes,
+                                                    KeyFrames& keys);
+[[nodiscard]] Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
+                                                     const ProgramOptions& options, TextureCodes& codes,
+                                                     KeyFrames& keys);
+
+/// Keys, what they say at a time, and the variables that hold it: before everything that is done in a frame.
+void writeKeyFrames(Emission& emission);
+/// At the start of a frame: the variables are what the keys say then.
+void writeKeyFramesCall(Emission& emission);
+
 /// Then GL_CLAMP and GL_CLAMP_TO_EDGE are one: only averages ask for the border.
 [[nodiscard]] bool readsNearestAlone(const Texture& texture);
 /// The functions that load the textures.
 void writeTextures(Emission& emission);
+/// What moves of them, in every frame before what shows them.
+void writeMovingTextures(Emission& emission);
 void writeTexels(Emission& emission, const Holder& holder, std::size_t object);
 /// glClear, and the projection for a picture of `width` times `height`.
 void writeProjection(Emission& emission);
 /// Both of programs that make their matrices themselves: the projection and the view.
 void writeMatrices(Emission& emission, bool draws);
 void writeLight(Emission& emission);
+/// What moves of it, in every frame.
+void writeMovingLight(Emission& emission);
 /// The camera's calls, on the matrix that there is; before them the variables that the mouse changes.
 void writeCamera(Emission& emission);
 void declareCamera(Emission& emission);
+/// "azimuth": what the mouse changes, with what key frames say of it.
+[[nodiscard]] std::string cameraVariable(Emission& emission, MemberId member);
 /// What multiplies by the projection of what the light sees, and by its view of eye coordinates, whose
 /// array's name begins with `variable`.
 void writeLightProjection(Emission& emission);
@@ -100,7 +124,7 @@ void writeShadowMapCalls(Emission& emission);
 [[nodiscard]] bool isShadowMap(const Emission& emission, std::size_t object);
 /// The models that the light sees, and whether any of them turns with the time.
 [[nodiscard]] std::vector<std::size_t> modelsInLight(const Scene& scene);
-[[nodiscard]] bool spinsInLight(const Scene& scene);
+[[nodiscard]] bool spinsInLight(const Emission& emission);
 /// Where a program can't draw what the light sees: why.
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene);
 /// The scene's: all of it.
@@ -108,8 +132,8 @@ void writeMaterial(Emission& emission);
 /// A model's: what differs from the one that was written before.
 void writeMaterial(Emission& emission, std::size_t model);
 void writeUnits(Emission& emission, std::size_t pass);
-/// The texture matrix of units that move, in every frame.
-void writeMovingMatrices(Emission& emission, std::size_t pass);
+/// What moves of units, in every frame where nothing else of them is set.
+void writeMovingUnits(Emission& emission, std::size_t pass);
 /// "sphere(32, 16)": what makes a Mesh of a shape that is turned about an axis.
 [[nodiscard]] std::vector<Part> shapeCall(Emission& emission, std::size_t model);
 /// Arrays and functions of a model, before everything that draws.

@@ -18,20 +18,23 @@ Holder viewHolder(const Scene& scene) {
     return {viewTable(), &scene.view, &identity, keyOf<&Scene::view>(), keyOf<&Scene::view>(), {}};
 }
 
-/// What the mouse changes is a variable.
-void declareVariable(Emission& emission, MemberId member, std::string_view what) {
+/// What the mouse changes is a variable. Of what moves by key frames it is what is added to them, or what
+/// they are multiplied by.
+void declareVariable(Emission& emission, MemberId member, std::string_view what, std::string_view beside) {
     const View& view = emission.scene.view;
     const auto row = std::ranges::find(viewTable().params, member, &ParamRow::member);
-    emission.atStart.add(
-        {plain(fmt::format("static GLfloat {} = ", row->key)),
-         number(std::get<float>(row->read(&view)), fmt::format("{}.{}", keyOf<&Scene::view>(), row->key)),
-         plain("; "),
-         {Part::Kind::Comment, fmt::format("/* {} */", what)}});
+    const std::string path = fmt::format("{}.{}", keyOf<&Scene::view>(), row->key);
+    const bool moves = emission.keys.moves(path);
+    const float still = member == memberId<&View::distance> ? 1.0F : 0.0F;
+    emission.atStart.add({plain(fmt::format("static GLfloat {} = ", row->key)),
+                          moves ? number(still) : number(std::get<float>(row->read(&view)), path),
+                          plain("; "),
+                          {Part::Kind::Comment, fmt::format("/* {} */", moves ? beside : what)}});
 }
 
 /// The camera's own calls come in the order in which the matrices are multiplied: what is called last is done
 /// to a vertex first.
-void rotate(CodeWriter& writer, std::string_view angle, std::string_view axis) {
+void rotate(CodeWriter& writer, const std::string& angle, std::string_view axis) {
     writer.add({call("glRotatef"), plain(fmt::format("({}, {});", angle, axis))});
 }
 
@@ -48,17 +51,20 @@ void writeProjection(Emission& emission) {
     writer.row(holder, memberId<&View::perspectiveHint>);
     writer.heading("projection");
     writer.add("const GLfloat aspect = (GLfloat)width / (GLfloat)height;");
-    writer.add("const GLdouble farthest = 4.0 * distance + 400.0;");
+    const std::string distance = cameraVariable(emission, memberId<&View::distance>);
+    writer.add(fmt::format("const GLdouble farthest = 4.0 * {} + 400.0;", distance));
     writer.add(fmt::format("glMatrixMode({});", projectionMode));
     writer.add("glLoadIdentity();");
     const Part angle = number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
     if (view.projection == Projection::Orthographic) {
         emission.use(CFunction::Pi);
-        writer.add({plain("const GLdouble half = distance * tan("), angle, plain(" * pi / 180 / 2);")});
+        writer.add({plain(fmt::format("const GLdouble half = {} * tan(", distance)), angle,
+                    plain(" * pi / 180 / 2);")});
         writer.add("glOrtho(-half * aspect, half * aspect, -half, half, -farthest, farthest);");
     } else {
         emission.use(CFunction::Perspective);
-        writer.add({plain("perspective("), angle, plain(", aspect, distance / 50.0, farthest);")});
+        writer.add(
+            {plain("perspective("), angle, plain(fmt::format(", aspect, {} / 50.0, farthest);", distance))});
     }
     writer.add(fmt::format("glMatrixMode({});", modelViewMode));
 }
@@ -75,26 +81,29 @@ void writeMatrices(Emission& emission, bool draws) {
         return;
     writer.heading("projection");
     writer.add("const GLfloat aspect = (GLfloat)width / (GLfloat)height;");
-    writer.add("const double farthest = 4.0 * distance + 400.0;");
+    const std::string distance = cameraVariable(emission, memberId<&View::distance>);
+    writer.add(fmt::format("const double farthest = 4.0 * {} + 400.0;", distance));
     const Part angle = number(view.fieldOfView, pathOf<&Scene::view, &View::fieldOfView>());
     if (view.projection == Projection::Orthographic) {
         emission.use(CFunction::Orthographic);
         emission.use(CFunction::Degree);
-        writer.add({plain("const double half = distance * tan("), angle, plain(" * degree / 2);")});
+        writer.add(
+            {plain(fmt::format("const double half = {} * tan(", distance)), angle, plain(" * degree / 2);")});
         writer.add("const Matrix projection = orthographic(half * aspect, half, farthest);");
     } else {
         emission.use(CFunction::Frustum);
         writer.add({plain("const Matrix projection = perspective("), angle,
-                    plain(", aspect, distance / 50.0, farthest);")});
+                    plain(fmt::format(", aspect, {} / 50.0, farthest);", distance))});
     }
     writer.heading("camera");
     MatrixProduct product(emission, "view", true);
-    product.addTranslation({plain("0, 0, -distance")});
-    if (view.roll != 0)
+    product.addTranslation({plain(fmt::format("0, 0, -{}", distance))});
+    if (view.roll != 0 || writer.moves(pathOf<&Scene::view, &View::roll>()))
         product.addRotation({number(view.roll, pathOf<&Scene::view, &View::roll>())}, {plain("0, 0, 1")});
-    product.addRotation({plain("elevation")}, {plain("1, 0, 0")});
-    product.addRotation({plain("-azimuth")}, {plain("0, 1, 0")});
-    if (view.target != glm::vec3(0))
+    product.addRotation({plain(cameraVariable(emission, memberId<&View::elevation>))}, {plain("1, 0, 0")});
+    product.addRotation({plain("-" + cameraVariable(emission, memberId<&View::azimuth>))},
+                        {plain("0, 1, 0")});
+    if (view.target != glm::vec3(0) || writer.moves(pathOf<&Scene::view, &View::target>()))
         product.addTranslation(
             numbers({&view.target.x, 3}, pathOf<&Scene::view, &View::target>(), Literal::Float, true));
     product.finish();
@@ -117,22 +126,49 @@ void writeLight(Emission& emission) {
         writer.row(holder, row, emission.isLit);
 }
 
+void writeMovingLight(Emission& emission) {
+    static const Light initial;
+    CodeWriter& writer = emission.writer;
+    const std::string& path = keyOf<&Scene::light>();
+    const Holder holder{lightTable(), &emission.scene.light, &initial, path, path, path};
+    const std::size_t start = writer.size();
+    writer.heading("light 0, in eye coordinates");
+    writer.add("glLoadIdentity();");
+    const std::size_t size = writer.size();
+    writer.take(Taking::Moving);
+    for (const ParamRow& row : holder.table.params)
+        writer.row(holder, row);
+    writer.take(Taking::All);
+    if (writer.size() == size)
+        writer.truncate(start);
+}
+
 void declareCamera(Emission& emission) {
-    declareVariable(emission, memberId<&View::azimuth>, "degrees around the y axis");
-    declareVariable(emission, memberId<&View::elevation>, "degrees above the horizon");
-    declareVariable(emission, memberId<&View::distance>, "of the eye from what it looks at");
+    declareVariable(emission, memberId<&View::azimuth>, "degrees around the y axis",
+                    "degrees that the mouse adds around the y axis");
+    declareVariable(emission, memberId<&View::elevation>, "degrees above the horizon",
+                    "degrees that the mouse adds above the horizon");
+    declareVariable(emission, memberId<&View::distance>, "of the eye from what it looks at",
+                    "times as far as the key frames say: by the mouse wheel");
+}
+
+std::string cameraVariable(Emission& emission, MemberId member) {
+    const std::string key(findKey(member));
+    const std::string path = fmt::format("{}.{}", keyOf<&Scene::view>(), key);
+    return emission.keys.moves(path) ? emission.keys.use(path) : key;
 }
 
 void writeCamera(Emission& emission) {
     CodeWriter& writer = emission.writer;
     const View& view = emission.scene.view;
     const Holder holder = viewHolder(emission.scene);
-    writer.add("glTranslatef(0.0f, 0.0f, -distance);");
-    if (view.roll != 0)
+    writer.add(
+        fmt::format("glTranslatef(0.0f, 0.0f, -{});", cameraVariable(emission, memberId<&View::distance>)));
+    if (view.roll != 0 || writer.moves(pathOf<&Scene::view, &View::roll>()))
         writer.add(callWith("glRotatef", {number(view.roll, pathOf<&Scene::view, &View::roll>()),
                                           plain(", 0.0f, 0.0f, 1.0f")}));
-    rotate(writer, "elevation", "1.0f, 0.0f, 0.0f");
-    rotate(writer, "-azimuth", "0.0f, 1.0f, 0.0f");
+    rotate(writer, cameraVariable(emission, memberId<&View::elevation>), "1.0f, 0.0f, 0.0f");
+    rotate(writer, "-" + cameraVariable(emission, memberId<&View::azimuth>), "0.0f, 1.0f, 0.0f");
     writer.add(callWith("glTranslatef", numbers({&view.target.x, 3}, pathOf<&Scene::view, &View::target>(),
                                                 Literal::Float, true)),
                view.target != glm::vec3(0));

@@ -312,7 +312,7 @@ private:
             model_.position != glm::vec3(0));
         constexpr std::array axes{", 1.0f, 0.0f, 0.0f", ", 0.0f, 1.0f, 0.0f", ", 0.0f, 0.0f, 1.0f"};
         for (const int axis : rotationAxes(model_.rotationOrder)) {
-            const bool spins = model_.spin[axis] != 0;
+            const bool spins = model_.spin[axis] != 0 || writer_.moves(own(keyOf<&Model::spin>()));
             std::vector<Part> arguments =
                 turning(writer_, number(model_.rotation[axis], own(keyOf<&Model::rotation>()), axis),
                         number(model_.spin[axis], own(keyOf<&Model::spin>()), axis), spins);
@@ -480,7 +480,12 @@ private:
     }
 
     /// In braces, for several passes may do it.
-    void moveCoords(std::size_t unit, const Unit& of) {
+    void moveCoords(const Pass& pass, std::size_t unit) {
+        const Emboss& emboss = pass.units[unit].emboss;
+        const auto index = static_cast<std::size_t>(&pass - emission_.scene.passes.data());
+        const std::string depth =
+            fmt::format("{}.{}.{}.{}", elementOf<&Scene::passes>(index), elementOf<&Pass::units>(unit),
+                        keyOf<&Unit::emboss>(), keyOf<&Emboss::depth>());
         const glm::vec4& light = emission_.scene.light.position;
         writer_.add("{");
         writer_.indent();
@@ -492,11 +497,11 @@ private:
         writer_.add("GLdouble modelView[16];");
         writer_.add("glGetDoublev(GL_MODELVIEW_MATRIX, modelView);");
         writer_.add(fmt::format("lightInModel(modelView, position, {}, light);",
-                                of.emboss.carrier == LightCarrier::Transpose ? 1 : 0));
-        writer_.add(fmt::format("emboss({0}, {1}Positions, {1}GivenCoords{2}, {1}Tangents{2}, light, {3}, "
-                                "{1}EmbossedCoords{2});",
-                                mesh_.vertices.size(), variable_, unit,
-                                literal(of.emboss.depth, Literal::Float)));
+                                emboss.carrier == LightCarrier::Transpose ? 1 : 0));
+        writer_.add({plain(fmt::format("emboss({0}, {1}Positions, {1}GivenCoords{2}, {1}Tangents{2}, light, ",
+                                       mesh_.vertices.size(), variable_, unit)),
+                     number(emboss.depth, depth),
+                     plain(fmt::format(", {}EmbossedCoords{});", variable_, unit))});
         writer_.outdent();
         writer_.add("}");
     }
@@ -505,7 +510,7 @@ private:
         writeSize();
         for (std::size_t u = 0; u < maxUnits; ++u) {
             if (takesCoords(pass, u, model_) && pass.units[u].emboss.enabled)
-                moveCoords(u, pass.units[u]);
+                moveCoords(pass, u);
         }
         writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
         point(vertexArray, "glVertexPointer(3, ", "Positions");

@@ -56,9 +56,11 @@ std::vector<std::size_t> modelsInLight(const Scene& scene) {
     return models;
 }
 
-bool spinsInLight(const Scene& scene) {
-    return std::ranges::any_of(modelsInLight(scene),
-                               [&](std::size_t m) { return scene.models[m].spin != glm::vec3(0); });
+bool spinsInLight(const Emission& emission) {
+    return std::ranges::any_of(modelsInLight(emission.scene), [&](std::size_t m) {
+        return emission.scene.models[m].spin != glm::vec3(0) ||
+               emission.keys.moves(fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::spin>()));
+    });
 }
 
 bool isShadowMap(const Emission& emission, std::size_t object) {
@@ -97,8 +99,8 @@ void writeShadowMaps(Emission& emission) {
                   fmt::format("{}.{}", elementOf<&Scene::textures>(emission.objects[map].texture),
                               keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
-        writer.open(spinsInLight(scene) ? fmt::format("static void drawShadowMap{}(double seconds)", map)
-                                        : fmt::format("static void drawShadowMap{}(void)", map));
+        writer.open(spinsInLight(emission) ? fmt::format("static void drawShadowMap{}(double seconds)", map)
+                                           : fmt::format("static void drawShadowMap{}(void)", map));
         writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
         writer.add("glPushAttrib(GL_ALL_ATTRIB_BITS);");
         writer.add("glDisable(GL_ALPHA_TEST);", std::ranges::any_of(scene.passes, &Pass::alphaTest));
@@ -134,7 +136,7 @@ void writeShadowMaps(Emission& emission) {
 void writeShadowMapCalls(Emission& emission) {
     for (const std::size_t map : shadowMapsOf(emission))
         emission.writer.add(
-            fmt::format("drawShadowMap{}({});", map, spinsInLight(emission.scene) ? "seconds" : ""));
+            fmt::format("drawShadowMap{}({});", map, spinsInLight(emission) ? "seconds" : ""));
 }
 
 } // namespace texplorer::emit

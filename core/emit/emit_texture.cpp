@@ -1,7 +1,9 @@
 #include "core/emit/emission.h"
 #include "core/emit/webgl.h"
+#include "core/gl/argument_names.h"
 #include "core/gl/core_format.h"
 #include "core/reference/sampling/lod.h"
+#include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -54,10 +56,9 @@ void writeSwizzle(Emission& emission, const reference::SampledTexture& shape, Ta
         fmt::format("glTexParameteriv({}, GL_TEXTURE_SWIZZLE_RGBA, swizzle);", rowOf(target).name));
 }
 
-void writeTexture(Emission& emission, std::size_t object) {
-    static const Texture initial;
-    const auto [index, target] = emission.objects[object];
-    Texture texture = emission.scene.textures[index];
+/// As the flavour has it.
+Texture adapted(const Emission& emission, std::size_t object) {
+    Texture texture = emission.scene.textures[emission.objects[object].texture];
     if (emission.isCore) {
         const Wrap other = readsNearestAlone(texture) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
         for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
@@ -66,6 +67,42 @@ void writeTexture(Emission& emission, std::size_t object) {
     texture.baseLevel = std::max(0, texture.baseLevel); // OpenGL refuses another
     if (emission.isWeb)
         texture.maxLevel = std::min(texture.maxLevel, (*emission.texels[object])->lastLevel);
+    return texture;
+}
+
+/// The calls of glTexParameter.
+void writeParameters(Emission& emission, const Texture& texture, std::size_t object) {
+    static const Texture initial;
+    const auto [index, target] = emission.objects[object];
+    const std::string variable = fmt::format("texture{}", object);
+    const Holder holder{textureTable(), &texture, &initial, elementOf<&Scene::textures>(index),
+                        variable,       variable, target};
+    for (const ParamRow& row : holder.table.params) {
+        if (row.glCall.starts_with("glTexParameter") && hasEffect(row, texture, target, emission))
+            emission.writer.row(holder, row);
+    }
+}
+
+/// The first unit that shows an object, or that may, as its texture is another one at times.
+std::optional<std::size_t> unitOf(const Emission& emission, const TextureObject& object) {
+    for (std::size_t p = 0; p < emission.scene.passes.size(); ++p) {
+        const Pass& pass = emission.scene.passes[p];
+        for (std::size_t u = 0; u < maxUnits && drawsAnything(emission.scene, pass); ++u) {
+            const std::string texture = fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p),
+                                                    elementOf<&Pass::units>(u), keyOf<&Unit::texture>());
+            const Unit& unit = pass.units[u];
+            if (unit.enabled && unit.target == object.target &&
+                (static_cast<std::size_t>(unit.texture) == object.texture || emission.keys.moves(texture)))
+                return u;
+        }
+    }
+    return std::nullopt;
+}
+
+void writeTexture(Emission& emission, std::size_t object) {
+    static const Texture initial;
+    const auto [index, target] = emission.objects[object];
+    const Texture texture = adapted(emission, object);
     const std::string variable = fmt::format("texture{}", object);
     const Holder holder{textureTable(), &texture, &initial, elementOf<&Scene::textures>(index),
                         variable,       variable, target};
@@ -77,10 +114,7 @@ void writeTexture(Emission& emission, std::size_t object) {
     if (emission.isWeb) // before its parameters: to change the base level of images that aren't there is
                         // warned of
         writeWebTexels(emission, holder, object);
-    for (const ParamRow& row : holder.table.params) {
-        if (row.glCall.starts_with("glTexParameter") && hasEffect(row, texture, target, emission))
-            writer.row(holder, row);
-    }
+    writeParameters(emission, texture, object);
     if (emission.isWeb) {
         if (texture.maxAnisotropy > 1)
             writer.add(fmt::format(
@@ -128,6 +162,30 @@ void writeTextures(Emission& emission) {
     for (std::size_t i = 0; i < count; ++i) {
         if (!emission.leftOut.contains(i))
             writeTexture(emission, i);
+    }
+}
+
+void writeMovingTextures(Emission& emission) {
+    CodeWriter& writer = emission.writer;
+    for (std::size_t i = 0; i < emission.objects.size(); ++i) {
+        const TextureObject& object = emission.objects[i];
+        const std::optional<std::size_t> unit = unitOf(emission, object);
+        if (!unit || emission.leftOut.contains(i) ||
+            !writer.movesBelow(elementOf<&Scene::textures>(object.texture) + "."))
+            continue;
+        const std::size_t start = writer.size();
+        writer.heading(fmt::format("texture {}", object.texture));
+        writer.add(fmt::format("glActiveTexture({});", textureUnitName(*unit)),
+                   emission.isCore || emission.activeUnit != static_cast<int>(*unit));
+        writer.add(fmt::format("glBindTexture({}, textures[{}]);", rowOf(object.target).name, i));
+        const std::size_t size = writer.size();
+        writer.take(Taking::Moving);
+        writeParameters(emission, adapted(emission, i), i);
+        writer.take(Taking::All);
+        if (writer.size() == size)
+            writer.truncate(start);
+        else
+            emission.activeUnit = static_cast<int>(*unit);
     }
 }
 

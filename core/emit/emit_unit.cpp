@@ -27,11 +27,12 @@ constexpr std::array<GeneratedCoordinate, 4> generatedCoordinates{{
 std::vector<Part> movingNumbers(CodeWriter& writer, const glm::vec3& start, const glm::vec3& rate,
                                 const std::string& startPath, const std::string& ratePath) {
     std::vector<Part> parts;
+    const bool moves = writer.moves(ratePath);
     for (int i = 0; i < 3; ++i) {
         if (i > 0)
             parts.push_back(plain(", "));
-        append(parts,
-               moving(writer, number(start[i], startPath, i), number(rate[i], ratePath, i), rate[i] != 0));
+        append(parts, moving(writer, number(start[i], startPath, i), number(rate[i], ratePath, i),
+                             moves || rate[i] != 0));
     }
     return parts;
 }
@@ -47,8 +48,8 @@ public:
         , variable_(fmt::format("{}Matrix{}", unit.variable, index)) {}
 
     void write() {
-        const bool pivots =
-            (step_.op == MatrixOp::Rotate || step_.op == MatrixOp::Scale) && step_.pivot != glm::vec3(0);
+        const bool pivots = (step_.op == MatrixOp::Rotate || step_.op == MatrixOp::Scale) &&
+                            (step_.pivot != glm::vec3(0) || writer_.moves(own(keyOf<&MatrixStep::pivot>())));
         if (pivots)
             move(false);
         const std::string angle = own(keyOf<&MatrixStep::angle>());
@@ -57,11 +58,14 @@ public:
             writer_.add(callWith("glTranslatef", amount()));
             break;
         case MatrixOp::Rotate: {
-            if (step_.rate == glm::vec3(0) && step_.amount == glm::vec3(0))
+            if (step_.rate == glm::vec3(0) && step_.amount == glm::vec3(0) &&
+                !writer_.moves(own(keyOf<&MatrixStep::rate>())) &&
+                !writer_.moves(own(keyOf<&MatrixStep::amount>())))
                 break; // no axis: OpenGL leaves it undefined
+            const std::string rate = own(keyOf<&MatrixStep::angleRate>());
             std::vector<Part> arguments =
-                turning(writer_, number(step_.angle, angle),
-                        number(step_.angleRate, own(keyOf<&MatrixStep::angleRate>())), step_.angleRate != 0);
+                turning(writer_, number(step_.angle, angle), number(step_.angleRate, rate),
+                        step_.angleRate != 0 || writer_.moves(rate));
             arguments.push_back(plain(", "));
             append(arguments, amount());
             writer_.add(callWith("glRotatef", std::move(arguments)),
@@ -99,8 +103,13 @@ private:
     }
 
     void matrix(std::string_view name, const glm::mat4& values, const std::string& path) {
-        writer_.floats(variable_, numbers({glm::value_ptr(values), 16}, path));
-        writer_.add({call(name), plain(fmt::format("({});", variable_))});
+        const bool moves = writer_.moves(path); // then a variable has all of it
+        if (!moves)
+            writer_.floats(variable_, numbers({glm::value_ptr(values), 16}, path));
+        writer_.add({call(name),
+                     plain("("),
+                     {Part::Kind::Plain, variable_, moves ? path : std::string()},
+                     plain(");")});
     }
 
     /// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from
@@ -136,12 +145,24 @@ public:
 
     /// In every frame, where nothing else of the unit is.
     void writeMoving() {
-        if (!unit_.enabled || !movesMatrix())
+        if (!unit_.enabled)
             return;
+        const std::size_t start = writer_.size();
         writer_.heading(fmt::format("unit {}", index_));
         activate(emission_.activeUnit != static_cast<int>(index_));
-        emission_.activeUnit = static_cast<int>(index_);
-        writeMatrix();
+        const std::size_t size = writer_.size();
+        writer_.take(Taking::Moving);
+        if (const std::vector<Part> parts = switching(true, unit_.target); writer_.takes(parts))
+            writer_.add(parts);
+        bind();
+        writeRows();
+        writer_.take(Taking::All);
+        if (movesMatrix())
+            writeMatrix();
+        if (writer_.size() == size)
+            writer_.truncate(start);
+        else
+            emission_.activeUnit = static_cast<int>(index_);
     }
 
     void write() {
@@ -154,12 +175,13 @@ public:
 
 private:
     [[nodiscard]] bool movesMatrix() const {
-        return std::ranges::any_of(unit_.matrix, [](const MatrixStep& step) {
-            const bool moves =
-                step.op == MatrixOp::Translate || step.op == MatrixOp::Rotate || step.op == MatrixOp::Scale;
-            return moves &&
-                   (step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0));
-        });
+        return writer_.movesBelow(own(keyOf<&Unit::matrix>()) + "[") ||
+               std::ranges::any_of(unit_.matrix, [](const MatrixStep& step) {
+                   const bool moves = step.op == MatrixOp::Translate || step.op == MatrixOp::Rotate ||
+                                      step.op == MatrixOp::Scale;
+                   return moves &&
+                          (step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0));
+               });
     }
 
     static const Unit& initialUnit() {
@@ -200,10 +222,19 @@ private:
         std::optional<Target>& shown = emission_.shown[index_];
         if (shown && *shown != unit_.target)
             writer_.add({enabling(false, {}), plain(fmt::format("({});", rowOf(*shown).name))});
-        writer_.add(switching(true, unit_.target), shown != unit_.target || emission_.mayShow[index_]);
+        if (const std::vector<Part> parts = switching(true, unit_.target); writer_.takes(parts))
+            writer_.add(parts, shown != unit_.target || emission_.mayShow[index_]);
         shown = unit_.target;
-        emission_.mayShow[index_] = false;
+        emission_.mayShow[index_] = writer_.moves(own(keyOf<&Unit::enabled>()));
         bind();
+        writeRows();
+        const bool isLeftToTheFrame = !emission_.inFrame && movesMatrix();
+        if (!isLeftToTheFrame)
+            writeMatrix();
+    }
+
+    /// The environment and the generation of coordinates.
+    void writeRows() {
         const std::array taken{memberId<&Unit::enabled>, memberId<&Unit::target>, memberId<&Unit::texture>};
         for (const ParamRow& row : holder_.table.params) {
             if (std::ranges::find(taken, row.member) == taken.end())
@@ -216,9 +247,6 @@ private:
                 writer_.row(combine, row);
         }
         writeGeneration();
-        const bool isLeftToTheFrame = !emission_.inFrame && movesMatrix();
-        if (!isLeftToTheFrame)
-            writeMatrix();
     }
 
     void bind() {
@@ -230,8 +258,11 @@ private:
         // An index is the texture's own, but for one that is shown on a second target.
         const Part index = object == texture ? whole(unit_.texture, own(keyOf<&Unit::texture>()))
                                              : plain(fmt::format("{}", object));
-        writer_.add(callWith("glBindTexture", {plain(fmt::format("{}, textures[", rowOf(unit_.target).name)),
-                                               index, plain("]")}));
+        std::vector<Part> parts =
+            callWith("glBindTexture",
+                     {plain(fmt::format("{}, textures[", rowOf(unit_.target).name)), index, plain("]")});
+        if (writer_.takes(parts))
+            writer_.add(std::move(parts));
     }
 
     [[nodiscard]] Holder part(const StructTable& table, const void* values, const void* initial,
@@ -252,12 +283,14 @@ private:
             const TexGen& generated = unit_.*member;
             const Holder holder = part(texGenTable(i), &generated, &(initialUnit().*member), key(), letter);
             writer_.row(holder, memberId<&TexGen::enabled>);
-            if (!generated.enabled)
+            if (!generated.enabled &&
+                !writer_.moves(fmt::format("{}.{}", holder.path, keyOf<&TexGen::enabled>())))
                 continue;
             writer_.row(holder, memberId<&TexGen::mode>);
             if (generated.mode == TexGenMode::ObjectLinear)
                 writer_.row(holder, memberId<&TexGen::objectPlane>);
-            if (generated.mode == TexGenMode::EyeLinear)
+            const std::string plane = fmt::format("{}.{}", holder.path, keyOf<&TexGen::eyePlane>());
+            if (generated.mode == TexGenMode::EyeLinear && writer_.takes({{Part::Kind::Number, {}, plane}}))
                 eyePlanes.push_back(holder);
         }
         if (eyePlanes.empty())
@@ -301,7 +334,7 @@ private:
 
 } // namespace
 
-void writeMovingMatrices(Emission& emission, std::size_t pass) {
+void writeMovingUnits(Emission& emission, std::size_t pass) {
     for (std::size_t i = 0; i < maxUnits; ++i)
         UnitWriter(emission, pass, i).writeMoving();
 }

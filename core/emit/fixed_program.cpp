@@ -14,15 +14,15 @@
 namespace texplorer::emit {
 namespace {
 
-/// Of fog, only what its mode looks at.
-bool hasEffect(const ParamRow& row, const Fog& fog) {
+/// Of fog, only what its mode looks at, which may be each of them in turn.
+bool hasEffect(const ParamRow& row, const Fog& fog, bool modeMoves) {
     if (row.member == memberId<&Fog::enabled>)
         return true;
     const bool isLinear = fog.mode == FogMode::Linear;
     if (row.member == memberId<&Fog::density>)
-        return fog.enabled && !isLinear;
+        return fog.enabled && (modeMoves || !isLinear);
     if (row.member == memberId<&Fog::start> || row.member == memberId<&Fog::end>)
-        return fog.enabled && isLinear;
+        return fog.enabled && (modeMoves || isLinear);
     return fog.enabled;
 }
 
@@ -53,8 +53,9 @@ void writePassState(Emission& emission, std::size_t index) {
     const Holder fogHolder{fogTable(),   &pass.fog,
                            &initial.fog, fmt::format("{}.{}", path, fog),
                            fog,          joined(holder.variable, fog)};
+    const bool modeMoves = writer.moves(fmt::format("{}.{}", fogHolder.path, keyOf<&Fog::mode>()));
     for (const ParamRow& row : fogHolder.table.params) {
-        if (hasEffect(row, pass.fog))
+        if (hasEffect(row, pass.fog, modeMoves))
             writer.row(fogHolder, row);
     }
 }
@@ -84,6 +85,8 @@ public:
             writeModelData(emission_, m);
         declareCamera(emission_);
         writeInit();
+        writer_.take(Taking::All);
+        writeKeyFrames(emission_);
         writeShadowMaps(emission_);
         writeDraw();
     }
@@ -112,6 +115,17 @@ private:
     void writePass(std::size_t pass) {
         writePassState(emission_, pass);
         writeUnits(emission_, pass);
+    }
+
+    /// What moves of the only pass.
+    void writeMovingPass(std::size_t pass) {
+        const std::size_t start = writer_.size();
+        writer_.take(Taking::Moving);
+        writePassState(emission_, pass);
+        writer_.take(Taking::All);
+        if (writer_.size() == start + 1) // its heading
+            writer_.truncate(start);
+        writeMovingUnits(emission_, pass);
     }
 
     void writeInit() {
@@ -157,8 +171,11 @@ private:
         writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
                                      : "static void draw(int width, int height)");
         beginFrame();
+        writeKeyFramesCall(emission_);
         writeShadowMapCalls(emission_);
         writeProjection(emission_);
+        writeMovingLight(emission_);
+        writeMovingTextures(emission_);
         writer_.heading("camera");
         writer_.add("glLoadIdentity();");
         writeCamera(emission_);
@@ -166,7 +183,7 @@ private:
             if (passes_.size() > 1)
                 writePass(pass);
             else
-                writeMovingMatrices(emission_, pass);
+                writeMovingPass(pass);
             for (const std::size_t model : drawnModels(emission_.scene, emission_.scene.passes[pass]))
                 writeModel(emission_, pass, model);
         }
@@ -185,19 +202,19 @@ private:
 } // namespace
 
 Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
-                                       const ProgramOptions& options, TextureCodes& codes) {
+                                       const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
     if (const Result<void> possible = checkShadowMaps(scene); !possible)
         return fail(possible.error());
     FrameStart start;
     bool moves = false;
     { // once to see what a frame leaves behind, and whether anything moves
-        Emission trial(scene, images, options, codes);
+        Emission trial(scene, images, options, codes, keys);
         FixedWriter writer(trial, start);
         writer.write();
         start = writer.end();
-        moves = trial.writer.usesSeconds();
+        moves = trial.writer.usesSeconds() || keys.isUsed();
     }
-    Emission emission(scene, images, options, codes);
+    Emission emission(scene, images, options, codes, keys);
     emission.moves = moves;
     FixedWriter(emission, start).write();
     return framed(std::move(emission), {});

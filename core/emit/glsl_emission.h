@@ -61,6 +61,8 @@ void writeGlslModel(GlslEmission& glsl, const GlslPass& pass, std::size_t model)
 void writeShaders(GlslEmission& glsl, const GlslPass& pass);
 /// Compiles them, and sets what no frame changes.
 void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass);
+/// Light, materials, fog and units, as far as they are the same for all models.
+void writeGlslUniforms(GlslEmission& glsl, const GlslPass& pass);
 /// Depth test, blending, textures: what is the same for all models.
 void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass);
 /// The texture matrices that move.
@@ -68,7 +70,7 @@ void writeGlslMovingMatrices(GlslEmission& glsl, const GlslPass& pass);
 /// The material of a model where others have another; the colour of its vertices.
 void writeGlslMaterial(GlslEmission& glsl, const GlslPass& pass, std::size_t model);
 
-/// A uniform's call where the shaders have it: `suffix` "3f" for glUniform3f.
+/// A uniform's call where the shaders have it and the writer takes it: `suffix` "3f" for glUniform3f.
 void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suffix, std::string_view name,
                   std::vector<Part> values);
 

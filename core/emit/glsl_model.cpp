@@ -357,23 +357,24 @@ private:
     /// Whether it isn't where the camera looks, as it is.
     bool place() {
         MatrixProduct product(emission_, "model", !glsl_.hasModelMatrix);
-        if (model_.position != glm::vec3(0))
+        if (model_.position != glm::vec3(0) || writer_.moves(own(keyOf<&Model::position>())))
             product.addTranslation(numbers({&model_.position.x, 3}, own(keyOf<&Model::position>())));
         constexpr std::array axes{"1, 0, 0", "0, 1, 0", "0, 0, 1"};
         for (const int axis : rotationAxes(model_.rotationOrder)) {
-            if (model_.spin[axis] == 0 && model_.rotation[axis] == 0)
+            const bool spins = model_.spin[axis] != 0 || writer_.moves(own(keyOf<&Model::spin>()));
+            if (!spins && model_.rotation[axis] == 0 && !writer_.moves(own(keyOf<&Model::rotation>())))
                 continue;
             std::vector<Part> angle{number(model_.rotation[axis], own(keyOf<&Model::rotation>()), axis)};
-            if (model_.spin[axis] != 0)
+            if (spins)
                 append(angle, {plain(" + "), number(model_.spin[axis], own(keyOf<&Model::spin>()), axis),
                                plain(" * "), writer_.seconds()});
             product.addRotation(std::move(angle), {plain(axes.at(static_cast<std::size_t>(axis)))});
         }
-        if (model_.size != 1) {
+        if (model_.size != 1 || writer_.moves(own(keyOf<&Model::size>()))) {
             const Part size = number(model_.size, own(keyOf<&Model::size>()));
             product.addScaling({size, plain(", "), size, plain(", "), size});
         }
-        if (model_.scale != glm::vec3(1))
+        if (model_.scale != glm::vec3(1) || writer_.moves(own(keyOf<&Model::scale>())))
             product.addScaling(numbers({&model_.scale.x, 3}, own(keyOf<&Model::scale>())));
         const bool isPlaced = !product.isEmpty();
         if (model_.attachment == Attachment::Eye)
@@ -391,9 +392,10 @@ private:
             return;
         const MemberId member = corners == 2 ? memberId<&Model::lineWidth> : memberId<&Model::pointSize>;
         const auto row = std::ranges::find(holder.table.params, member, &ParamRow::member);
-        const bool isPlain = std::ranges::all_of(emission_.scene.models, [&](const Model& each) {
-            return row->read(&each) == row->read(&initial);
-        });
+        bool isPlain = true;
+        for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
+            isPlain &= row->read(&emission_.scene.models[m]) == row->read(&initial) &&
+                       !writer_.moves(fmt::format("{}.{}", elementOf<&Scene::models>(m), row->key));
         if (isPlain)
             return;
         writer_.forget(fmt::format("{}.{}", holder.state, row->key));

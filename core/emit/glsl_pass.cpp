@@ -72,15 +72,25 @@ std::string materialPath(const Scene& scene, std::size_t model) {
                : keyOf<&Scene::material>();
 }
 
+std::string colorPath(const Scene& scene, std::size_t model) {
+    return fmt::format("{}.{}", materialPath(scene, model), keyOf<&Material::color>());
+}
+
 std::string wordsOf(const std::vector<Part>& parts) {
     return textOf(Line{parts});
 }
 
-/// Whether all models that a pass draws say the same of it.
-bool isShared(const Scene& scene, const std::vector<std::size_t>& models, const MaterialRow& row) {
+/// Whether all models that a pass draws say the same of it, at all times.
+bool isShared(const Emission& emission, const std::vector<std::size_t>& models, const MaterialRow& row) {
+    const auto partsOf = [&](std::size_t model) {
+        return row.values(materialOf(emission.scene, emission.scene.models[model]),
+                          materialPath(emission.scene, model));
+    };
+    const std::vector<Part> first = partsOf(models.front());
     return std::ranges::all_of(models, [&](std::size_t model) {
-        return wordsOf(row.values(materialOf(scene, scene.models[model]), {})) ==
-               wordsOf(row.values(materialOf(scene, scene.models[models.front()]), {}));
+        const std::vector<Part> parts = partsOf(model);
+        const bool move = emission.keys.moves(parts[0].path) || emission.keys.moves(first[0].path);
+        return wordsOf(parts) == wordsOf(first) && (!move || parts[0].path == first[0].path);
     });
 }
 
@@ -89,12 +99,15 @@ bool hasOwnColors(const Model& model) {
 }
 
 /// Of vertices without colours, in any pass: one for all.
-bool hasOneColor(const Scene& scene, const std::vector<GlslPass>& passes) {
+bool hasOneColor(const GlslEmission& glsl) {
+    const Scene& scene = glsl.emission.scene;
     std::optional<glm::vec4> color;
-    for (const GlslPass& pass : passes) {
+    for (const GlslPass& pass : glsl.passes) {
         for (const std::size_t model : drawnModels(scene, scene.passes[pass.index])) {
             const glm::vec4 own = materialOf(scene, scene.models[model]).color;
-            if (hasOwnColors(scene.models[model]) || (color && *color != own))
+            const std::string path = colorPath(scene, model);
+            if (hasOwnColors(scene.models[model]) || (color && *color != own) ||
+                glsl.emission.keys.moves(path))
                 return false;
             color = own;
         }
@@ -119,8 +132,12 @@ std::size_t firstStep(const Unit& unit) {
     return 0;
 }
 
-bool movesMatrix(const Unit& unit) {
-    return std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
+bool movesMatrix(const GlslEmission& glsl, const GlslPass& pass, std::size_t index) {
+    const Unit& unit = glsl.emission.scene.passes[pass.index].units[index];
+    const std::string path = fmt::format("{}.{}.{}[", elementOf<&Scene::passes>(pass.index),
+                                         elementOf<&Pass::units>(index), keyOf<&Unit::matrix>());
+    return glsl.emission.keys.movesBelow(path) ||
+           std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
                        [](const MatrixStep& step) {
                            return step.op != MatrixOp::Multiply && step.op != MatrixOp::Load &&
                                   step.op != MatrixOp::Projector &&
@@ -166,17 +183,15 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<Part> vector(const glm::vec3& start, const glm::vec3& rate,
-                                           const std::string& path) const {
+    [[nodiscard]] std::vector<Part> vector(const MatrixStep& step, const std::string& path) const {
+        const std::string amount = fmt::format("{}.{}", path, keyOf<&MatrixStep::amount>());
+        const std::string rate = fmt::format("{}.{}", path, keyOf<&MatrixStep::rate>());
         std::vector<Part> parts;
         for (int i = 0; i < 3; ++i) {
             if (i > 0)
                 parts.push_back(plain(", "));
-            append(parts,
-                   atTime(writer_,
-                          number(start[i], fmt::format("{}.{}", path, keyOf<&MatrixStep::amount>()), i),
-                          number(rate[i], fmt::format("{}.{}", path, keyOf<&MatrixStep::rate>()), i),
-                          rate[i] != 0));
+            append(parts, atTime(writer_, number(step.amount[i], amount, i), number(step.rate[i], rate, i),
+                                 step.rate[i] != 0 || writer_.moves(rate)));
         }
         return parts;
     }
@@ -184,22 +199,28 @@ private:
     void addStep(MatrixProduct& product, std::size_t index) {
         const MatrixStep& step = unit_.matrix[index];
         const std::string path = fmt::format("{}.{}", path_, elementOf<&Unit::matrix>(index));
+        const auto own = [&](const std::string& key) { return fmt::format("{}.{}", path, key); };
+        const auto isSet = [&](const glm::vec3& vector, const std::string& key) {
+            return vector != glm::vec3(0) || writer_.moves(own(key));
+        };
         std::vector<Part> pivot;
-        if (step.pivot != glm::vec3(0))
-            pivot = numbers({&step.pivot.x, 3}, fmt::format("{}.{}", path, keyOf<&MatrixStep::pivot>()));
+        if (isSet(step.pivot, keyOf<&MatrixStep::pivot>()))
+            pivot = numbers({&step.pivot.x, 3}, own(keyOf<&MatrixStep::pivot>()));
         switch (step.op) {
         case MatrixOp::Translate:
-            return product.addTranslation(vector(step.amount, step.rate, path));
-        case MatrixOp::Rotate:
-            if (step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
+            return product.addTranslation(vector(step, path));
+        case MatrixOp::Rotate: {
+            if (!isSet(step.amount, keyOf<&MatrixStep::amount>()) &&
+                !isSet(step.rate, keyOf<&MatrixStep::rate>()))
                 return; // no axis: OpenGL leaves it undefined
-            return product.addRotation(
-                atTime(writer_, number(step.angle, fmt::format("{}.{}", path, keyOf<&MatrixStep::angle>())),
-                       number(step.angleRate, fmt::format("{}.{}", path, keyOf<&MatrixStep::angleRate>())),
-                       step.angleRate != 0),
-                vector(step.amount, step.rate, path), pivot);
+            const std::string rate = own(keyOf<&MatrixStep::angleRate>());
+            return product.addRotation(atTime(writer_, number(step.angle, own(keyOf<&MatrixStep::angle>())),
+                                              number(step.angleRate, rate),
+                                              step.angleRate != 0 || writer_.moves(rate)),
+                                       vector(step, path), pivot);
+        }
         case MatrixOp::Scale:
-            return product.addScaling(vector(step.amount, step.rate, path), pivot);
+            return product.addScaling(vector(step, path), pivot);
         case MatrixOp::Multiply:
         case MatrixOp::Load: {
             std::vector<Part> parts{plain(fmt::format("const Matrix {}{} = {{{{", variable_, index))};
@@ -260,8 +281,17 @@ void writeUnitUniforms(GlslEmission& glsl, const GlslPass& pass, std::size_t ind
                                                         isObject ? keyOf<&TexGen::objectPlane>()
                                                                  : keyOf<&TexGen::eyePlane>())));
     }
-    if (pass.uniforms.contains(fmt::format("textureMatrix{}", index)) && !movesMatrix(unit))
+    if (pass.uniforms.contains(fmt::format("textureMatrix{}", index)) && !movesMatrix(glsl, pass, index))
         TextureMatrixWriter(glsl, pass, index).write();
+}
+
+/// Of 255, as OpenGL compares alpha of 8 bits.
+std::vector<Part> alphaReference(const Emission& emission, std::size_t pass) {
+    const float reference = emission.scene.passes[pass].alphaRef;
+    const std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::alphaRef>());
+    if (!emission.keys.moves(path))
+        return {number(std::round(std::clamp(reference, 0.0F, 1.0F) * 255))};
+    return {plain(emission.isWeb ? "Math.round(" : "roundf("), number(reference, path), plain(" * 255.0f)")};
 }
 
 void addUniforms(std::set<std::string, std::less<>>& names, std::string_view source) {
@@ -314,6 +344,8 @@ void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suf
                   std::vector<Part> values) {
     if (!pass.uniforms.contains(name))
         return;
+    if (!glsl.emission.writer.takes(values))
+        return;
     std::vector<Part> parts{plain(fmt::format("glGetUniformLocation({}, \"{}\"), ", pass.program, name))};
     append(parts, std::move(values));
     glsl.emission.writer.add(callWith(fmt::format("glUniform{}", suffix), std::move(parts)));
@@ -333,9 +365,7 @@ void writeShaders(GlslEmission& glsl, const GlslPass& pass) {
 
 void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass) {
     Emission& emission = glsl.emission;
-    const Scene& scene = emission.scene;
-    const Pass& drawn = scene.passes[pass.index];
-    const Light& light = scene.light;
+    const Pass& drawn = emission.scene.passes[pass.index];
     CodeWriter& writer = emission.writer;
     emission.use(CFunction::NewProgram);
     writer.heading(pass.variable.empty() ? std::string("the program and what no frame changes of it")
@@ -343,6 +373,15 @@ void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass) {
     writer.add(fmt::format("{} = newProgram({}, {});", pass.program, joined(pass.variable, "vertexShader"),
                            joined(pass.variable, "fragmentShader")));
     writer.add(fmt::format("glUseProgram({});", pass.program));
+    writeGlslUniforms(glsl, pass);
+    if (&pass == &glsl.passes.front() && hasOneColor(glsl))
+        writeColor(glsl, drawnModels(glsl.emission.scene, drawn).front());
+}
+
+void writeGlslUniforms(GlslEmission& glsl, const GlslPass& pass) {
+    const Scene& scene = glsl.emission.scene;
+    const Pass& drawn = scene.passes[pass.index];
+    const Light& light = scene.light;
     writeUniform(glsl, pass, "4f", "lightPosition",
                  numbers({&light.position.x, 4}, pathOf<&Scene::light, &Light::position>()));
     writeUniform(glsl, pass, "3f", "lightAmbient", lightPart(light.ambient, keyOf<&Light::ambient>()));
@@ -352,7 +391,7 @@ void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass) {
                  lightPart(light.modelAmbient, keyOf<&Light::modelAmbient>()));
     const std::vector<std::size_t> models = drawnModels(scene, drawn);
     for (const MaterialRow& row : materialRows) {
-        if (isShared(scene, models, row))
+        if (isShared(glsl.emission, models, row))
             writeUniform(glsl, pass, row.suffix, row.uniform,
                          row.values(materialOf(scene, scene.models[models.front()]),
                                     materialPath(scene, models.front())));
@@ -366,14 +405,11 @@ void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass) {
     writeUniform(glsl, pass, "1f", "fogDensity", fogNumber(drawn.fog.density, keyOf<&Fog::density>()));
     writeUniform(glsl, pass, "1f", "fogStart", fogNumber(drawn.fog.start, keyOf<&Fog::start>()));
     writeUniform(glsl, pass, "1f", "fogEnd", fogNumber(drawn.fog.end, keyOf<&Fog::end>()));
-    writeUniform(glsl, pass, "1f", "alphaReference",
-                 {number(std::round(std::clamp(drawn.alphaRef, 0.0F, 1.0F) * 255))});
+    writeUniform(glsl, pass, "1f", "alphaReference", alphaReference(glsl.emission, pass.index));
     for (std::size_t i = 0; i < maxUnits; ++i) {
         if (pass.units[i])
             writeUnitUniforms(glsl, pass, i);
     }
-    if (&pass == &glsl.passes.front() && hasOneColor(scene, glsl.passes))
-        writeColor(glsl, models.front());
 }
 
 void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
@@ -408,16 +444,25 @@ void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
         const Unit& unit = drawn.units[i];
         const auto found = std::ranges::find(
             emission.objects, TextureObject{static_cast<std::size_t>(unit.texture), unit.target});
+        const auto object = static_cast<std::size_t>(found - emission.objects.begin());
+        const std::string texture =
+            fmt::format("{}.{}.{}", path, elementOf<&Pass::units>(i), keyOf<&Unit::texture>());
+        const bool moves = writer.moves(texture) && object == static_cast<std::size_t>(unit.texture);
+        std::vector<Part> bound =
+            callWith("glBindTexture",
+                     {plain(fmt::format("{}, textures[", rowOf(unit.target).name)),
+                      moves ? whole(unit.texture, texture) : plain(fmt::format("{}", object)), plain("]")});
+        if (!writer.takes(bound))
+            continue;
         writer.add(fmt::format("glActiveTexture({});", textureUnitName(i)));
-        writer.add(fmt::format("glBindTexture({}, textures[{}]);", rowOf(unit.target).name,
-                               found - emission.objects.begin()));
+        writer.add(std::move(bound));
     }
 }
 
 void writeGlslMovingMatrices(GlslEmission& glsl, const GlslPass& pass) {
     for (std::size_t i = 0; i < maxUnits; ++i) {
         if (pass.units[i] && pass.uniforms.contains(fmt::format("textureMatrix{}", i)) &&
-            movesMatrix(glsl.emission.scene.passes[pass.index].units[i]))
+            movesMatrix(glsl, pass, i))
             TextureMatrixWriter(glsl, pass, i).write();
     }
 }
@@ -426,11 +471,11 @@ void writeGlslMaterial(GlslEmission& glsl, const GlslPass& pass, std::size_t mod
     const Scene& scene = glsl.emission.scene;
     const std::vector<std::size_t> models = drawnModels(scene, scene.passes[pass.index]);
     for (const MaterialRow& row : materialRows) {
-        if (!isShared(scene, models, row))
+        if (!isShared(glsl.emission, models, row))
             writeUniform(glsl, pass, row.suffix, row.uniform,
                          row.values(materialOf(scene, scene.models[model]), materialPath(scene, model)));
     }
-    if (!hasOneColor(scene, glsl.passes) && !hasOwnColors(scene.models[model]))
+    if (!hasOneColor(glsl) && !hasOwnColors(scene.models[model]))
         writeColor(glsl, model);
 }
 

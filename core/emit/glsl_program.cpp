@@ -38,8 +38,22 @@ std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Uni
                              ends};
 }
 
+/// A shader adds no bias where that is 0; where it moves, it always does.
+Scene withMovingBias(const Emission& emission) {
+    Scene scene = emission.scene;
+    for (std::size_t p = 0; p < scene.passes.size() && !emission.keys.empty(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            if (emission.keys.moves(fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p),
+                                                elementOf<&Pass::units>(u), keyOf<&Unit::lodBias>())))
+                scene.passes[p].units[u].lodBias = 1;
+        }
+    }
+    return scene;
+}
+
 Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
     std::vector<GlslPass> passes;
+    const Scene shaped = withMovingBias(emission);
     for (std::size_t i = 0; i < emission.scene.passes.size(); ++i) {
         const Pass& drawn = emission.scene.passes[i];
         if (!drawsAnything(emission.scene, drawn))
@@ -47,7 +61,7 @@ Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
         GlslPass pass{i, joined(emission.passVariable(i), "program"), emission.passVariable(i), {}, {}, {}};
         std::ranges::transform(drawn.units, pass.units.begin(),
                                [&](const Unit& unit) { return sampledUnit(emission, unit); });
-        Result<glsl::ShaderSource> source = glsl::shaderSource(emission.scene, i, pass.units);
+        Result<glsl::ShaderSource> source = glsl::shaderSource(shaped, i, pass.units);
         if (!source)
             return fail(source.error());
         pass.source = std::move(*source);
@@ -152,6 +166,8 @@ public:
         for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
             writeGlslModelData(glsl_, m);
         writeInit();
+        writer_.take(Taking::All);
+        writeKeyFrames(emission_);
         writePlace();
         writeGlslShadowMaps(glsl_);
         writeDraw();
@@ -208,7 +224,9 @@ private:
         writer_.heading("a frame");
         writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
                                      : "static void draw(int width, int height)");
+        writeKeyFramesCall(emission_);
         writeMatrices(emission_, !glsl_.passes.empty());
+        writeMovingTextures(emission_);
         writeGlslShadowCalls(glsl_);
         for (const GlslPass& pass : glsl_.passes) {
             const Pass& drawn = emission_.scene.passes[pass.index];
@@ -219,12 +237,33 @@ private:
             if (!isOne() || hasShadowMaps(glsl_)) {
                 writer_.add(fmt::format("glUseProgram({});", pass.program));
                 writeGlslPassState(glsl_, pass);
-            }
+            } else
+                writeMovingState(pass);
+            writeMovingUniforms(pass);
             writeGlslMovingMatrices(glsl_, pass);
             for (const std::size_t model : drawnModels(emission_.scene, drawn))
                 writeGlslModel(glsl_, pass, model);
         }
         writer_.close();
+    }
+
+    void writeMovingState(const GlslPass& pass) {
+        const std::size_t start = writer_.size();
+        writer_.take(Taking::Moving);
+        writeGlslPassState(glsl_, pass);
+        writer_.take(Taking::All);
+        if (writer_.size() == start + 1) // its heading
+            writer_.truncate(start);
+    }
+
+    void writeMovingUniforms(const GlslPass& pass) {
+        const std::size_t start = writer_.size();
+        writer_.heading("what the shaders are told of what moves");
+        writer_.take(Taking::Moving);
+        writeGlslUniforms(glsl_, pass);
+        writer_.take(Taking::All);
+        if (writer_.size() == start + 1)
+            writer_.truncate(start);
     }
 
     GlslEmission& glsl_;
@@ -270,8 +309,11 @@ void leaveOut(GlslEmission& glsl) {
         const bool isShown = std::ranges::any_of(glsl.passes, [&](const GlslPass& pass) {
             for (std::size_t u = 0; u < maxUnits; ++u) {
                 const Unit& unit = emission.scene.passes[pass.index].units[u];
-                if (pass.units[u] &&
-                    emission.objects[i] == TextureObject{static_cast<std::size_t>(unit.texture), unit.target})
+                const bool isOne =
+                    emission.keys.moves(fmt::format("{}.{}.{}", elementOf<&Scene::passes>(pass.index),
+                                                    elementOf<&Pass::units>(u), keyOf<&Unit::texture>())) ||
+                    static_cast<std::size_t>(unit.texture) == emission.objects[i].texture;
+                if (pass.units[u] && isOne && emission.objects[i].target == unit.target)
                     return true;
             }
             return false;
@@ -282,12 +324,13 @@ void leaveOut(GlslEmission& glsl) {
 }
 
 Result<std::vector<Line>> programOf(const Scene& scene, const ImageSource& images,
-                                    const ProgramOptions& options, TextureCodes& codes, bool isWeb) {
+                                    const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys,
+                                    bool isWeb) {
     if (const Result<void> possible = checkShadowMaps(scene); !possible)
         return fail(possible.error());
     bool moves = false;
     for (const bool isTrial : {true, false}) {
-        Emission emission(scene, images, options, codes);
+        Emission emission(scene, images, options, codes, keys);
         emission.isCore = true;
         emission.isWeb = isWeb;
         emission.moves = moves;
@@ -302,7 +345,7 @@ Result<std::vector<Line>> programOf(const Scene& scene, const ImageSource& image
         if (isWeb)
             toEs(glsl);
         GlslWriter(glsl).write();
-        moves = emission.writer.usesSeconds();
+        moves = emission.writer.usesSeconds() || keys.isUsed();
         if (isTrial)
             continue;
         if (isWeb)
@@ -318,13 +361,13 @@ Result<std::vector<Line>> programOf(const Scene& scene, const ImageSource& image
 } // namespace
 
 Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
-                                      const ProgramOptions& options, TextureCodes& codes) {
-    return programOf(scene, images, options, codes, false);
+                                      const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
+    return programOf(scene, images, options, codes, keys, false);
 }
 
 Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
-                                       const ProgramOptions& options, TextureCodes& codes) {
-    return programOf(withOneBias(scene), images, options, codes, true);
+                                       const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
+    return programOf(withOneBias(scene), images, options, codes, keys, true);
 }
 
 } // namespace texplorer::emit

@@ -70,7 +70,7 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
                               keyOf<&Texture::depthSize>()));
         writer.heading("the depths that the light sees");
         writer.open(fmt::format("static void drawShadowMap{}(Matrix view{})", map,
-                                spinsInLight(scene) ? ", double seconds" : ""));
+                                spinsInLight(emission) ? ", double seconds" : ""));
         writer.comment("from eye coordinates to what the light sees");
         const LightView light = lightView(scene.light);
         const glm::dmat4 matrix = light.projection * light.view;
@@ -96,9 +96,9 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
 void writeGlslShadowCalls(GlslEmission& glsl) {
     CodeWriter& writer = glsl.emission.writer;
     for (const std::size_t map : seenByLight(glsl.emission)) {
-        writer.add(fmt::format("drawShadowMap{}(view{});", map,
-                               spinsInLight(glsl.emission.scene) ? ", seconds" : ""));
-        if (spinsInLight(glsl.emission.scene))
+        writer.add(
+            fmt::format("drawShadowMap{}(view{});", map, spinsInLight(glsl.emission) ? ", seconds" : ""));
+        if (spinsInLight(glsl.emission))
             static_cast<void>(writer.seconds());
     }
     if (hasShadowMaps(glsl))

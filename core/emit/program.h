@@ -43,8 +43,8 @@ struct ProgramOptions {
     std::string source = "demo.c";   ///< what the file is called: for the line that compiles it
     int width = 640;                 ///< of the window, in pixels
     int height = 480;
-    /// Parameters whose calls have a word on what they do before them, and stand there even where they set what
-    /// OpenGL starts with.
+    /// Parameters whose calls have a word on what they do before them, and stand there even where they set
+    /// what OpenGL starts with.
     std::set<std::string, std::less<>> explained{};
     /// What the program calls an image file of the scene that lies in a folder: BMP, TGA and DDS files whose
     /// format takes few lines are read by it. Empty, or an empty name: their texels stand in the program.
@@ -54,20 +54,10 @@ struct ProgramOptions {
     bool readsFilesInMemory = false;
 };
 
-/// The program. What the scene's textures hold comes from `images`; one that has none is left out, as
-/// renderers leave it out. Unsupported: what the scene says that such a program can't, in one sentence.
-[[nodiscard]] Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
-                                                     const ProgramOptions& options, TextureCodes& codes);
-
-// The same for OpenGL 3.3's core profile, with the shaders that the shader renderer has.
-[[nodiscard]] Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
-                                                    const ProgramOptions& options, TextureCodes& codes);
-
-/// The same as a page of HTML with WebGL 2, which needs no other file.
-[[nodiscard]] Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
-                                                     const ProgramOptions& options, TextureCodes& codes);
-
-/// The same for any flavour.
+/// The program, which moves as the scene's key frames say. What the scene's textures hold comes from
+/// `images`; one that has none is left out, as renderers leave it out. Those of OpenGL 3.3's core profile and
+/// of WebGL 2 have the shaders of the shader renderer. Unsupported: what the scene says that such a program
+/// can't, in one sentence.
 [[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene,
                                                 const ImageSource& images, const ProgramOptions& options,
                                                 TextureCodes& codes);

@@ -91,11 +91,12 @@ void addEmit(CommandLine& line) {
                  "their texels stand in the program.");
     command.footer(
         "One file that needs GLFW and OpenGL; the line that compiles it stands at its top. It draws the pixels of "
-        "\"texshot shot\", moves as the scene does and turns by the mouse. Patterns of few lines are computed; the "
+        "\"texshot shot\", moves as the scene and its key frames do and turns by the mouse. Patterns of few lines are computed; the "
         "texels of other images, and meshes of many vertices, are arrays at its end. With --lesson the step's text "
         "stands at the top, and the calls that it is about have a word on what they do.\n"
         "The shaders of glsl and webgl are those of the GLSL tab. A page of webgl needs no other file, and its pixels are "
-        "the browser's. What OpenGL 3.3 or WebGL 2 has no word for is named in one sentence, and nothing is written.\n"
+        "the browser's. What OpenGL 3.3 or WebGL 2 has no word for, and key frames of what no call or uniform of a frame "
+        "sets, as a model's shape, is named in one sentence, and nothing is written.\n"
         "Exit status: 0 done, 1 the scene, an image or what the flavour can't say, 2 a wrong call.");
     command.onCall([options] { return emitProgram(*options); });
 }

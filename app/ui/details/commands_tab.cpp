@@ -6,11 +6,13 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace texplorer::ui {
@@ -54,10 +56,22 @@ void makeRows(CommandsTabState& state) {
     }
 }
 
+/// The scene without what the present time makes of it, where that is something: a program has all key
+/// frames.
+std::optional<Scene> withoutTime(const Document& document) {
+    if (!document.standing)
+        return std::nullopt;
+    Scene scene = document.scene;
+    putUnkeyed(scene, document.standing->base);
+    return scene;
+}
+
 /// Makes the lines and rows anew where something is another.
 void renew(const Session& session, CommandsTabState& state, std::size_t columns) {
     const Document& document = session.document;
-    const bool isSame = state.scene && *state.scene == document.scene && state.images == document.images;
+    const std::optional<Scene> timeless = withoutTime(document);
+    const Scene& scene = timeless ? *timeless : document.scene;
+    const bool isSame = state.scene && *state.scene == scene && state.images == document.images;
     // The numbers of a list are compared with those before only where something changed.
     if (isSame && state.columns == columns && state.rowsShowAll == state.showsAll &&
         state.lastChanged == document.lastChanged)
@@ -68,7 +82,7 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
         const emit::ProgramOptions options{.title = "Texplorer",
                                            .fileName = [](const std::string& file) { return file; }};
         std::vector<emit::Line> lines =
-            emit::program(emit::Flavour::Fixed, document.scene, document.images, options, state.texels)
+            emit::program(emit::Flavour::Fixed, scene, document.images, options, state.texels)
                 .or_else([&](const Error& error) { state.refused = describe(error); })
                 .value_or(std::vector<emit::Line>{});
         state.texels.forgetUnused();
@@ -79,7 +93,7 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
         // A number that is dragged to where its call isn't needed stays under the hand.
         if (!ImGui::IsAnyItemActive() || haveChanged(lines) || !haveChanged(state.lines)) {
             state.lines = std::move(lines);
-            state.scene = document.scene;
+            state.scene = scene;
             state.images = document.images;
         }
     }

@@ -18,9 +18,8 @@ using testing::Not;
 
 Result<std::string> programOf(const Scene& scene) {
     emit::TextureCodes codes;
-    return emit::glslProgram(scene, {}, {}, codes).map([](const std::vector<emit::Line>& lines) {
-        return textOf(lines, false);
-    });
+    return emit::program(emit::Flavour::Glsl, scene, {}, {}, codes)
+        .map([](const std::vector<emit::Line>& lines) { return textOf(lines, false); });
 }
 std::string textOf(const Scene& scene) {
     const Result<std::string> text = programOf(scene);

@@ -56,7 +56,7 @@ class CompiledCalls : public testing::Test {
 protected:
     void add(const Scene& drawn, const std::string& name) {
         Scene scene = drawn;
-        scene.timeline = {}; // which programs refuse
+        scene.timeline = {}; // of which programs refuse some
         for (Texture& texture : scene.textures) {
             if (texture.source == SourceKind::LightDepth) // of which programs refuse other formats
                 texture.internalFormat = InternalFormat::DepthComponent24;
@@ -129,7 +129,7 @@ std::string expectedText(const Scene& scene, const Part& part) {
 TEST(EmittedValues, AreThoseOfTheParametersThatTheyName) {
     for (int i = 0; i < 40; ++i) {
         Scene scene = random::randomScene(11, i, {}).scene;
-        scene.timeline = {}; // which programs refuse
+        scene.timeline = {}; // of which programs refuse some
         for (Texture& texture : scene.textures) {
             if (texture.source == SourceKind::LightDepth) // of which programs refuse some
                 texture.source = SourceKind::Pattern;

@@ -20,9 +20,8 @@ using testing::StartsWith;
 
 Result<std::string> pageOf(const Scene& scene, const emit::ProgramOptions& options = {}) {
     emit::TextureCodes codes;
-    return emit::webGlProgram(scene, {}, options, codes).map([](const std::vector<emit::Line>& lines) {
-        return textOf(lines, false);
-    });
+    return emit::program(emit::Flavour::WebGl, scene, {}, options, codes)
+        .map([](const std::vector<emit::Line>& lines) { return textOf(lines, false); });
 }
 std::string textOf(const Scene& scene) {
     const Result<std::string> text = pageOf(scene);

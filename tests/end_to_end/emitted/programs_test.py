@@ -2,6 +2,8 @@
 pixels, those of GLSL within 1/255, the rounding of a component. Fixed or Glsl as the last word chooses one of them."""
 
 import json
+import re
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -9,6 +11,7 @@ from pathlib import Path
 
 from PIL import Image
 
+import moving
 from capture import Capture, Display
 from proof import FIXED, GLSL, Proof
 from scenes import Case, every_case, said, without_repeats
@@ -32,6 +35,26 @@ class Programs:
             with self.subTest(verdict.case.name):
                 if verdict.wrong or verdict.refused:
                     self.fail(verdict.wrong or verdict.refused)
+
+    def test_moves_by_key_frames(self):
+        with tempfile.TemporaryDirectory() as folder:
+            cases = moving.cases(TEXSHOT, Path(folder))
+            proof = Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "moving", moving.TIMES)
+            for each, verdict in zip(moving.MOVING, proof.of_all(cases)):
+                with self.subTest(each.name):
+                    refused = each.only_fixed if self.FLAVOUR is GLSL else ""
+                    self.assertEqual(verdict.wrong, "")
+                    self.assertEqual(verdict.refused.partition(": a program")[0].rpartition(" ")[2], refused, verdict.refused)
+
+    def test_refuses_key_frames_that_it_cant_say(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for path, (one, other) in moving.REFUSED[self.FLAVOUR.name].items():
+                scene, out = Path(folder) / "scene.json", Path(folder) / "demo.c"
+                scene.write_text(json.dumps({"version": 1, "timeline": moving.keys(path, [(0, one), (1, other)])}))
+                with self.subTest(path):
+                    done = subprocess.run([TEXSHOT, "emit", str(scene), "--as", self.FLAVOUR.name, "-o", str(out)], capture_output=True, text=True)
+                    self.assertEqual((done.returncode, done.stdout, out.exists()), (1, "", False))
+                    self.assertRegex(done.stderr, rf"^texshot: .*{re.escape(path)}: a program .*; texshot animate draws it\n$")
 
     def test_reads_files(self):
         """BMP, TGA and DDS files by the lines that the program has for them: odd rows, both orders of rows, levels of one and

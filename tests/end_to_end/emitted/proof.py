@@ -45,8 +45,8 @@ class Verdict(NamedTuple):
 class Proof:
     """Of one flavour. What is wrong is kept in a folder: the program, its pictures, those of texshot, and what differs."""
 
-    def __init__(self, texshot, flavour, capture, keep):
-        self.texshot, self.flavour, self.capture = os.path.abspath(texshot), flavour, capture
+    def __init__(self, texshot, flavour, capture, keep, times=TIMES):
+        self.texshot, self.flavour, self.capture, self.times = os.path.abspath(texshot), flavour, capture, times
         self.keep = Path(keep) / flavour.name
 
     def of_all(self, cases):
@@ -88,11 +88,11 @@ class Proof:
     def draw(self, path):
         """What the program draws at each time."""
         compile_program(path / self.flavour.file, path / "demo")
-        return self.capture.run(path / "demo", path, TIMES)
+        return self.capture.run(path / "demo", path, self.times)
 
     def shoot(self, files, name, cwd):
         return self.run("shot", *map(str, files), "--renderer", self.flavour.renderer, "--size", "x".join(map(str, SIZE)), "--no-metadata",
-                        "--time", ",".join(TIMES), "-o", name, cwd=cwd)
+                        "--time", ",".join(self.times), "-o", name, cwd=cwd)
 
     def expect(self, cases, folder):
         """Draws what is expected of the cases in one call; where texshot ends badly, in two, until it is known of which. Says of each
@@ -110,7 +110,7 @@ class Proof:
     def compare(self, case, path, drawn, expected):
         scene = json.loads(case.file.read_text())
         wrong = []
-        for time, picture in zip(TIMES, drawn):
+        for time, picture in zip(self.times, drawn):
             if picture.shape != (SIZE[1], SIZE[0], 3):
                 raise ProgramError(f"it draws an array of {picture.shape}, expected {SIZE}")
             sentence = self.difference(case, scene, path, time, picture, expected / f"{case.name}-{time}.png")

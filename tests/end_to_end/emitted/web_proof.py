@@ -17,8 +17,8 @@ WEBGL = Flavour("webgl", "demo.html", "reference", 2)
 class PagesProof(Proof):
     """In several browsers side by side."""
 
-    def __init__(self, texshot, judge, browsers, keep):
-        super().__init__(texshot, WEBGL, None, keep)
+    def __init__(self, texshot, judge, browsers, keep, times=TIMES):
+        super().__init__(texshot, WEBGL, None, keep, times)
         self.judge, self.free = judge, SimpleQueue()
         for each in browsers:
             self.free.put(each)
@@ -26,7 +26,7 @@ class PagesProof(Proof):
     def draw(self, path):
         browser = self.free.get()
         try:
-            return browser.run(path / self.flavour.file, TIMES)
+            return browser.run(path / self.flavour.file, self.times)
         finally:
             self.free.put(browser)
 

@@ -56,6 +56,22 @@ TEST_F(CommandsTab, ANumberIsDraggedInOneStepOfUndo) {
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
+// A variable stands for what moves, and nothing there can be dragged; the present time changes no line.
+TEST_F(CommandsTab, KeyFramesAreThoseOfTheProgram) {
+    Scene moving = defaultScene();
+    moving.timeline.keys = {{0, "material.shininess", "10"}, {2, "material.shininess", "90"}};
+    start(moving);
+    show();
+    const std::string text = copied();
+    EXPECT_EQ(text, textOf(programOf(moving), false));
+    EXPECT_THAT(text, HasSubstr("GL_SHININESS, materialShininess);"));
+    session->window.playback.time = 1;
+    frames(2);
+    EXPECT_EQ(copied(), text);
+    find("command:view.fieldOfView");
+    EXPECT_FALSE(has("command:material.shininess"));
+}
+
 // The camera's target stands in glTranslatef with the other sign.
 TEST_F(CommandsTab, ANegatedNumberGoesTheOtherWay) {
     scene().view.target = {2, 0, 0};

@@ -1,0 +1,227 @@
+#include "core/emit/key_frames.h"
+#include "core/emit/program.h"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+namespace texplorer::key_frames_test {
+namespace {
+
+using emit::Flavour;
+using emit::Line;
+using emit::Part;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+
+Result<std::vector<Line>> programOf(const Scene& scene, Flavour flavour = Flavour::Fixed) {
+    emit::TextureCodes codes;
+    return emit::program(flavour, scene, {}, {}, codes);
+}
+
+std::string textOf(const Scene& scene, Flavour flavour = Flavour::Fixed) {
+    const auto lines = programOf(scene, flavour);
+    return lines ? emit::textOf(*lines, false) : describe(lines.error());
+}
+
+/// Without what they are indented by.
+std::vector<std::string> linesOf(std::istringstream text) {
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);)
+        lines.push_back(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+    return lines;
+}
+
+/// Those of a function.
+std::vector<std::string> bodyOf(const std::string& text, const std::string& head) {
+    const std::size_t start = text.find(head);
+    if (start == std::string::npos)
+        return {"there is no " + head};
+    return linesOf(std::istringstream(text.substr(start, text.find("\n}\n", start) - start)));
+}
+
+Scene sceneWith(std::vector<KeyFrame> keys) {
+    Scene scene = defaultScene();
+    scene.timeline.keys = std::move(keys);
+    return scene;
+}
+
+const std::string init = "static void init(void)";
+const std::string draw = "static void draw(int width, int height, double seconds)";
+
+TEST(EmittedKeyFrames, AreATableAndAVariable) {
+    const std::string text = textOf(sceneWith(
+        {{0, "view.fieldOfView", "40", Easing::EaseIn}, {2, "view.fieldOfView", "70", Easing::Linear}}));
+    EXPECT_THAT(text, HasSubstr("static const Key viewFieldOfViewKeys[] = {\n"
+                                "    {0.0f, easeIn, {40.0f}},\n"
+                                "    {2.0f, linear, {70.0f}},\n"
+                                "};\n"));
+    EXPECT_THAT(text, HasSubstr("\nstatic GLfloat viewFieldOfView;\n"));
+    EXPECT_THAT(text, HasSubstr("viewFieldOfView = (GLfloat)track(viewFieldOfViewKeys, 2, seconds, 0);\n"));
+    EXPECT_THAT(bodyOf(text, draw),
+                IsSupersetOf({"animate(seconds);",
+                              "perspective(viewFieldOfView, aspect, distance / 50.0, farthest);"}));
+    for (const char* unused : {"easeOut", "easeInOut", "hold", "Step", "step("})
+        EXPECT_THAT(text, Not(HasSubstr(unused)));
+}
+
+// The mouse goes on turning what the keys turn.
+TEST(EmittedKeyFrames, OfTheCameraLeaveTheMouseItsPart) {
+    const std::string text = textOf(sceneWith({{0, "view.distance", "8"},
+                                               {2, "view.distance", "3"},
+                                               {0, "view.azimuth", "0"},
+                                               {2, "view.azimuth", "90"}}));
+    EXPECT_THAT(text, HasSubstr("static GLfloat azimuth = 0.0f;"));
+    EXPECT_THAT(text, HasSubstr("static GLfloat distance = 1.0f;"));
+    EXPECT_THAT(text, HasSubstr("viewAzimuth = azimuth + (GLfloat)track(viewAzimuthKeys, 2, seconds, 0);"));
+    EXPECT_THAT(text,
+                HasSubstr("viewDistance = distance * (GLfloat)track(viewDistanceKeys, 2, seconds, 0);"));
+    EXPECT_THAT(bodyOf(text, draw), IsSupersetOf({"glTranslatef(0.0f, 0.0f, -viewDistance);",
+                                                  "glRotatef(-viewAzimuth, 0.0f, 1.0f, 0.0f);",
+                                                  "glRotatef(elevation, 1.0f, 0.0f, 0.0f);"}));
+}
+
+TEST(EmittedKeyFrames, LeaveToInitWhatStaysAsItIs) {
+    Scene scene = sceneWith({{0, "passes[0].units[0].envColor", "1,0,0,1"},
+                             {2, "passes[0].units[0].envColor", "0,0,1,1"},
+                             {0, "textures[0].wrapS", "GL_REPEAT"},
+                             {1, "textures[0].wrapS", "GL_CLAMP"}});
+    scene.passes[0].units[0].envMode = EnvMode::Blend;
+    scene.textures[0].wrapT = Wrap::Clamp;
+    const std::string text = textOf(scene);
+    const std::string mode = "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_BLEND);";
+    const std::string color = "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, pass0Unit0EnvColor);";
+    EXPECT_THAT(bodyOf(text, init), Contains(mode));
+    EXPECT_THAT(bodyOf(text, init), Not(Contains(HasSubstr("ENV_COLOR"))));
+    EXPECT_THAT(bodyOf(text, draw), Not(Contains(mode)));
+    EXPECT_THAT(bodyOf(text, draw), Contains(color));
+    const std::vector<std::string> load = bodyOf(text, "static void loadTexture0(void)");
+    EXPECT_THAT(load, Contains("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP);"));
+    EXPECT_THAT(load, Not(Contains(HasSubstr("WRAP_S"))));
+    EXPECT_THAT(bodyOf(text, draw),
+                IsSupersetOf({"glBindTexture(GL_TEXTURE_2D, textures[0]);",
+                              "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, texture0WrapS);"}));
+    EXPECT_THAT(text, HasSubstr("static const Step texture0WrapSSteps[] = {\n"
+                                "    {0.0f, GL_REPEAT},\n"
+                                "    {1.0f, GL_CLAMP},\n"
+                                "};\n"));
+}
+
+TEST(EmittedKeyFrames, SwitchOnAndOff) {
+    const std::string text =
+        textOf(sceneWith({{0, "passes[0].blend", "false"}, {1, "passes[0].blend", "true"}}));
+    EXPECT_THAT(text, HasSubstr("    if (pass0Blend)\n"
+                                "        glEnable(GL_BLEND);\n"
+                                "    else\n"
+                                "        glDisable(GL_BLEND);\n"));
+    EXPECT_THAT(text, HasSubstr("pass0Blend = step(pass0BlendSteps, 2, seconds);"));
+    EXPECT_THAT(bodyOf(text, init), Not(Contains(HasSubstr("GL_BLEND"))));
+}
+
+// The Commands tab makes no control of what a variable stands for.
+TEST(EmittedKeyFrames, ArePlainText) {
+    Scene scene = sceneWith({{0, "models[0].rotation", "0,0,0"}, {1, "models[0].rotation", "0,90,0"}});
+    const auto lines = programOf(scene);
+    ASSERT_TRUE(lines) << describe(lines.error());
+    int found = 0;
+    for (const Line& line : *lines) {
+        for (const Part& part : line.parts) {
+            if (part.path != "models[0].rotation")
+                continue;
+            EXPECT_EQ(part.kind, Part::Kind::Plain);
+            EXPECT_THAT(part.text, HasSubstr("model0Rotation["));
+            ++found;
+        }
+    }
+    EXPECT_EQ(found, 3);
+}
+
+TEST(EmittedKeyFrames, ThatSayTheSameAreNone) {
+    const std::string text =
+        textOf(sceneWith({{0, "view.fieldOfView", "50"}, {2, "view.fieldOfView", "50"}}));
+    EXPECT_THAT(text, HasSubstr("perspective(50.0f, "));
+    EXPECT_THAT(text, Not(HasSubstr("animate")));
+}
+
+TEST(EmittedKeyFrames, OfShadersAreUniforms) {
+    Scene scene = sceneWith({{0, "light.position", "2,3,4,1"}, {2, "light.position", "-2,3,4,1"}});
+    scene.passes[0].lighting = true;
+    const std::string text = textOf(scene, Flavour::Glsl);
+    const std::string call =
+        "glUniform4f(glGetUniformLocation(program, \"lightPosition\"), lightPosition[0], "
+        "lightPosition[1], lightPosition[2], lightPosition[3]);";
+    EXPECT_THAT(bodyOf(text, draw), Contains(call));
+    EXPECT_THAT(bodyOf(text, init), Not(Contains(HasSubstr("lightPosition"))));
+    EXPECT_THAT(bodyOf(text, init), Contains(HasSubstr("lightDiffuse")));
+    const std::string page = textOf(scene, Flavour::WebGl);
+    EXPECT_THAT(page, HasSubstr("{seconds: 2.0, easing: linear, value: [-2.0, 3.0, 4.0, 1.0]},"));
+    EXPECT_THAT(page, HasSubstr("lightPosition[i] = Math.fround(track(lightPositionKeys, seconds, i));"));
+    EXPECT_THAT(page, HasSubstr("const lightPosition = [];"));
+}
+
+struct RefusedCase {
+    const char* name;
+    Flavour flavour;
+    std::vector<KeyFrame> keys;
+    const char* path;
+};
+
+TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
+    const std::vector<KeyFrame> shape{{0, "models[0].shape", "cube"}, {1, "models[0].shape", "sphere"}};
+    const std::vector<KeyFrame> mode{{0, "passes[0].units[0].envMode", "GL_DECAL"},
+                                     {1, "passes[0].units[0].envMode", "GL_ADD"}};
+    const std::vector<KeyFrame> coordinate{{0, "models[0].texCoords0[3]", "0,0"},
+                                           {1, "models[0].texCoords0[3]", "2,0"}};
+    std::vector<KeyFrame> second{{0, "view.azimuth", "0"}, {1, "view.azimuth", "50"}};
+    second.insert(second.end(), shape.begin(), shape.end());
+    const RefusedCase cases[] = {
+        {"shape", Flavour::Fixed, shape, "models[0].shape"},
+        {"the second parameter", Flavour::Fixed, second, "models[0].shape"},
+        {"a vertex", Flavour::Fixed, coordinate, "models[0].texCoords0[3]"},
+        {"environment", Flavour::Glsl, mode, "passes[0].units[0].envMode"},
+        {"environment on a page", Flavour::WebGl, mode, "passes[0].units[0].envMode"},
+        {"slices",
+         Flavour::Fixed,
+         {{0, "models[1].slices", "8"}, {1, "models[1].slices", "9"}},
+         "models[1].slices"},
+        {"format",
+         Flavour::Fixed,
+         {{0, "textures[0].internalFormat", "GL_RGB"}, {1, "textures[0].internalFormat", "GL_ALPHA"}},
+         "textures[0].internalFormat"},
+        {"visible",
+         Flavour::Fixed,
+         {{0, "models[0].visible", "true"}, {1, "models[0].visible", "false"}},
+         "models[0].visible"},
+    };
+    for (const RefusedCase& each : cases) {
+        const auto lines = programOf(sceneWith(each.keys), each.flavour);
+        ASSERT_FALSE(lines) << each.name;
+        EXPECT_EQ(lines.error().where, each.path) << each.name;
+        EXPECT_THAT(lines.error().message,
+                    HasSubstr("can't move this by key frames; texshot animate draws it"));
+    }
+    EXPECT_TRUE(programOf(sceneWith(mode)));
+}
+
+// WebGL has one bias for texture and unit: it is the sum of a moving value and another one.
+TEST(EmittedKeyFrames, AreRefusedWhereANumberIsMadeOfThem) {
+    Scene scene = sceneWith({{0, "passes[0].units[0].lodBias", "0"}, {1, "passes[0].units[0].lodBias", "1"}});
+    EXPECT_TRUE(programOf(scene, Flavour::WebGl));
+    scene.textures[0].lodBias = 1;
+    EXPECT_TRUE(programOf(scene, Flavour::Glsl));
+    const auto page = programOf(scene, Flavour::WebGl);
+    ASSERT_FALSE(page);
+    EXPECT_EQ(page.error().where, "passes[0].units[0].lodBias");
+}
+
+TEST(EmittedKeyFrames, HaveVariablesNamedByTheirPath) {
+    EXPECT_EQ(emit::variableOf("view.azimuth"), "viewAzimuth");
+    EXPECT_EQ(emit::variableOf("passes[1].units[0].matrix[2].angle"), "pass1Unit0Matrix2Angle");
+    EXPECT_EQ(emit::variableOf("models[12].material.diffuse"), "model12MaterialDiffuse");
+}
+
+} // namespace
+} // namespace texplorer::key_frames_test
