@@ -82,7 +82,7 @@ std::vector<std::size_t> withoutMoreOfTheSame(const std::vector<Line>& lines,
     std::vector<std::size_t> kept;
     std::size_t same = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const bool goesOn = i > 0 && wanted[i] == wanted[i - 1] + 1 &&
+        const bool goesOn = i > 0 && wanted[i] == wanted[i - 1] + 1 && !subjectOf(lines[wanted[i]]).empty() &&
                             subjectOf(lines[wanted[i]]) == subjectOf(lines[wanted[i - 1]]);
         same = goesOn ? same + 1 : 1;
         if (same <= enough)

@@ -29,7 +29,8 @@ static void readBmp(const char *path, GLsizei width, GLsizei height, GLubyte *te
         exit(EXIT_FAILURE);
     }
     const int padding = (4 - width * bytes % 4) % 4; /* a row has a multiple of 4 bytes */
-    fseek(file, (long)little(header + 10, 4), SEEK_SET);
+    const long start = (long)little(header + 10, 4); /* 0: who wrote it left that out */
+    fseek(file, start > 0 ? start : 14 + (long)little(header + 14, 4), SEEK_SET);
     for (int row = 0; row < height; ++row) {
         GLubyte *texel = texels + (size_t)(rows > 0 ? row : height - 1 - row) * width * 4;
         for (int x = 0; x < width; ++x, texel += 4) {

@@ -94,8 +94,8 @@ TEST(Excerpts, SayEachWordOnceAndTakeNoHeadingOfOthersForVariables) {
         call("wrap(", "textures[0].wrapS"), heading("/* texture 1 */"),
         remark("/* to the left */"),        call("wrap(", "textures[1].wrapS")};
     EXPECT_THAT(textsOf(excerptOf(lines, {"view.distance", "textures[0].wrapS", "textures[1].wrapS"}, 9)),
-                ElementsAre("distance = 1;", "", "/* texture 0 */", "/* to the left */", "wrap();", "",
-                            "/* texture 1 */", "wrap();"));
+                ElementsAre("distance = 1;", "", "/* texture 0 */", "    /* to the left */", "    wrap();",
+                            "", "/* texture 1 */", "    wrap();"));
 }
 
 TEST(Excerpts, LoseWhatAllAreIndentedBy) {

@@ -85,9 +85,12 @@ class Programs:
         picture.putalpha(Image.linear_gradient("L").resize((64, 64)))
         picture.save(folder / "picture.png")
         picture.crop((0, 0, 37, 50)).convert("RGB").save(folder / "odd.bmp")
+        bmp = bytearray((folder / "odd.bmp").read_bytes())
+        bmp[10:14] = bmp[34:38] = bytes(4)
+        (folder / "zero.bmp").write_bytes(bmp)  # whose header doesn't say where its pixels begin
         picture.save(folder / "top.tga", orientation=1)
         picture.convert("RGB").save(folder / "bottom.tga", orientation=-1)
-        found = [(folder / "odd.bmp", "readBmp"), (folder / "top.tga", "readTga"), (folder / "bottom.tga", "readTga")]
+        found = [(folder / "odd.bmp", "readBmp"), (folder / "zero.bmp", "readBmp"), (folder / "top.tga", "readTga"), (folder / "bottom.tga", "readTga")]
         for name in ("dxt1", "dxt3", "dxt5"):
             said(TEXSHOT, "compress", str(folder / "picture.png"), str(folder / f"{name}.dds"), "--format", name)
             found.append((folder / f"{name}.dds", "readDds"))
