@@ -110,8 +110,7 @@ TEST(Excerpts, OfAProgramAreLinesOfItsText) {
     ASSERT_TRUE(lines);
     const std::vector<std::string> texts = textsOf(excerptOf(*lines, {"textures[0].minFilter"}, 9));
     ASSERT_EQ(texts.size(), 3U);
-    EXPECT_EQ(texts[2],
-              "    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);");
+    EXPECT_EQ(texts[2], "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);");
     for (const std::string& each : texts)
         EXPECT_NE(textOf(*lines, false).find(each + "\n"), std::string::npos) << each;
 }

@@ -30,6 +30,7 @@ class Signals(Texshot):
             ["sweep", "--axis", "view.azimuth=0..60/4", "--renderer", "reference", "--size", "24x16", "-o", self.out / "sheet.png"],
             ["animate", "--set", "view.azimuth=0..60", "--seconds", "0.3", "--renderer", "reference", "--size", "24x16", "-o", self.out / "turn.gif"],
             ["conform", "--feature", "wrap", "--scenes", "2", "--renderer", "reference", "-o", self.out / "report"],
+            ["lessons", "--page", self.out / "handout", "--lesson", "lines"],
         ]
 
     def content(self):
