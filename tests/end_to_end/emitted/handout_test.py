@@ -17,7 +17,7 @@ TEXSHOT, LIBRARY = (sys.argv.pop(1) for _ in range(2))
 
 
 def texshot(*words, cwd):
-    subprocess.run([os.path.abspath(TEXSHOT), *map(str, words)], cwd=cwd, env={**os.environ, **DRIVER}, check=True)
+    subprocess.run([os.path.abspath(TEXSHOT), *map(str, words)], cwd=cwd, env={**os.environ, **DRIVER}, check=True, capture_output=True)
 
 
 class Handout(unittest.TestCase):
