@@ -5,6 +5,7 @@
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +14,8 @@
 
 namespace texplorer::emit {
 namespace {
+
+constexpr std::string_view comma = ", "; // between numbers
 
 bool isVector(Kind kind) {
     return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Color;
@@ -123,10 +126,20 @@ std::vector<Part> numbers(std::span<const float> values, const std::string& path
     std::vector<Part> parts;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0)
-            parts.push_back(plain(", "));
+            parts.push_back(plain(std::string(comma)));
         const float value = negated ? 0 - values[i] : values[i]; // not -value: 0 has no sign
         parts.push_back(number(value, path, values.size() > 1 ? static_cast<int>(i) : -1, as));
         parts.back().negated = negated;
+    }
+    return parts;
+}
+
+std::vector<Part> doubles(const glm::dmat4& matrix) {
+    std::vector<Part> parts;
+    for (int i = 0; i < 16; ++i) {
+        if (i > 0)
+            parts.push_back(plain(std::string(comma)));
+        parts.push_back(plain(fmt::format("{}", glm::value_ptr(matrix)[i])));
     }
     return parts;
 }
@@ -342,31 +355,35 @@ void CodeWriter::floats(const std::string& name, std::vector<Part> values, bool 
         for (std::size_t i = known->second; i < lines_.size(); ++i) {
             lines_[i].needed |= needed;
             if (textOf(lines_[i]).ends_with("};"))
-                return;
+                break;
         }
         return;
     }
-    const auto numbers = std::ranges::count(values, Part::Kind::Number, &Part::kind);
-    std::vector<Part> parts{plain(fmt::format("const GLfloat {}[] = {{", name))};
-    if (numbers == 16) { // a matrix: a row for each column of it
-        add(std::move(parts), needed);
-        parts.clear();
-        indent();
-        int written = 0;
-        for (Part& part : values) {
-            const bool isNumber = part.kind == Part::Kind::Number;
-            if (isNumber || !parts.empty())
-                parts.push_back(std::move(part));
-            if (isNumber && ++written % 4 == 0) {
-                parts.push_back(plain(","));
-                add(std::exchange(parts, {}), needed);
-            }
-        }
-        outdent();
-    } else
-        append(parts, std::move(values));
+    const std::string head = fmt::format("const GLfloat {}[] = {{", name);
+    if (std::ranges::count(values, comma, &Part::text) == 15)
+        return matrix(head, std::move(values), "};", needed);
+    std::vector<Part> parts{plain(head)};
+    append(parts, std::move(values));
     parts.push_back(plain("};"));
     add(std::move(parts), needed);
+}
+
+void CodeWriter::matrix(std::string_view head, std::vector<Part> values, std::string_view end, bool needed) {
+    add(head, needed);
+    indent();
+    std::vector<Part> column;
+    int written = 0;
+    for (Part& part : values) {
+        const bool isNumber = part.text != comma;
+        if (isNumber || !column.empty())
+            column.push_back(std::move(part));
+        if (isNumber && ++written % 4 == 0) {
+            column.push_back(plain(","));
+            add(std::exchange(column, {}), needed);
+        }
+    }
+    outdent();
+    add(end, needed);
 }
 
 void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {

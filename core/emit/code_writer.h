@@ -37,6 +37,9 @@ enum class Literal : std::uint8_t { Float, Double };
 [[nodiscard]] std::vector<Part> numbers(std::span<const float> values, const std::string& path = {},
                                         Literal as = Literal::Float, bool negated = false);
 
+/// Its 16 numbers, as numbers() gives them.
+[[nodiscard]] std::vector<Part> doubles(const glm::dmat4& matrix);
+
 /// "glTranslatef(", the arguments, ");".
 [[nodiscard]] std::vector<Part> callWith(std::string_view name, std::vector<Part> arguments);
 
@@ -134,6 +137,9 @@ public:
 
     /// "GLfloat name[] = {…};", where there is no such array yet. A matrix has a row for each of its columns.
     void floats(const std::string& name, std::vector<Part> values, bool needed = true);
+
+    /// 16 numbers, as numbers() gives them, between two lines: each column of theirs in a row.
+    void matrix(std::string_view head, std::vector<Part> values, std::string_view end, bool needed = true);
 
     /// The array's name with all of its numbers, in a line of its own that shows none of them.
     void data(std::string_view declaration, std::size_t count, std::string numbers);

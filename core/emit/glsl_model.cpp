@@ -120,7 +120,7 @@ public:
         } else
             writeSize();
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
-            if (array.coords[unit] == CoordForm::Embossed && !emission_.isWeb)
+            if (array.coords[unit] == CoordForm::Embossed && pass.units[unit] && !emission_.isWeb)
                 moveCoords(pass, unit, modelView);
         }
         writer_.add(fmt::format("glBindVertexArray({});", array.name));

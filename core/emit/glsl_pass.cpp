@@ -223,11 +223,10 @@ private:
             return product.addScaling(vector(step, path), pivot);
         case MatrixOp::Multiply:
         case MatrixOp::Load: {
-            std::vector<Part> parts{plain(fmt::format("const Matrix {}{} = {{{{", variable_, index))};
-            append(parts, numbers({glm::value_ptr(step.matrix), 16},
-                                  fmt::format("{}.{}", path, keyOf<&MatrixStep::matrix>())));
-            parts.push_back(plain("}};"));
-            writer_.add(std::move(parts));
+            writer_.matrix(fmt::format("const Matrix {}{} = {{{{", variable_, index),
+                           numbers({glm::value_ptr(step.matrix), 16},
+                                   fmt::format("{}.{}", path, keyOf<&MatrixStep::matrix>())),
+                           "}};");
             return product.add({plain(fmt::format("{}{}", variable_, index))});
         }
         case MatrixOp::Projector:
@@ -241,11 +240,8 @@ private:
         const LightView light = texplorer::lightView(emission_.scene.light);
         constexpr glm::dmat4 toPicture{{0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
         const glm::dmat4 matrix = toPicture * light.projection * light.view;
-        std::string text;
-        for (int i = 0; i < 16; ++i)
-            text += fmt::format("{}{}", i == 0 ? "" : ", ", glm::value_ptr(matrix)[i]);
         writer_.comment("from eye coordinates to the light's picture");
-        writer_.add(fmt::format("const Matrix {} = {{{{{}}}}};", name, text));
+        writer_.matrix(fmt::format("const Matrix {} = {{{{", name), doubles(matrix), "}};");
         product.add({plain(name)});
     }
 

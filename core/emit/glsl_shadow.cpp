@@ -74,10 +74,7 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
         writer.comment("from eye coordinates to what the light sees");
         const LightView light = lightView(scene.light);
         const glm::dmat4 matrix = light.projection * light.view;
-        std::string numbers;
-        for (int i = 0; i < 16; ++i)
-            numbers += fmt::format("{}{}", i == 0 ? "" : ", ", glm::value_ptr(matrix)[i]);
-        writer.add(fmt::format("const Matrix light = {{{{{}}}}};", numbers));
+        writer.matrix("const Matrix light = {{", doubles(matrix), "}};");
         writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
         writer.add(callWith("glViewport", {plain("0, 0, "), size, plain(", "), size}));
         writer.add("glUseProgram(shadowProgram);");

@@ -27,6 +27,8 @@ const std::vector<Rule>& rules() {
             rule(R"(^static GLuint textures\[\d+\];)", "const textures = [];"),
             rule(R"(^static (GLuint|GLfloat) )", "let "),
             rule(R"(\bconst Matrix (\w+) = \{\{(.*)\}\};)", "const $1 = [$2];"),
+            rule(R"(\bconst Matrix (\w+) = \{\{$)", "const $1 = ["), // its columns follow
+            rule(R"(^( *)\}\};$)", "$1];"),
             rule(R"(\bconst (Matrix|GLfloat|double) )", "const "),
             rule(R"(\bMatrix (\w+) = )", "let $1 = "),
             rule(R"(\(GLfloat\))", ""),
