@@ -1,3 +1,5 @@
+// The functions that programs have: what the files of pieces/ become.
+
 #include "core/emit/c_functions.h"
 #include "core/emit/piece_files.h"
 
