@@ -132,6 +132,10 @@ void writeMaterial(Emission& emission);
 /// A model's: what differs from the one that was written before.
 void writeMaterial(Emission& emission, std::size_t model);
 void writeUnits(Emission& emission, std::size_t pass);
+/// The first step of a unit's matrix that counts: those before one that loads a matrix are void.
+[[nodiscard]] std::size_t firstStep(const Unit& unit);
+/// Whether the matrix of a unit of a pass changes with the time.
+[[nodiscard]] bool movesMatrix(const Emission& emission, std::size_t pass, std::size_t unit);
 /// What moves of units, in every frame where nothing else of them is set.
 void writeMovingUnits(Emission& emission, std::size_t pass);
 /// "sphere(32, 16)": what makes a Mesh of a shape that is turned about an axis.

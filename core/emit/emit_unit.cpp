@@ -128,12 +128,22 @@ private:
     std::string variable_;
 };
 
+/// Whether the matrix of some unit that is on does.
+bool movesSomeMatrix(const Emission& emission, std::size_t pass) {
+    for (std::size_t i = 0; i < maxUnits; ++i) {
+        if (emission.scene.passes[pass].units[i].enabled && movesMatrix(emission, pass, i))
+            return true;
+    }
+    return false;
+}
+
 class UnitWriter {
 public:
     UnitWriter(Emission& emission, std::size_t pass, std::size_t index)
         : emission_(emission)
         , writer_(emission.writer)
         , unit_(emission.scene.passes[pass].units[index])
+        , movesSomeMatrix_(movesSomeMatrix(emission, pass))
         , index_(index)
         , holder_{unitTable(),
                   &unit_,
@@ -157,7 +167,7 @@ public:
         bind();
         writeRows();
         writer_.take(Taking::All);
-        if (movesMatrix())
+        if (movesSomeMatrix_)
             writeMatrix();
         if (writer_.size() == size)
             writer_.truncate(start);
@@ -174,16 +184,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool movesMatrix() const {
-        return writer_.movesBelow(own(keyOf<&Unit::matrix>()) + "[") ||
-               std::ranges::any_of(unit_.matrix, [](const MatrixStep& step) {
-                   const bool moves = step.op == MatrixOp::Translate || step.op == MatrixOp::Rotate ||
-                                      step.op == MatrixOp::Scale;
-                   return moves &&
-                          (step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0));
-               });
-    }
-
     static const Unit& initialUnit() {
         static const Unit initial;
         return initial;
@@ -228,7 +228,7 @@ private:
         emission_.mayShow[index_] = writer_.moves(own(keyOf<&Unit::enabled>()));
         bind();
         writeRows();
-        const bool isLeftToTheFrame = !emission_.inFrame && movesMatrix();
+        const bool isLeftToTheFrame = !emission_.inFrame && movesSomeMatrix_;
         if (!isLeftToTheFrame)
             writeMatrix();
     }
@@ -319,7 +319,7 @@ private:
             writer_.add("glTranslatef(0.0f, 1.0f, 0.0f); /* t becomes 1 - t: the image is upside down */");
             writer_.add("glScalef(1.0f, -1.0f, 1.0f);");
         }
-        for (std::size_t i = 0; i < unit_.matrix.size(); ++i)
+        for (std::size_t i = firstStep(unit_); i < unit_.matrix.size(); ++i)
             StepWriter(emission_, holder_, i).write();
         writer_.add(fmt::format("glMatrixMode({});", modelViewMode));
         hasMatrix = flips || !unit_.matrix.empty();
@@ -328,11 +328,36 @@ private:
     Emission& emission_;
     CodeWriter& writer_;
     const Unit& unit_;
+    /// Then the matrices of all units are set in every frame: when one is, Mesa 22.3 forgets those that
+    /// aren't.
+    bool movesSomeMatrix_;
     std::size_t index_;
     Holder holder_;
 };
 
 } // namespace
+
+std::size_t firstStep(const Unit& unit) {
+    for (std::size_t i = unit.matrix.size(); i > 0; --i) {
+        if (unit.matrix[i - 1].op == MatrixOp::Load)
+            return i - 1;
+    }
+    return 0;
+}
+
+bool movesMatrix(const Emission& emission, std::size_t pass, std::size_t index) {
+    const Unit& unit = emission.scene.passes[pass].units[index];
+    const std::string path = fmt::format("{}.{}.{}[", elementOf<&Scene::passes>(pass),
+                                         elementOf<&Pass::units>(index), keyOf<&Unit::matrix>());
+    return emission.keys.movesBelow(path) ||
+           std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
+                       [](const MatrixStep& step) {
+                           return step.op != MatrixOp::Multiply && step.op != MatrixOp::Load &&
+                                  step.op != MatrixOp::Projector &&
+                                  (step.rate != glm::vec3(0) ||
+                                   (step.op == MatrixOp::Rotate && step.angleRate != 0));
+                       });
+}
 
 void writeMovingUnits(Emission& emission, std::size_t pass) {
     for (std::size_t i = 0; i < maxUnits; ++i)

@@ -123,29 +123,6 @@ void writeColor(GlslEmission& glsl, std::size_t model) {
     glsl.emission.writer.add(callWith("glVertexAttrib4f", std::move(parts)));
 }
 
-/// The steps that count: those before one that loads a matrix are void.
-std::size_t firstStep(const Unit& unit) {
-    for (std::size_t i = unit.matrix.size(); i > 0; --i) {
-        if (unit.matrix[i - 1].op == MatrixOp::Load)
-            return i - 1;
-    }
-    return 0;
-}
-
-bool movesMatrix(const GlslEmission& glsl, const GlslPass& pass, std::size_t index) {
-    const Unit& unit = glsl.emission.scene.passes[pass.index].units[index];
-    const std::string path = fmt::format("{}.{}.{}[", elementOf<&Scene::passes>(pass.index),
-                                         elementOf<&Pass::units>(index), keyOf<&Unit::matrix>());
-    return glsl.emission.keys.movesBelow(path) ||
-           std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
-                       [](const MatrixStep& step) {
-                           return step.op != MatrixOp::Multiply && step.op != MatrixOp::Load &&
-                                  step.op != MatrixOp::Projector &&
-                                  (step.rate != glm::vec3(0) ||
-                                   (step.op == MatrixOp::Rotate && step.angleRate != 0));
-                       });
-}
-
 /// "0.5f + 0.1f * seconds", a double.
 std::vector<Part> atTime(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
     if (!moves)
@@ -277,7 +254,8 @@ void writeUnitUniforms(GlslEmission& glsl, const GlslPass& pass, std::size_t ind
                                                         isObject ? keyOf<&TexGen::objectPlane>()
                                                                  : keyOf<&TexGen::eyePlane>())));
     }
-    if (pass.uniforms.contains(fmt::format("textureMatrix{}", index)) && !movesMatrix(glsl, pass, index))
+    if (pass.uniforms.contains(fmt::format("textureMatrix{}", index)) &&
+        !movesMatrix(glsl.emission, pass.index, index))
         TextureMatrixWriter(glsl, pass, index).write();
 }
 
@@ -458,7 +436,7 @@ void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
 void writeGlslMovingMatrices(GlslEmission& glsl, const GlslPass& pass) {
     for (std::size_t i = 0; i < maxUnits; ++i) {
         if (pass.units[i] && pass.uniforms.contains(fmt::format("textureMatrix{}", i)) &&
-            movesMatrix(glsl, pass, i))
+            movesMatrix(glsl.emission, pass.index, i))
             TextureMatrixWriter(glsl, pass, i).write();
     }
 }
