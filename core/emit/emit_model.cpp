@@ -277,7 +277,8 @@ private:
 
     /// Mesa divides the quadrilaterals of arrays without indices the other way (core/mesh/mesh.h).
     [[nodiscard]] bool drawsByIndices() const {
-        return hasIndices(model_) || model_.shape != Shape::Mesh || model_.mesh.primitive == Primitive::Quads;
+        return hasIndices(model_) || model_.shape != Shape::Mesh ||
+               model_.mesh.primitive == Primitive::Quads || model_.mesh.primitive == Primitive::QuadStrip;
     }
 
     /// Of a mesh those that name a vertex, in its order: the others are left out. Of a shape its triangles.

@@ -22,6 +22,12 @@ bool givesRorQ(const Model& model, std::size_t unit) {
            (model.shape == Shape::Mesh && std::ranges::any_of(model.mesh.texCoords, isOdd));
 }
 
+/// Of the two triangles of a quadrilateral Mesa 22.3 draws in a display list the other one first
+/// (core/mesh/mesh_data.cpp).
+bool isQuadStrip(const Model& model) {
+    return model.shape == Shape::Mesh && model.mesh.primitive == Primitive::QuadStrip;
+}
+
 } // namespace
 
 bool isTurned(Shape shape) {
@@ -73,7 +79,7 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
         hasOwnCoords |= form.coords[u] && !model.texCoords[u].empty();
     if (isTurned(model.shape) && !isEmbossed && !hasOwnCoords && !flips)
         form.drawing = Drawing::Shape;
-    else if (isPlain && isSmall && !hasIndices(model) && !isEmbossed)
+    else if (isPlain && isSmall && !hasIndices(model) && !isEmbossed && !isQuadStrip(model))
         form.drawing = Drawing::List;
     else
         form.drawing = Drawing::Arrays;
