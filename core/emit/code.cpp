@@ -90,7 +90,7 @@ std::string textOf(const std::vector<Line>& lines, bool all) {
         }
         const std::string shown = textOf(line);
         text += shown.substr(0, shown.find('{') + 1) + "\n";
-        text += *line.data + "};\n";
+        text += (*line.data)() + "};\n";
     }
     return text;
 }

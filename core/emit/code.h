@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ struct Part {
     bool operator==(const Part&) const = default;
 };
 
+/// Writes many numbers: that takes longer than all the rest of a program, and not everybody reads them.
+using Numbers = std::function<std::string()>;
+
 struct Line {
     std::vector<Part> parts;
     /// Whether OpenGL's state would be another without it. Else it sets what is set already.
@@ -37,7 +41,7 @@ struct Line {
     bool heading = false; ///< a comment over what follows in its braces, up to the next one
     int depth = 0;        ///< how many braces it stands in
     /// Of an array of many numbers: what stands between its braces, of which the parts show nothing.
-    std::shared_ptr<const std::string> data{};
+    std::shared_ptr<const Numbers> data{};
 
     bool operator==(const Line&) const = default;
 };

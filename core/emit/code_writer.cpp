@@ -323,11 +323,11 @@ void CodeWriter::add(std::string_view statement, bool needed) {
     add({call(statement.substr(0, bracket)), plain(std::string(statement.substr(bracket)))}, needed);
 }
 
-void CodeWriter::data(std::string_view declaration, std::size_t count, std::string numbers) {
+void CodeWriter::data(std::string_view declaration, std::size_t count, Numbers numbers) {
     add({plain(fmt::format("{} = {{", declaration)),
          {Part::Kind::Comment, fmt::format("/* {} numbers */", count)},
          plain("};")});
-    lines_.back().data = std::make_shared<const std::string>(std::move(numbers));
+    lines_.back().data = std::make_shared<const Numbers>(std::move(numbers));
 }
 
 bool CodeWriter::differs(const Holder& holder, const ParamRow& row) const {

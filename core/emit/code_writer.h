@@ -142,7 +142,7 @@ public:
     void matrix(std::string_view head, std::vector<Part> values, std::string_view end, bool needed = true);
 
     /// The array's name with all of its numbers, in a line of its own that shows none of them.
-    void data(std::string_view declaration, std::size_t count, std::string numbers);
+    void data(std::string_view declaration, std::size_t count, Numbers numbers);
 
     [[nodiscard]] std::vector<Line> take() && { return std::move(lines_); }
 

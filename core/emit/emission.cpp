@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::emit {
 namespace {
@@ -22,16 +23,19 @@ bool looksAtNormals(const Pass& pass) {
                             }));
 }
 
-/// What of a program may read the texture's file.
-FileReader readerFor(const Texture& texture, const ImageSource& images, const ProgramOptions& options) {
+/// A file that the program may read instead of being given its texels.
+bool mayRead(const Texture& texture, const ImageSource& images, const ProgramOptions& options) {
+    return texture.source == SourceKind::File && options.fileName &&
+           (options.readsFilesInMemory || !images.fileInMemory(texture.file)) &&
+           !options.fileName(texture.file).empty();
+}
+
+/// What of a program reads it.
+FileReader readerFor(const TexelRequest& request) {
     constexpr std::size_t header = 128;
-    const std::shared_ptr<const Bytes> inMemory = images.fileInMemory(texture.file);
-    if (texture.source != SourceKind::File || !options.fileName ||
-        (inMemory && !options.readsFilesInMemory) || options.fileName(texture.file).empty())
-        return FileReader::None;
-    if (inMemory)
-        return readerOf(*inMemory);
-    const Result<Bytes> start = readFileStart(images.directory() / texture.file, header);
+    if (request.fileInMemory)
+        return readerOf(*request.fileInMemory);
+    const Result<Bytes> start = request.file.empty() ? Bytes{} : readFileStart(request.file, header);
     return start ? readerOf(*start) : FileReader::None;
 }
 
@@ -48,14 +52,8 @@ Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramO
     writer.explain(given.explained);
     for (CodeWriter* each : {&writer, &atStart, &atEnd})
         each->follow(moving);
-    for (const TextureObject& object : objects) {
-        const Texture& texture = drawn.textures[object.texture];
-        const TexturePictures pictures = images.picturesOf(texture);
-        texels.push_back(pictures.base && hasPixels(*pictures.base)
-                             ? codes.of(texture, pictures, object.target,
-                                        [&] { return readerFor(texture, images, given); })
-                             : nullptr);
-    }
+    for (const std::optional<TexelRequest>& request : texelRequests(drawn, images, given))
+        texels.push_back(request ? codes.of(*request) : nullptr);
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
         bool flips = false;
         for (std::size_t u = 0; u < maxUnits; ++u)
@@ -89,24 +87,53 @@ bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
 
 void Emission::addData(const std::string& type, const std::string& name, std::size_t count,
                        std::string numbers) {
+    addData(type, name, count, Numbers([text = std::move(numbers)] { return text; }));
+}
+
+void Emission::addData(const std::string& type, const std::string& name, std::size_t count, Numbers numbers) {
     const std::string declaration = fmt::format("static const {} {}[{}]", type, name, count);
     atStart.add({plain(declaration + "; "), {Part::Kind::Comment, "/* at the end */"}});
     atEnd.data(declaration, count, std::move(numbers));
 }
 
-std::shared_ptr<const Result<TextureCode>> TextureCodes::of(const Texture& texture,
-                                                            const TexturePictures& pictures, Target target,
-                                                            const std::function<FileReader()>& reader) {
-    const LevelsRequest request{pictures, imageSettings(texture), target};
-    for (Kept& each : kept_) {
-        if (each.request == request) {
-            each.used = true;
-            return each.code;
+std::vector<std::optional<TexelRequest>> texelRequests(const Scene& scene, const ImageSource& images,
+                                                       const ProgramOptions& options) {
+    std::vector<std::optional<TexelRequest>> requests;
+    for (const TextureObject& object : textureObjectsOf(scene)) {
+        const Texture& texture = scene.textures[object.texture];
+        TexturePictures pictures = images.picturesOf(texture);
+        std::optional<TexelRequest>& request = requests.emplace_back();
+        if (!pictures.base || !hasPixels(*pictures.base))
+            continue;
+        request.emplace(TexelRequest{{std::move(pictures), imageSettings(texture), object.target}});
+        if (mayRead(texture, images, options)) {
+            request->file = images.directory() / texture.file;
+            request->fileInMemory = images.fileInMemory(texture.file);
         }
     }
-    auto code = std::make_shared<const Result<TextureCode>>(textureCode(texture, pictures, target, reader()));
-    kept_.push_back({request, code});
+    return requests;
+}
+
+TextureCodes::Code TextureCodes::of(const TexelRequest& request) {
+    const auto kept = std::ranges::find(kept_, request, &Kept::request);
+    if (kept != kept_.end()) {
+        kept->used = true;
+        return kept->code;
+    }
+    const LevelsRequest& levels = request.levels;
+    auto code = std::make_shared<const Result<TextureCode>>(
+        textureCode(levels.settings, levels.pictures, levels.target, readerFor(request), work_));
+    if (*code || code->error().code != ErrorCode::Cancelled)
+        keep(request, code);
     return code;
+}
+
+bool TextureCodes::has(const TexelRequest& request) const {
+    return std::ranges::find(kept_, request, &Kept::request) != kept_.end();
+}
+
+void TextureCodes::keep(TexelRequest request, Code code) {
+    kept_.push_back({std::move(request), std::move(code)});
 }
 
 std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene) {

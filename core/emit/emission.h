@@ -73,6 +73,7 @@ struct Emission {
     /// Whether t of a model's coordinates for a unit is turned around: the image lies upside down.
     [[nodiscard]] bool flipsCoords(std::size_t model, std::size_t unit) const;
     /// What has many numbers: its name at the start, the numbers at the end of the program.
+    void addData(const std::string& type, const std::string& name, std::size_t count, Numbers numbers);
     void addData(const std::string& type, const std::string& name, std::size_t count, std::string numbers);
     void use(CFunction function) { addWithCallees(functions, function); }
 };

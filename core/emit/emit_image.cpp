@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace texplorer::emit {
 namespace {
@@ -30,12 +32,14 @@ std::string listed(std::span<const std::uint8_t> bytes) {
 
 class TexelWriter {
 public:
-    TexelWriter(Emission& emission, const Holder& holder, const Texture& texture, const TextureCode& code)
+    TexelWriter(Emission& emission, const Holder& holder, const Texture& texture,
+                std::shared_ptr<const Result<TextureCode>> code)
         : emission_(emission)
         , writer_(emission.writer)
         , holder_(holder)
         , texture_(texture)
-        , code_(code) {}
+        , owner_(std::move(code))
+        , code_(**owner_) {}
 
     void write() {
         writeMaxLevel();
@@ -132,12 +136,12 @@ private:
                                          : fmt::format("texels{}", level.number);
         if (level.source == TexelSource::Compressed) {
             const std::string name = own + "Blocks";
-            emission_.addData("GLubyte", name, level.bytes.size(), numbersText(level.bytes));
+            emission_.addData("GLubyte", name, level.bytes.size(), numbersOf(level));
             return name;
         }
         if (level.source == TexelSource::Depths) {
             const std::string name = own + "Depths";
-            emission_.addData("GLuint", name, level.bytes.size() / 4, numbersText(level.bytes, true));
+            emission_.addData("GLuint", name, level.bytes.size() / 4, numbersOf(level, true));
             return name;
         }
         const std::string size = product({level.width, level.height, level.depth, code_.faces, 4});
@@ -180,11 +184,15 @@ private:
             break;
         default:
             emission_.use(CFunction::Unpack);
-            emission_.addData("GLubyte", own + "Packed", level.bytes.size(), numbersText(level.bytes));
+            emission_.addData("GLubyte", own + "Packed", level.bytes.size(), numbersOf(level));
             writer_.add(fmt::format("unpack({0}Packed, sizeof {0}Packed, {1});", own, variable));
             break;
         }
         return variable;
+    }
+
+    [[nodiscard]] Numbers numbersOf(const LevelCode& level, bool wide = false) const {
+        return [owner = owner_, &level, wide] { return numbersText(level.bytes, wide); };
     }
 
     [[nodiscard]] Part
@@ -279,6 +287,7 @@ private:
     CodeWriter& writer_;
     const Holder& holder_;
     const Texture& texture_;
+    const std::shared_ptr<const Result<TextureCode>> owner_;
     const TextureCode& code_;
 };
 
@@ -318,7 +327,7 @@ void writeTexels(Emission& emission, const Holder& holder, std::size_t object) {
         return emission.writer.comment(texture.file.empty() ? "no file is chosen" : "the file isn't there");
     if (!*code)
         return emission.writer.comment((*code).error().message);
-    TexelWriter(emission, holder, texture, **code).write();
+    TexelWriter(emission, holder, texture, code).write();
 }
 
 } // namespace texplorer::emit

@@ -47,6 +47,15 @@ std::string floatsText(std::span<const float> values, std::size_t columns) {
     return text;
 }
 
+std::string indicesText(std::span<const std::uint32_t> indices) {
+    constexpr std::size_t columns = 12;
+    std::string text;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        text += fmt::format("{}{},{}", i % columns == 0 ? "    " : " ", indices[i],
+                            i % columns == columns - 1 || i + 1 == indices.size() ? "\n" : "");
+    return text;
+}
+
 class ModelWriter {
 public:
     ModelWriter(Emission& emission, std::size_t index)
@@ -212,7 +221,10 @@ private:
                 values.insert(values.end(), &each.x, &each.x + count);
             }
             const std::size_t columns = static_cast<std::size_t>(count) * 2;
-            return emission_.addData("GLfloat", variable_ + name, values.size(), floatsText(values, columns));
+            const std::size_t all = values.size();
+            return emission_.addData(
+                "GLfloat", variable_ + name, all,
+                Numbers([values = std::move(values), columns] { return floatsText(values, columns); }));
         }
         writer_.add(fmt::format("static const GLfloat {}{}[] = {{", variable_, name));
         writer_.indent();
@@ -245,8 +257,9 @@ private:
             values.insert(values.end(), &each.s.x, &each.s.x + 3);
             values.insert(values.end(), &each.t.x, &each.t.x + 3);
         }
-        emission_.addData("GLfloat", fmt::format("{}Tangents{}", variable_, unit), values.size(),
-                          floatsText(values, 6));
+        const std::size_t count = values.size();
+        emission_.addData("GLfloat", fmt::format("{}Tangents{}", variable_, unit), count,
+                          Numbers([values = std::move(values)] { return floatsText(values, 6); }));
         emission_.atStart.add({plain(fmt::format("static GLfloat {}EmbossedCoords{}[{}]; ", variable_, unit,
                                                  4 * mesh_.vertices.size())),
                                {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
@@ -261,13 +274,12 @@ private:
     }
 
     void declareIndices() {
-        const std::vector<std::uint32_t> indices = indicesOf();
+        std::vector<std::uint32_t> indices = indicesOf();
         if (!form_.isWritten) {
-            std::string text;
-            for (std::size_t i = 0; i < indices.size(); ++i)
-                text += fmt::format("{}{},{}", i % 12 == 0 ? "    " : " ", indices[i],
-                                    i % 12 == 11 || i + 1 == indices.size() ? "\n" : "");
-            return emission_.addData("GLuint", variable_ + "Indices", indices.size(), std::move(text));
+            const std::size_t count = indices.size();
+            return emission_.addData(
+                "GLuint", variable_ + "Indices", count,
+                Numbers([indices = std::move(indices)] { return indicesText(indices); }));
         }
         std::string list;
         for (const std::uint32_t each : indices)

@@ -9,33 +9,16 @@
 #include "core/texture/image_source.h"
 #include "core/texture/levels_source.h"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer::emit {
-
-/// What the texels of textures become, kept as long as a program needs them: to make them takes longer than
-/// to write a program.
-class TextureCodes {
-public:
-    [[nodiscard]] std::shared_ptr<const Result<TextureCode>> of(const Texture& texture,
-                                                                const TexturePictures& pictures,
-                                                                Target target,
-                                                                const std::function<FileReader()>& reader);
-    /// Forgets those that were not asked for since the last call.
-    void forgetUnused();
-
-private:
-    struct Kept {
-        LevelsRequest request;
-        std::shared_ptr<const Result<TextureCode>> code;
-        bool used = true;
-    };
-    std::vector<Kept> kept_;
-};
 
 struct ProgramOptions {
     std::string title = "Texplorer"; ///< of the window
@@ -52,6 +35,48 @@ struct ProgramOptions {
     /// Files that lie in no folder, as those of the program's lessons, are read as well: somebody writes them
     /// beside the program.
     bool readsFilesInMemory = false;
+};
+
+/// What a program has to be given of a texture object.
+struct TexelRequest {
+    LevelsRequest levels;
+    std::filesystem::path file{};                ///< that the program may read instead; empty: none
+    std::shared_ptr<const Bytes> fileInMemory{}; ///< what it holds, where it lies in no folder
+
+    bool operator==(const TexelRequest&) const = default;
+};
+
+/// Those of a scene's texture objects, in their order; nothing for one whose image isn't there.
+[[nodiscard]] std::vector<std::optional<TexelRequest>>
+texelRequests(const Scene& scene, const ImageSource& images, const ProgramOptions& options);
+
+/// What the texels of textures become, kept as long as a program needs them: to make them takes longer than
+/// to write a program.
+class TextureCodes {
+public:
+    using Code = std::shared_ptr<const Result<TextureCode>>;
+
+    /// How they are made.
+    explicit TextureCodes(LevelWork work = {})
+        : work_(std::move(work)) {}
+
+    /// Made where nobody has. What was cancelled is not kept.
+    [[nodiscard]] Code of(const TexelRequest& request);
+    [[nodiscard]] bool has(const TexelRequest& request) const;
+    /// Made elsewhere.
+    void keep(TexelRequest request, Code code);
+    /// Forgets those that were not asked for since the last call.
+    void forgetUnused();
+    void forgetAll() { kept_.clear(); }
+
+private:
+    struct Kept {
+        TexelRequest request;
+        Code code;
+        bool used = true;
+    };
+    LevelWork work_;
+    std::vector<Kept> kept_;
 };
 
 /// The program, which moves as the scene's key frames say. What the scene's textures hold comes from

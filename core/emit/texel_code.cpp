@@ -112,12 +112,15 @@ public:
         , target_(target)
         , reader_(reader) {}
 
-    TextureCode make(const TextureLevels& levels) {
+    /// After a stop request not all of it.
+    TextureCode make(const TextureLevels& levels, const std::stop_token& stop) {
         out_.border = levels.border;
         out_.lastLevel = levels.lastLevel;
         out_.lateFlip = levels.lateFlip;
         out_.driverCompresses = levels.driverFormat.has_value();
         for (const Faces& faces : facesOf(levels, target_)) {
+            if (stop.stop_requested())
+                break;
             out_.faces = static_cast<int>(faces.surfaces.size());
             if (const auto* blocks = std::get_if<BlockImage>(faces.surfaces.front()))
                 addBlocks(faces, *blocks);
@@ -235,12 +238,15 @@ private:
 } // namespace
 
 Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
-                                FileReader reader) {
-    return prepareLevels(texture, pictures, target).map([&](const TextureLevels& levels) {
-        TextureCode code = CodeMaker(texture, pictures, target, reader).make(levels);
-        code.shape = reference::shapeOf(levels, target);
-        return code;
-    });
+                                FileReader reader, const LevelWork& work) {
+    const Result<TextureLevels> levels = prepareLevels(texture, pictures, target, work);
+    if (!levels)
+        return fail(levels.error());
+    TextureCode code = CodeMaker(texture, pictures, target, reader).make(*levels, work.stop);
+    if (work.stop.stop_requested())
+        return fail(ErrorCode::Cancelled, "making its texels was cancelled");
+    code.shape = reference::shapeOf(*levels, target);
+    return code;
 }
 
 std::vector<LevelGroup> groupsOf(const TextureCode& code) {

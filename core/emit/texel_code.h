@@ -84,7 +84,8 @@ inline constexpr int mostListed = 64;
 /// `reader`: what may read the file; it does where the texture has what it gives. Errors: those of
 /// prepareLevels.
 [[nodiscard]] Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures,
-                                              Target target, FileReader reader = FileReader::None);
+                                              Target target, FileReader reader = FileReader::None,
+                                              const LevelWork& work = {});
 
 /// RGBA texels as the "Quite OK Image Format" packs them (qoiformat.org), without its header and end.
 [[nodiscard]] Bytes packed(ByteView texels);

@@ -15,33 +15,12 @@ namespace texplorer {
 
 namespace {
 
-/// What is made while one waits: a few milliseconds' work.
 constexpr std::size_t quickTexels = std::size_t{256} * 256;
 
 constexpr std::size_t mostEntries = 32;
 
 constexpr FailureWords levelsFailure{"there is no memory for the numbers about its levels",
                                      "its levels can't be made"};
-
-bool isQuick(const LevelsRequest& request) {
-    const auto texelsOf = [](const TexturePictures::Picture& picture) {
-        if (!picture || picture->surfaces.empty())
-            return std::size_t{0};
-        const Surface& base = picture->surfaces.front();
-        const auto extent = [](int value) { return static_cast<std::size_t>(std::max(value, 1)); };
-        return extent(widthOf(base)) * extent(heightOf(base)) * extent(depthOf(base));
-    };
-    const TexturePictures& pictures = request.pictures;
-    std::size_t texels = texelsOf(pictures.base);
-    if (texels > 0 && request.settings.compression == Compression::Cached)
-        return false;
-    texels *= 1 + request.settings.preparation.size();
-    for (const auto* each : {&pictures.levels, &pictures.others}) {
-        for (const TexturePictures::Picture& picture : *each)
-            texels += texelsOf(picture);
-    }
-    return texels <= quickTexels;
-}
 
 std::string nameOf(const Texture& settings) {
     switch (settings.source) {
@@ -180,6 +159,26 @@ measure(const PreparedLevels& from, const std::vector<TextureLevel>& made, const
 }
 
 } // namespace
+
+bool isQuick(const LevelsRequest& request) {
+    const auto texelsOf = [](const TexturePictures::Picture& picture) {
+        if (!picture || picture->surfaces.empty())
+            return std::size_t{0};
+        const Surface& base = picture->surfaces.front();
+        const auto extent = [](int value) { return static_cast<std::size_t>(std::max(value, 1)); };
+        return extent(widthOf(base)) * extent(heightOf(base)) * extent(depthOf(base));
+    };
+    const TexturePictures& pictures = request.pictures;
+    std::size_t texels = texelsOf(pictures.base);
+    if (texels > 0 && request.settings.compression == Compression::Cached)
+        return false;
+    texels *= 1 + request.settings.preparation.size();
+    for (const auto* each : {&pictures.levels, &pictures.others}) {
+        for (const TexturePictures::Picture& picture : *each)
+            texels += texelsOf(picture);
+    }
+    return texels <= quickTexels;
+}
 
 struct LevelsWorker::State {
     State(When chosen, std::function<void()> wake, LevelWork how)

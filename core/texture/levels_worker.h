@@ -38,6 +38,9 @@ struct LevelsSummary {
     static constexpr int levelExtent = 256;
 };
 
+/// Whether levels are made in a few milliseconds.
+[[nodiscard]] bool isQuick(const LevelsRequest& request);
+
 /// Makes levels: small ones while one waits, large ones on a thread of its own, one after the other. All
 /// functions are to be called from one thread; the first long work starts the other one.
 class LevelsWorker final : public LevelsSource {

@@ -32,8 +32,8 @@ void lessonOpens(benchmark::State& state, const std::string& name) {
             const ui::Services all = atOnce.lend();
             ui::Session session(ui::Services{all.files, all.levels, all.reference, all.kept, all.probe,
                                              all.levelMap, all.patterns, all.levelPictures, beside,
-                                             all.environments, all.plainProbe, all.sheet, all.sheetFiles,
-                                             all.recordings});
+                                             all.environments, all.plainProbe, all.sheet, all.programs,
+                                             all.writing});
             stage.draw(session, surface, 1.0F / 60);
             glFinish();
             state.ResumeTiming();

@@ -176,7 +176,7 @@ TEST_F(LoopTest, ASheetIsWrittenWhileTheWindowSleeps) {
     std::latch begun(1);
     std::latch goOn(1);
     bool first = true; // of the thread that works alone
-    ui::SheetFiles beside(When::WhenReady, [&] {
+    ui::FileWriting beside(When::WhenReady, [&] {
         if (std::exchange(first, false)) {
             begun.count_down();
             goOn.wait();
@@ -185,18 +185,18 @@ TEST_F(LoopTest, ASheetIsWrittenWhileTheWindowSleeps) {
     const ui::Services all = services.lend();
     session.emplace(ui::Services{all.files, all.levels, all.reference, all.kept, all.probe, all.levelMap,
                                  all.patterns, all.levelPictures, all.lessons, all.environments,
-                                 all.plainProbe, all.sheet, beside, all.recordings});
+                                 all.plainProbe, all.sheet, all.programs, beside});
     loop.emplace(graphics, *session, wide, Clipboard{});
     session->window.sheet.width = session->window.sheet.height = 16;
     ASSERT_TRUE(ui::saveSheet(*session, folder / "sheet.png"));
     begun.wait();
     run({Refresh{}});
-    EXPECT_TRUE(places.items.contains("drawing file"));
+    EXPECT_TRUE(places.items.contains("writing file"));
     EXPECT_EQ(last.wake, std::nullopt) << "the thread wakes it when there is news";
     goOn.count_down();
     beside.wait();
     run({Refresh{}});
-    EXPECT_FALSE(places.items.contains("drawing file"));
+    EXPECT_FALSE(places.items.contains("writing file"));
     EXPECT_THAT(session->window.notice.text, HasSubstr("Written: "));
     EXPECT_EQ(last.wake, std::nullopt);
 }

@@ -19,18 +19,20 @@ namespace texplorer::ui {
 namespace {
 
 constexpr const char* commandsHint = "Drag numbers, click names and switches";
+constexpr const char* makingHint = "Making the texels; until then the last program";
 
-void toolRow(CommandsTabState& state) {
+void toolRow(const Session& session, CommandsTabState& state) {
     const char* copy = "Copy";
+    const char* hint = session.services.programs.isMaking() ? makingHint : commandsHint;
     const float width = buttonWidth(copy);
     ImGui::Checkbox(label("All calls"), &state.showsAll);
     noteItem("all commands");
     helpTip("Off: only the calls that change what OpenGL starts with");
     ImGui::SameLine(0, ImGui::GetFontSize());
-    if (ImGui::GetContentRegionAvail().x >
-        ImGui::CalcTextSize(tr(commandsHint)).x + ImGui::GetFontSize() + width) {
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(hint)).x + ImGui::GetFontSize() + width) {
         ImGui::AlignTextToFramePadding();
-        dimText(commandsHint);
+        dimText(hint);
+        noteItem(hint == makingHint ? "making commands" : "commands hint");
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
@@ -66,38 +68,45 @@ std::optional<Scene> withoutTime(const Document& document) {
     return scene;
 }
 
-/// Makes the lines and rows anew where something is another.
-void renew(const Session& session, CommandsTabState& state, std::size_t columns) {
+/// Makes the lines anew where the scene is another one. Until its program is there, the last one's stay.
+void renewLines(const Session& session, CommandsTabState& state) {
     const Document& document = session.document;
     const std::optional<Scene> timeless = withoutTime(document);
     const Scene& scene = timeless ? *timeless : document.scene;
-    const bool isSame = state.scene && *state.scene == scene && state.images == document.images;
+    if (state.scene && *state.scene == scene && state.images == document.images)
+        return;
+    const emit::ProgramOptions options{.title = "Texplorer",
+                                       .fileName = [](const std::string& file) { return file; }};
+    const std::optional<emit::ProgramWorker::Program> made =
+        session.services.programs.program(emit::Flavour::Fixed, scene, document.images, options);
+    if (!made)
+        return;
+    state.changed = changedPaths(document);
+    state.rowsAreOld = true;
+    state.refused = *made ? std::string() : describe(made->error());
+    std::vector<emit::Line> lines = made->value_or(std::vector<emit::Line>{});
+    const auto haveChanged = [&](const std::vector<emit::Line>& among) {
+        return std::ranges::any_of(among,
+                                   [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
+    };
+    // A number that is dragged to where its call isn't needed stays under the hand.
+    if (ImGui::IsAnyItemActive() && !haveChanged(lines) && haveChanged(state.lines))
+        return;
+    state.lines = std::move(lines);
+    state.scene = scene;
+    state.images = document.images;
+}
+
+/// Breaks them into rows anew where something is another.
+void renewRows(const Session& session, CommandsTabState& state, std::size_t columns) {
+    const Document& document = session.document;
     // The numbers of a list are compared with those before only where something changed.
-    if (isSame && state.columns == columns && state.rowsShowAll == state.showsAll &&
+    if (!state.rowsAreOld && state.columns == columns && state.rowsShowAll == state.showsAll &&
         state.lastChanged == document.lastChanged)
         return;
     state.changed = changedPaths(document);
-    if (!isSame) {
-        state.refused.clear();
-        const emit::ProgramOptions options{.title = "Texplorer",
-                                           .fileName = [](const std::string& file) { return file; }};
-        std::vector<emit::Line> lines =
-            emit::program(emit::Flavour::Fixed, scene, document.images, options, state.texels)
-                .or_else([&](const Error& error) { state.refused = describe(error); })
-                .value_or(std::vector<emit::Line>{});
-        state.texels.forgetUnused();
-        const auto haveChanged = [&](const std::vector<emit::Line>& among) {
-            return std::ranges::any_of(
-                among, [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
-        };
-        // A number that is dragged to where its call isn't needed stays under the hand.
-        if (!ImGui::IsAnyItemActive() || haveChanged(lines) || !haveChanged(state.lines)) {
-            state.lines = std::move(lines);
-            state.scene = scene;
-            state.images = document.images;
-        }
-    }
     state.columns = columns;
+    state.rowsAreOld = false;
     state.rowsShowAll = state.showsAll;
     state.lastChanged = document.lastChanged;
     makeRows(state);
@@ -174,7 +183,8 @@ void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row
 } // namespace
 
 void drawCommandsTab(Session& session, CommandsTabState& state) {
-    toolRow(state);
+    renewLines(session, state);
+    toolRow(session, state);
     if (!state.refused.empty())
         wrappedText(state.refused);
     ImGui::BeginChild("commands");
@@ -182,7 +192,7 @@ void drawCommandsTab(Session& session, CommandsTabState& state) {
     constexpr int sample = 64; // letters: the width of one may be rounded
     const float letter = ImGui::CalcTextSize(std::string(sample, 'M').c_str()).x / sample;
     const float room = ImGui::GetContentRegionAvail().x / letter - 3; // a bar before, a swatch behind
-    renew(session, state, static_cast<std::size_t>(std::max(16.0F, room)));
+    renewRows(session, state, static_cast<std::size_t>(std::max(16.0F, room)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.2F});
     const float rowHeight = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
     showCalls(state, rowHeight);

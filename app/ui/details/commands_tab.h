@@ -23,15 +23,15 @@ struct CommandsTabState {
     bool hasShownCalls = false; ///< the list was scrolled to the scene's own calls
     ChangedPaths revealed;      ///< the values that the list was scrolled to already
 
-    // What was made of the scene, until it is another one.
+    // What was made of the scene, until there is what is made of another one.
     std::optional<Scene> scene;
     ImageSource images;
-    emit::TextureCodes texels;
     std::string refused; ///< why there is no program; empty: there is one
     std::vector<emit::Line> lines;
     std::vector<CodeRow> rows;
     ChangedPaths changed; ///< whose lines glow, and stay though OpenGL has their values
     std::size_t columns = 0;
+    bool rowsAreOld = false; ///< they are not those of `lines`
     bool rowsShowAll = false;
     std::string lastChanged;
 };

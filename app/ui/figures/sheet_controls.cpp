@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/param_match.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/sheet_file.h"
 #include "app/ui/model/texshot_command.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/button_width.h"

@@ -1,9 +1,13 @@
 #include "app/ui/model/program_file.h"
 
+#include "app/ui/model/timeline_edits.h"
 #include "core/base/file_io.h"
 #include "core/emit/program.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -15,27 +19,59 @@ std::string stemOf(const Document& document) {
     return stem.empty() ? "scene" : stem;
 }
 
+/// What a program in a folder calls an image of the scene.
+std::string imageNameFrom(const std::filesystem::path& folder, const std::filesystem::path& scenes,
+                          const std::string& image) {
+    const std::filesystem::path whole = (scenes / image).lexically_normal();
+    const std::filesystem::path relative = whole.lexically_relative(folder);
+    const bool below = !relative.empty() && *relative.begin() != "..";
+    return (below ? relative : whole).generic_string();
+}
+
+/// How far all is, of textures of which each says it of itself.
+std::function<void(float)> reportOfAll(const FileMaking& making, std::size_t textures) {
+    return [report = making.report, textures, done = std::size_t{0}, last = 0.0F](float share) mutable {
+        done += share < std::exchange(last, share) ? 1 : 0;
+        report(std::min(1.0F, (static_cast<float>(done) + share) / static_cast<float>(textures)));
+    };
+}
+
 } // namespace
 
 std::string programFileName(const Document& document, emit::Flavour flavour) {
     return stemOf(document) + std::string(emit::extensionOf(flavour));
 }
 
-Result<void> saveProgram(const Session& session, const std::filesystem::path& file) {
+FileOrder programOrder(const Session& session, std::filesystem::path file) {
     const Document& document = session.document;
-    emit::TextureCodes codes;
     emit::ProgramOptions options{.title = stemOf(document), .source = file.filename().string()};
-    options.fileName = [&](const std::string& image) {
-        const std::filesystem::path whole = (document.images.directory() / image).lexically_normal();
-        const std::filesystem::path relative = whole.lexically_relative(file.parent_path());
-        const bool below = !relative.empty() && *relative.begin() != "..";
-        return (below ? relative : whole).generic_string();
+    options.fileName = [folder = file.parent_path(), scenes = document.images.directory()](
+                           const std::string& image) { return imageNameFrom(folder, scenes, image); };
+    auto make = [options = std::move(options), flavour = session.window.flavour, scene = document.scene,
+                 images = document.images](const FileMaking& making) -> Result<MadeFile> {
+        LevelWork levels = making.levels;
+        const auto compressed =
+            std::ranges::count(scene.textures, Compression::Cached, &Texture::compression);
+        levels.progress = reportOfAll(making, static_cast<std::size_t>(compressed));
+        emit::TextureCodes codes(std::move(levels));
+        const Result<std::vector<emit::Line>> lines = emit::program(flavour, scene, images, options, codes);
+        if (!lines)
+            return fail(lines.error());
+        const std::string text = textOf(*lines, false);
+        const ByteView bytes = viewBytes(text);
+        return MadeFile{Bytes(bytes.begin(), bytes.end())};
     };
-    const auto lines = emit::program(session.window.flavour, document.scene, document.images, options, codes);
-    if (!lines)
-        return fail(lines.error().code, describe(lines.error()));
-    const std::string text = textOf(*lines, false);
-    return writeFileAtomically(file, viewBytes(text));
+    return {std::move(file), "The program can't be written: {}.", 0, std::move(make)};
+}
+
+Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
+    endStanding(session);
+    const std::string_view extension = emit::extensionOf(session.window.flavour);
+    if (file.extension() != extension)
+        return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
+                                                        extension, file.filename().string()));
+    session.services.writing.write(programOrder(session, file));
+    return {};
 }
 
 } // namespace texplorer::ui

@@ -11,8 +11,10 @@ namespace texplorer::ui {
 /// What a program of the scene would be called: "scene.c".
 [[nodiscard]] std::string programFileName(const Document& document, emit::Flavour flavour);
 
-/// Writes the scene as a program of WindowState::flavour. Errors: what the flavour can't say, what can't be
-/// written.
-[[nodiscard]] Result<void> saveProgram(const Session& session, const std::filesystem::path& file);
+/// The scene as a program of WindowState::flavour.
+[[nodiscard]] FileOrder programOrder(const Session& session, std::filesystem::path file);
+
+/// Has it written. Errors: a name that isn't a program's.
+[[nodiscard]] Result<void> saveProgram(Session& session, const std::filesystem::path& file);
 
 } // namespace texplorer::ui

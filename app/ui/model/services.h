@@ -2,15 +2,15 @@
 
 #include "app/ui/model/captures.h"
 #include "app/ui/model/environment_pictures.h"
+#include "app/ui/model/file_writing.h"
 #include "app/ui/model/files.h"
 #include "app/ui/model/lesson_work.h"
 #include "app/ui/model/level_pictures.h"
 #include "app/ui/model/pattern_pictures.h"
-#include "app/ui/model/recordings.h"
 #include "app/ui/model/settings_file.h"
-#include "app/ui/model/sheet_files.h"
 #include "app/ui/model/sheet_pictures.h"
 #include "app/ui/model/unsaved_work.h"
+#include "core/emit/program_worker.h"
 #include "core/reference/draw_worker.h"
 #include "core/reference/level_map_worker.h"
 #include "core/reference/probe_worker.h"
@@ -34,8 +34,8 @@ struct Services {
     EnvironmentPictures& environments;   ///< of the table of environments
     reference::ProbeWorker& plainProbe;  ///< of the same pixel for that table, whatever the texture's format
     SheetPictures& sheet;                ///< of the sheet of variations
-    SheetFiles& sheetFiles;              ///< of the same as files
-    Recordings& recordings;              ///< of animations
+    emit::ProgramWorker& programs;       ///< of the calls that the tab lists
+    FileWriting& writing;                ///< of sheets, animations and programs
     UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
     SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
     Captures* captures = nullptr;        ///< nullptr: no pictures are written
@@ -58,13 +58,12 @@ public:
         , environments_(When::WhenReady, wake)
         , plainProbe_(When::WhenReady, wake, {cache})
         , sheet_(When::WhenReady, wake, {cache})
-        , sheetFiles_(When::WhenReady, wake, {cache})
-        , recordings_(When::WhenReady, wake, {cache}) {}
+        , programs_(When::WhenReady, wake, {cache})
+        , writing_(When::WhenReady, wake, {cache}) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,      levels_,   reference_,     kept_,       probe_,
-                levelMap_,   patterns_, levelPictures_, lessons_,    environments_,
-                plainProbe_, sheet_,    sheetFiles_,    recordings_, unsaved};
+        return {files_,   levels_,       reference_,  kept_,  probe_,    levelMap_, patterns_, levelPictures_,
+                lessons_, environments_, plainProbe_, sheet_, programs_, writing_,  unsaved};
     }
 
 private:
@@ -80,8 +79,8 @@ private:
     EnvironmentPictures environments_;
     reference::ProbeWorker plainProbe_;
     SheetPictures sheet_;
-    SheetFiles sheetFiles_;
-    Recordings recordings_;
+    emit::ProgramWorker programs_;
+    FileWriting writing_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -100,13 +99,12 @@ public:
         , environments_(When::AtOnce)
         , plainProbe_(When::AtOnce, {}, work)
         , sheet_(When::AtOnce, {}, work)
-        , sheetFiles_(When::AtOnce, {}, work)
-        , recordings_(When::AtOnce, {}, work) {}
+        , programs_(When::AtOnce, {}, work)
+        , writing_(When::AtOnce, {}, work) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,      levels_,   reference_,     kept_,       probe_,
-                levelMap_,   patterns_, levelPictures_, lessons_,    environments_,
-                plainProbe_, sheet_,    sheetFiles_,    recordings_, unsaved};
+        return {files_,   levels_,       reference_,  kept_,  probe_,    levelMap_, patterns_, levelPictures_,
+                lessons_, environments_, plainProbe_, sheet_, programs_, writing_,  unsaved};
     }
 
 private:
@@ -122,8 +120,8 @@ private:
     EnvironmentPictures environments_;
     reference::ProbeWorker plainProbe_;
     SheetPictures sheet_;
-    SheetFiles sheetFiles_;
-    Recordings recordings_;
+    emit::ProgramWorker programs_;
+    FileWriting writing_;
 };
 
 } // namespace texplorer::ui

@@ -1,5 +1,6 @@
 #include "app/ui/model/texshot_command.h"
 
+#include "app/ui/model/sheet_file.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/params.h"
 
@@ -106,7 +107,7 @@ Result<std::string> texshotCommand(const Session& session, view::Size picture) {
 }
 
 Result<std::string> sweepCommand(const Session& session) {
-    if (const Result<SheetFiles::Order> order = sheetOrder(session); !order)
+    if (const Result<SheetOrder> order = sheetOrder(session); !order)
         return fail(order.error());
     const Result<std::string> scene = sceneWords(session, session.window.playback.time);
     if (!scene)
@@ -125,11 +126,11 @@ Result<std::string> sweepCommand(const Session& session) {
 }
 
 Result<std::string> animateCommand(const Session& session) {
-    const Result<Recordings::Order> order = recordingOrder(session);
-    if (!order)
-        return fail(order.error());
+    const Result<Recording> recording = recordingOf(session);
+    if (!recording)
+        return fail(recording.error());
     const RecordingChoice& choice = session.window.recording;
-    const Result<std::string> scene = sceneWords(session, order->picture.time);
+    const Result<std::string> scene = sceneWords(session, recording->picture.time);
     if (!scene)
         return fail(scene.error());
     std::string command = "texshot animate" + *scene;

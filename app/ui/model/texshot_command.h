@@ -17,7 +17,7 @@ namespace texplorer::ui {
 [[nodiscard]] Result<std::string> sweepCommand(const Session& session);
 
 /// The same for the animation that the window would record: "texshot animate earth.json --fps … -o
-/// earth.webp". Errors: those, and of recordingOrder.
+/// earth.webp". Errors: those, and of recordingOf.
 [[nodiscard]] Result<std::string> animateCommand(const Session& session);
 
 /// As one word of a POSIX shell.

@@ -14,11 +14,8 @@ void followEdits(Session& session) {
         if (std::optional<Captures::News> news = captures->takeNews())
             session.window.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isWritten};
     }
-    for (std::optional<FileNews> news :
-         {session.services.sheetFiles.takeNews(), session.services.recordings.takeNews()}) {
-        if (news)
-            session.window.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isGood};
-    }
+    if (std::optional<FileNews> news = session.services.writing.takeNews())
+        session.window.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isGood};
     if (SettingsFile* settings = session.services.settings) {
         settings->keep(session.window.settings);
         if (std::optional<std::string> problem = settings->takeProblem())

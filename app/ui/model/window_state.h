@@ -9,7 +9,7 @@
 #include "app/ui/model/load.h"
 #include "app/ui/model/notes.h"
 #include "app/ui/model/preview.h"
-#include "app/ui/model/recordings.h"
+#include "app/ui/model/recording_file.h"
 #include "app/ui/model/sections.h"
 #include "app/ui/model/selection.h"
 #include "app/ui/model/settings.h"

@@ -4,6 +4,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/program_file.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/sheet_file.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_tips.h"
@@ -239,7 +240,7 @@ void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pi
     session.window.notice = {};
     if (dialog == Dialog::SaveScene)
         finishPending(session);
-    if (dialog == Dialog::SaveAnswers || dialog == Dialog::SaveProgram)
+    if (dialog == Dialog::SaveAnswers)
         tell(session, fmt::format("Written: {}", chosen.string()));
 }
 

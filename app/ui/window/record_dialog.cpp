@@ -88,11 +88,11 @@ void lengthLines(Session& session) {
 }
 
 /// What it will be, or why it can't.
-void summary(const Session& session, const Result<Recordings::Order>& order) {
+void summary(const Session& session, const Result<Recording>& recording) {
     const ImVec2 from = ImGui::GetCursorPos();
-    if (!order) {
+    if (!recording) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(describe(order.error()));
+        wrappedText(describe(recording.error()));
         ImGui::PopStyleColor();
         noteItem("record:problem");
     } else if (!isAnimated(session.document.scene)) {
@@ -100,7 +100,7 @@ void summary(const Session& session, const Result<Recordings::Order>& order) {
         noteItem("record:still");
     } else {
         dimText(fmt::format("{}, drawn by the reference. The window goes on meanwhile.",
-                            countOf(order->pictures(), "picture")));
+                            countOf(recording->pictures(), "picture")));
     }
     // As high whatever it says, so that the buttons stay where they are.
     ImGui::SetCursorPos({from.x, from.y + ImGui::GetTextLineHeightWithSpacing() * 2.2F});
@@ -132,16 +132,16 @@ void drawRecord(Session& session) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     extentField("##height", choice.height);
     ImGui::Dummy({0, em * 0.3F});
-    const Result<Recordings::Order> order = recordingOrder(session);
-    summary(session, order);
+    const Result<Recording> recording = recordingOf(session);
+    summary(session, recording);
     const bool typing = ImGui::GetIO().WantTextInput;
-    ImGui::BeginDisabled(!order);
+    ImGui::BeginDisabled(!recording);
     const bool goesOn =
-        dialogButton("Choose a file…") || (order && !typing && ImGui::IsKeyPressed(key::enter, false));
+        dialogButton("Choose a file…") || (recording && !typing && ImGui::IsKeyPressed(key::enter, false));
     ImGui::EndDisabled();
     noteItem("record:choose");
     ImGui::SameLine();
-    ImGui::BeginDisabled(!order);
+    ImGui::BeginDisabled(!recording);
     const bool copies = dialogButton("Copy command");
     ImGui::EndDisabled();
     noteItem("record:copy");

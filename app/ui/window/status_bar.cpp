@@ -53,16 +53,22 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
     helpTip("What was drawn before stays until they are there.");
 }
 
-/// The same for pictures that are drawn for a file.
-template<class Files>
-void drawProgress(Files& files, const FileProgress& progress) {
+/// The same for a file that is made.
+void drawProgress(Session& session, const FileProgress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
-        files.cancel();
-    noteItem("cancel drawing");
+        session.services.writing.cancel();
+    noteItem("cancel writing");
     ImGui::SameLine();
-    text(fmt::format("Drawing {} · {} of {}", printable(progress.file.filename().string()), progress.done,
-                     countOf(progress.all, "picture")));
-    noteItem("drawing file");
+    const std::string name = printable(progress.file.filename().string());
+    const auto percent = static_cast<int>(100 * progress.share);
+    if (progress.pictures > 0)
+        text(fmt::format("Drawing {} · {} of {}", name, progress.picturesDrawn(),
+                         countOf(progress.pictures, "picture")));
+    else if (percent > 0)
+        text(fmt::format("Writing {} · {} %", name, percent));
+    else
+        text(fmt::format("Writing {}", name));
+    noteItem("writing file");
     helpTip(printable(progress.file.string()));
 }
 
@@ -170,10 +176,8 @@ void drawNews(Session& session, const Pictures& pictures) {
         drawProgress(session, *loading);
     else if (const auto making = session.services.levels.progress())
         drawProgress(session, *making);
-    else if (const auto sheet = session.services.sheetFiles.progress())
-        drawProgress(session.services.sheetFiles, *sheet);
-    else if (const auto recording = session.services.recordings.progress())
-        drawProgress(session.services.recordings, *recording);
+    else if (const auto writing = session.services.writing.progress())
+        drawProgress(session, *writing);
     else if (!session.window.notice.text.empty())
         drawNotice(session);
     else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {

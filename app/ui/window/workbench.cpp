@@ -7,7 +7,7 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/model/unsaved_work.h"
-#include "app/ui/model/unseen_figures.h"
+#include "app/ui/model/unseen.h"
 #include "app/ui/view/view_panel.h"
 #include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/keys.h"
@@ -141,7 +141,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     settle(session, layout); // an edit may have taken away what is selected
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
-    restUnseenFigures(session);
+    restUnseen(session);
     beginStanding(session);
     if (!layout.parameters.isEmpty())
         drawParametersPanel(session, states.parameters, pictures, layout);

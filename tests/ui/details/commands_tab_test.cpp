@@ -3,6 +3,7 @@
 #include "app/ui/widgets/keys.h"
 #include "core/emit/program.h"
 #include "core/scene/tex_coords.h"
+#include "tests/support/paused_encoding.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::commands_tab_test {
@@ -136,6 +137,36 @@ TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
     EXPECT_EQ(scene().models[0].texCoords[0][2].y, 1);
     key('Z', {ctrl});
     EXPECT_TRUE(scene().models[0].texCoords[0].empty());
+}
+
+// The last program stays, and what it has is dragged, while a thread makes the texels of the next.
+TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
+    PausedEncoding paused;
+    emit::ProgramWorker beside(When::WhenReady, {}, paused.work());
+    const Services& atOnce = session->services;
+    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
+          atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
+          atOnce.sheet, beside, atOnce.writing});
+    show();
+    EXPECT_TRUE(has("commands hint"));
+    const std::string before = copied();
+    ASSERT_THAT(before, HasSubstr("checkerboard("));
+    texture().compression = Compression::Cached;
+    frames(2);
+    paused.waitUntilBegun();
+    EXPECT_TRUE(has("making commands"));
+    EXPECT_EQ(copied(), before);
+    find("command:material.shininess");
+    drag(place("command:material.shininess"), {40, 0});
+    EXPECT_NEAR(scene().material.shininess, 52, 0.6F);
+    paused.goOn();
+    beside.wait();
+    frames(2);
+    EXPECT_TRUE(has("commands hint"));
+    EXPECT_THAT(copied(),
+                testing::AllOf(HasSubstr("glCompressedTexImage2D"), Not(HasSubstr("checkerboard("))));
+    EXPECT_THAT(copied(), HasSubstr("GL_SHININESS, 52"));
+    EXPECT_EQ(paused.shares.size(), 1U);
 }
 
 TEST_F(CommandsTab, AChoiceHasAList) {

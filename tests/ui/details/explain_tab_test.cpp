@@ -134,7 +134,7 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
     const Services& atOnce = session->services;
     lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, worker, atOnce.levelMap,
           atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
-          atOnce.sheet, atOnce.sheetFiles, atOnce.recordings});
+          atOnce.sheet, atOnce.programs, atOnce.writing});
     open();
     clickAt(onTheCube());
     worker.wait();

@@ -186,8 +186,7 @@ TEST_P(LessonWalk, CutsNoWordsInASmallWindow) {
     LessonWork beside(When::WhenReady); // pictures aren't waited for
     const Services all = atOnce.lend();
     lend({all.files, all.levels, all.reference, all.kept, all.probe, all.levelMap, all.patterns,
-          all.levelPictures, beside, all.environments, all.plainProbe, all.sheet, all.sheetFiles,
-          all.recordings});
+          all.levelPictures, beside, all.environments, all.plainProbe, all.sheet, all.programs, all.writing});
     speak(GetParam());
     for (const std::string& name : lesson::builtInLessons()) {
         SCOPED_TRACE(name);

@@ -49,7 +49,7 @@ protected:
         Services services = beside_.lend();
         lend({files, services.levels, services.reference, services.kept, services.probe, services.levelMap,
               services.patterns, services.levelPictures, services.lessons, services.environments,
-              services.plainProbe, services.sheet, services.sheetFiles, services.recordings});
+              services.plainProbe, services.sheet, services.programs, services.writing});
         write("First text.", "textures[0].wrapS=GL_CLAMP");
         EXPECT_TRUE(openLesson(*session, lesson::LessonFolder::onDisk(folder.path()), 1));
         frames();

@@ -1,5 +1,5 @@
 #include "app/ui/model/session.h"
-#include "app/ui/model/sheet_files.h"
+#include "app/ui/model/sheet_file.h"
 
 #include <gmock/gmock.h>
 
@@ -67,7 +67,7 @@ TEST_F(SheetChoiceTest, TheOrderIsOfTheSceneAsItIs) {
     session.window.playback.time = 1.5;
     session.document.suggested = "/somewhere/earth.texplorer.json";
     session.window.sheet.labels = sheet::LabelKind::Words;
-    const SheetFiles::Order order = sheetOrder(session).value();
+    const SheetOrder order = sheetOrder(session).value();
     EXPECT_EQ(order.picture.scene, session.document.scene);
     EXPECT_EQ(order.picture.time, 1.5);
     EXPECT_EQ(order.content.title, "earth");

@@ -1,5 +1,5 @@
 #include "app/lettering/font_lettering.h"
-#include "app/ui/model/sheet_files.h"
+#include "app/ui/model/sheet_file.h"
 #include "app/ui/model/sheet_pictures.h"
 #include "core/base/file_io.h"
 #include "core/codec/png/png.h"
@@ -11,16 +11,15 @@
 
 #include <gmock/gmock.h>
 
-#include <latch>
-#include <span>
+#include <stop_token>
 
-namespace texplorer::ui::sheet_files_test {
+namespace texplorer::ui::sheet_file_test {
 namespace {
 
 using testing::HasSubstr;
 
-SheetFiles::Order order(const std::filesystem::path& file) {
-    SheetFiles::Order asked;
+SheetOrder order() {
+    SheetOrder asked;
     asked.picture = {defaultScene(), {}, 0, 48, 36};
     asked.rows = {"textures[0].magFilter", {"GL_NEAREST", "GL_LINEAR"}};
     asked.columns = {"passes[0].units[0].envMode", {"GL_REPLACE", "GL_MODULATE", "GL_ADD"}};
@@ -28,7 +27,6 @@ SheetFiles::Order order(const std::filesystem::path& file) {
     asked.content.cell = {48, 36};
     asked.content.down = {"Mag filter", asked.rows.values};
     asked.content.across = sheet::AxisLabels{"Mode", asked.columns.values};
-    asked.file = file;
     return asked;
 }
 
@@ -48,19 +46,20 @@ Image cutOut(const Image& sheet, const PixelRect& rect) {
     return cut;
 }
 
-TEST(SheetFiles, HaveTheReferencesPicturesWhereTheLayoutPutsThem) {
+TEST(SheetFile, HaveTheReferencesPicturesWhereTheLayoutPutsThem) {
     const test::TempDir folder;
-    SheetFiles files(When::AtOnce);
-    const SheetFiles::Order asked = order(folder / "sheet.png");
-    ASSERT_TRUE(files.write(asked));
-    const std::optional<FileNews> news = files.takeNews();
+    FileWriting writing(When::AtOnce);
+    const SheetOrder asked = order();
+    const std::filesystem::path file = folder / "sheet.png";
+    writing.write(fileOrder(asked, file).value());
+    const std::optional<FileNews> news = writing.takeNews();
     ASSERT_TRUE(news);
-    EXPECT_EQ(news->text, "Written: " + asked.file.string());
+    EXPECT_EQ(news->text, "Written: " + file.string());
     EXPECT_TRUE(news->isGood);
-    EXPECT_FALSE(files.takeNews());
+    EXPECT_FALSE(writing.takeNews());
 
     const sheet::Layout layout = sheet::layoutOf(asked.content, **openLettering()).value();
-    const Image sheet = readSheet(asked.file);
+    const Image sheet = readSheet(file);
     EXPECT_EQ(glm::ivec2(sheet.width, sheet.height), layout.size);
     ASSERT_EQ(layout.cells.size(), 6U);
     for (std::size_t cell = 0; cell < 6; ++cell) {
@@ -73,10 +72,10 @@ TEST(SheetFiles, HaveTheReferencesPicturesWhereTheLayoutPutsThem) {
     }
 }
 
-TEST(SheetFiles, SayHowTheyWereDrawn) {
+TEST(SheetFile, SayHowTheyWereDrawn) {
     const test::TempDir folder;
-    SheetFiles files(When::AtOnce);
-    ASSERT_TRUE(files.write(order(folder / "sheet.png")));
+    FileWriting writing(When::AtOnce);
+    writing.write(fileOrder(order(), folder / "sheet.png").value());
     const Bytes bytes = readFile(folder / "sheet.png").value();
     const auto text = [&](std::string_view keyword) {
         return findPngText(bytes, keyword, 1 << 20).value().value_or("");
@@ -88,71 +87,49 @@ TEST(SheetFiles, SayHowTheyWereDrawn) {
     EXPECT_EQ(parseScene(text(sceneKeyword)).value(), defaultScene());
 }
 
-TEST(SheetFiles, WhatCantBeDrawnSaysWhyInItsPlace) {
+TEST(SheetFile, WhatCantBeDrawnSaysWhyInItsPlace) {
     const test::TempDir folder;
-    SheetFiles files(When::AtOnce);
-    SheetFiles::Order asked = order(folder / "sheet.png");
+    FileWriting writing(When::AtOnce);
+    SheetOrder asked = order();
     asked.columns = {"passes[0].units[0].texture", {"0", "-1"}}; // the unit is enabled
     asked.content.across = sheet::AxisLabels{"Texture", asked.columns.values};
-    ASSERT_TRUE(files.write(asked));
-    EXPECT_THAT(files.takeNews()->text, testing::EndsWith(". 2 of 4 pictures can't be drawn, and say why."));
-    EXPECT_TRUE(std::filesystem::exists(asked.file));
+    writing.write(fileOrder(asked, folder / "sheet.png").value());
+    EXPECT_THAT(writing.takeNews()->text,
+                testing::EndsWith(". 2 of 4 pictures can't be drawn, and say why."));
+    EXPECT_TRUE(std::filesystem::exists(folder / "sheet.png"));
     asked.columns.values = {"-1"};
     asked.content.across->values = asked.columns.values;
-    asked.file = folder / "none.png";
-    ASSERT_TRUE(files.write(asked));
-    EXPECT_THAT(files.takeNews()->text,
-                HasSubstr("none of its pictures can be drawn: passes[0].units[0].texture: "));
-    EXPECT_FALSE(std::filesystem::exists(asked.file));
+    writing.write(fileOrder(asked, folder / "none.png").value());
+    EXPECT_THAT(
+        writing.takeNews()->text,
+        HasSubstr(
+            "The sheet can't be written: none of its pictures can be drawn: passes[0].units[0].texture: "));
+    EXPECT_FALSE(std::filesystem::exists(folder / "none.png"));
 }
 
-TEST(SheetFiles, AnUnwritableFileIsOneSentence) {
-    const test::TempDir folder;
-    SheetFiles files(When::AtOnce);
-    ASSERT_TRUE(files.write(order(folder / "missing" / "sheet.png")));
-    const std::optional<FileNews> news = files.takeNews();
-    EXPECT_THAT(news->text,
-                testing::AllOf(testing::StartsWith("The sheet can't be written: "), HasSubstr("missing")));
-    EXPECT_FALSE(news->isGood);
-}
-
-TEST(SheetFiles, WhatIsTooLargeIsRefusedBeforeAnyWork) {
-    SheetFiles files(When::AtOnce);
-    SheetFiles::Order asked = order("sheet.png");
+TEST(SheetFile, WhatIsTooLargeIsRefusedBeforeAnyWork) {
+    SheetOrder asked = order();
     asked.content.cell = {9000, 9000};
-    const Result<void> written = files.write(asked);
-    ASSERT_FALSE(written);
-    EXPECT_THAT(written.error().message, HasSubstr("expected a sheet of at most 16384 x 16384 pixels"));
-    EXPECT_FALSE(files.takeNews());
+    const Result<FileOrder> refused = fileOrder(asked, "sheet.png");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("expected a sheet of at most 16384 x 16384 pixels"));
 }
 
-TEST(SheetFiles, AreGivenUpWithoutATrace) {
-    const test::TempDir folder;
-    const std::filesystem::path file = folder / "sheet.png";
-    ASSERT_TRUE(writeFileAtomically(file, std::as_bytes(std::span("before", 6))));
-    std::latch begun(1);
-    std::latch goOn(1);
-    bool first = true; // of the thread that works alone
-    SheetFiles files(When::WhenReady, [&] {
-        if (std::exchange(first, false)) {
-            begun.count_down();
-            goOn.wait();
-        }
-    });
-    ASSERT_TRUE(files.write(order(file)));
-    begun.wait();
-    const std::optional<FileProgress> progress = files.progress();
-    ASSERT_TRUE(progress);
-    EXPECT_EQ(progress->all, 6U);
-    EXPECT_EQ(progress->file, file);
-    files.cancel();
-    EXPECT_FALSE(files.progress());
-    goOn.count_down();
-    ASSERT_TRUE(files.write(order(folder / "next.png")));
-    files.wait();
-    EXPECT_THAT(files.takeNews()->text, HasSubstr("next.png"));
-    EXPECT_EQ(readText(file).value(), "before");
+TEST(SheetFile, IsCountedInPicturesAndEndsWithTheNextOne) {
+    const FileOrder asked = fileOrder(order(), "sheet.png").value();
+    EXPECT_EQ(asked.pictures, 6U);
+    std::stop_source stop;
+    std::vector<float> shares;
+    const Result<MadeFile> made =
+        asked.make({.levels = {.stop = stop.get_token()}, .report = [&](float share) {
+                        shares.push_back(share);
+                        if (shares.size() == 4)
+                            stop.request_stop();
+                    }});
+    EXPECT_FALSE(made);
+    EXPECT_THAT(shares,
+                testing::ElementsAre(0, testing::FloatEq(1.0F / 6), testing::FloatEq(2.0F / 6), 0.5F));
 }
 
 } // namespace
-} // namespace texplorer::ui::sheet_files_test
+} // namespace texplorer::ui::sheet_file_test

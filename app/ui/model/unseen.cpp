@@ -1,11 +1,11 @@
-#include "app/ui/model/unseen_figures.h"
+#include "app/ui/model/unseen.h"
 
 #include "app/ui/model/session.h"
 #include "app/ui/model/workspace.h"
 
 namespace texplorer::ui {
 
-void restUnseenFigures(Session& session) {
+void restUnseen(Session& session) {
     const auto isSeen = [&](Figure figure) {
         return session.window.figure == figure && isShown(session.window.settings.workspace, Tab::Figures);
     };
@@ -16,6 +16,8 @@ void restUnseenFigures(Session& session) {
     }
     if (!isSeen(Figure::Sheet))
         services.sheet.rest();
+    if (!isShown(session.window.settings.workspace, Tab::Commands))
+        services.programs.rest();
 }
 
 } // namespace texplorer::ui

@@ -1,4 +1,4 @@
-#include "app/ui/model/recordings.h"
+#include "app/ui/model/recording_file.h"
 #include "app/ui/model/session.h"
 #include "core/base/file_io.h"
 #include "core/codec/png/png.h"
@@ -10,10 +10,9 @@
 
 #include <gmock/gmock.h>
 
-#include <latch>
-#include <span>
+#include <stop_token>
 
-namespace texplorer::ui::recordings_test {
+namespace texplorer::ui::recording_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -24,8 +23,8 @@ Scene turning() {
     return scene;
 }
 
-Recordings::Order order(const std::filesystem::path& file, animation::Format format) {
-    return {{turning(), {}, 0.5, 48, 36}, format, 1, 8, file};
+FileOrder order(const std::filesystem::path& file, animation::Format format) {
+    return fileOrder({{turning(), {}, 0.5, 48, 36}, format, 1, 8}, file);
 }
 
 std::string start(const std::filesystem::path& file, std::size_t bytes) {
@@ -33,12 +32,12 @@ std::string start(const std::filesystem::path& file, std::size_t bytes) {
     return {reinterpret_cast<const char*>(read.data()), read.size()};
 }
 
-TEST(Recordings, AreOfTheFormatThatWasChosen) {
+TEST(RecordingFile, AreOfTheFormatThatWasChosen) {
     const test::TempDir folder;
-    Recordings recordings(When::AtOnce);
+    FileWriting writing(When::AtOnce);
     const auto written = [&](std::string_view name, animation::Format format) {
-        recordings.write(order(folder / name, format));
-        const std::optional<FileNews> news = recordings.takeNews();
+        writing.write(order(folder / name, format));
+        const std::optional<FileNews> news = writing.takeNews();
         EXPECT_EQ(news->text, "Written: " + (folder / name).string());
         EXPECT_TRUE(news->isGood);
         return start(folder / name, 64);
@@ -46,13 +45,13 @@ TEST(Recordings, AreOfTheFormatThatWasChosen) {
     EXPECT_THAT(written("a.gif", animation::Format::Gif), testing::StartsWith("GIF89a"));
     EXPECT_EQ(written("a.webp", animation::Format::WebP).substr(8, 4), "WEBP");
     EXPECT_THAT(written("a.png", animation::Format::Apng), HasSubstr("acTL"));
-    EXPECT_FALSE(recordings.takeNews());
+    EXPECT_FALSE(writing.takeNews());
 }
 
-TEST(Recordings, BeginWithTheReferencesPictureOfTheirTime) {
+TEST(RecordingFile, BeginWithTheReferencesPictureOfTheirTime) {
     const test::TempDir folder;
-    Recordings recordings(When::AtOnce);
-    recordings.write(order(folder / "a.png", animation::Format::Apng));
+    FileWriting writing(When::AtOnce);
+    writing.write(order(folder / "a.png", animation::Format::Apng));
     const Bytes bytes = readFile(folder / "a.png").value();
     const Image first = withoutAlpha(std::get<Image>(decodePng(bytes).value().surface(0, 0)));
     Scene scene = defaultScene();
@@ -62,50 +61,37 @@ TEST(Recordings, BeginWithTheReferencesPictureOfTheirTime) {
     EXPECT_EQ(parseScene(said.value()).value(), turning());
 }
 
-TEST(Recordings, AnUnwritableFileIsOneSentence) {
-    const test::TempDir folder;
-    Recordings recordings(When::AtOnce);
-    recordings.write(order(folder / "missing" / "a.gif", animation::Format::Gif));
-    const std::optional<FileNews> news = recordings.takeNews();
-    EXPECT_THAT(news->text, testing::AllOf(testing::StartsWith("The animation can't be written: "),
-                                           HasSubstr("missing")));
-    EXPECT_FALSE(news->isGood);
+TEST(RecordingFile, IsCountedInPictures) {
+    const FileOrder asked = order("a.gif", animation::Format::Gif);
+    EXPECT_EQ(asked.pictures, 8U);
+    std::vector<float> shares;
+    ASSERT_TRUE(asked.make({.report = [&](float share) { shares.push_back(share); }}));
+    EXPECT_THAT(shares, testing::ElementsAre(0, 0.125F, 0.25F, 0.375F, 0.5F, 0.625F, 0.75F, 0.875F));
 }
 
-TEST(Recordings, AreGivenUpWithoutATrace) {
-    const test::TempDir folder;
-    const std::filesystem::path file = folder / "a.gif";
-    ASSERT_TRUE(writeFileAtomically(file, std::as_bytes(std::span("before", 6))));
-    std::latch begun(1);
-    std::latch goOn(1);
-    bool first = true; // of the thread that works alone
-    Recordings recordings(When::WhenReady, [&] {
-        if (std::exchange(first, false)) {
-            begun.count_down();
-            goOn.wait();
-        }
-    });
-    recordings.write(order(file, animation::Format::Gif));
-    begun.wait();
-    const std::optional<FileProgress> progress = recordings.progress();
-    ASSERT_TRUE(progress);
-    EXPECT_EQ(progress->all, 8U);
-    recordings.cancel();
-    EXPECT_FALSE(recordings.progress());
-    goOn.count_down();
-    recordings.write(order(folder / "next.gif", animation::Format::Gif));
-    recordings.wait();
-    EXPECT_THAT(recordings.takeNews()->text, HasSubstr("next.gif"));
-    EXPECT_EQ(readText(file).value(), "before");
+TEST(RecordingFile, EndsWithTheNextPicture) {
+    std::stop_source stop;
+    int drawn = 0;
+    const Result<MadeFile> made = order("a.gif", animation::Format::Gif)
+                                      .make({
+                                          .levels = {.stop = stop.get_token()},
+                                          .report =
+                                              [&](float) {
+                                                  if (++drawn == 3)
+                                                      stop.request_stop();
+                                              },
+                                      });
+    EXPECT_FALSE(made);
+    EXPECT_EQ(drawn, 3);
 }
 
-class RecordingOrder : public testing::Test {
+class ChosenRecording : public testing::Test {
 protected:
-    RecordingOrder() { session.document.scene = turning(); }
+    ChosenRecording() { session.document.scene = turning(); }
 
     [[nodiscard]] std::string problem() const {
-        const Result<Recordings::Order> order = recordingOrder(session);
-        return order ? std::string() : describe(order.error());
+        const Result<Recording> recording = recordingOf(session);
+        return recording ? std::string() : describe(recording.error());
     }
 
     ServicesAtOnce services;
@@ -113,22 +99,22 @@ protected:
     RecordingChoice& choice = session.window.recording;
 };
 
-TEST_F(RecordingOrder, IsAsLongAsTheKeyFrames) {
-    EXPECT_EQ(recordingOrder(session).value().seconds, 2);
-    EXPECT_EQ(recordingOrder(session).value().pictures(), 50U);
+TEST_F(ChosenRecording, IsAsLongAsTheKeyFrames) {
+    EXPECT_EQ(recordingOf(session).value().seconds, 2);
+    EXPECT_EQ(recordingOf(session).value().pictures(), 50U);
     choice.begin = 0.5F;
     EXPECT_EQ(recordedSeconds(session), 1.5F);
-    EXPECT_EQ(recordingOrder(session).value().picture.time, 0.5);
+    EXPECT_EQ(recordingOf(session).value().picture.time, 0.5);
     choice.begin = 3;
     EXPECT_EQ(recordedSeconds(session), usualSeconds) << "behind them";
     choice.seconds = 1;
     choice.perSecond = 12.5F;
-    EXPECT_EQ(recordingOrder(session).value().pictures(), 13U);
+    EXPECT_EQ(recordingOf(session).value().pictures(), 13U);
     choice.seconds = 0.01F;
-    EXPECT_EQ(recordingOrder(session).value().pictures(), 1U);
+    EXPECT_EQ(recordingOf(session).value().pictures(), 1U);
 }
 
-TEST_F(RecordingOrder, SaysWhatAFormatCant) {
+TEST_F(ChosenRecording, SaysWhatAFormatCant) {
     EXPECT_EQ(problem(), "");
     choice.format = animation::Format::Gif;
     choice.perSecond = 60;
@@ -145,7 +131,7 @@ TEST_F(RecordingOrder, SaysWhatAFormatCant) {
     EXPECT_THAT(problem(), HasSubstr("an end within 3600 s, found 3601 s"));
 }
 
-TEST_F(RecordingOrder, ItsFileIsNamedForItsFormat) {
+TEST_F(ChosenRecording, ItsFileIsNamedForItsFormat) {
     EXPECT_EQ(recordingFileName(session), "scene.webp");
     choice.format = animation::Format::Apng;
     session.document.suggested = "/somewhere/earth.texplorer.json";
@@ -155,4 +141,4 @@ TEST_F(RecordingOrder, ItsFileIsNamedForItsFormat) {
 }
 
 } // namespace
-} // namespace texplorer::ui::recordings_test
+} // namespace texplorer::ui::recording_file_test

@@ -1,0 +1,97 @@
+#include "app/ui/model/file_writing.h"
+
+#include "core/base/background_thread.h"
+#include "core/base/file_io.h"
+#include "core/base/parallel.h"
+#include "core/base/printable.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr FailureWords fileFailure{"there is no memory for it", "it can't be made"};
+
+FileNews unwritten(const FileOrder& order, const Error& error) {
+    return {fmt::format(fmt::runtime(order.failure), describe(error)), false};
+}
+
+} // namespace
+
+std::size_t FileProgress::picturesDrawn() const {
+    return static_cast<std::size_t>(std::lround(static_cast<double>(share) * static_cast<double>(pictures)));
+}
+
+struct FileWriting::State {
+    State(When when, std::function<void()> wake, LevelWork how)
+        : levels(std::move(how))
+        , worker(
+              {when, JobOrder::Queue, fileFailure, std::move(wake), levels.stop},
+              [this](const Writing::Task& task) { return work(task); }, unwritten) {}
+
+    using Writing = Worker<FileOrder, FileNews, FileProgress>;
+
+    [[nodiscard]] std::optional<FileNews> work(const Writing::Task& task) const;
+
+    const LevelWork levels;
+    Writing worker; // last: it ends before the rest does
+};
+
+std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) const {
+    const FileOrder& order = task.job();
+    if (!task.atOnce())
+        giveWay(); // the window goes on
+    FileMaking making{.threads = task.atOnce() ? processorThreads() : std::max(1U, processorThreads() / 2),
+                      .levels = levels,
+                      .report = [&](float share) {
+                          task.report({order.file, order.pictures, share});
+                      }};
+    making.levels.stop = task.stop();
+    making.report(0);
+    const Result<MadeFile> made = order.make(making);
+    if (task.stop().stop_requested())
+        return std::nullopt;
+    if (!made)
+        return unwritten(order, made.error());
+    if (const Result<void> written = writeFileAtomically(order.file, made->bytes); !written)
+        return unwritten(order, written.error());
+    const std::string file = printable(order.file.string());
+    if (made->remark.empty())
+        return FileNews{fmt::format("Written: {}", file), true};
+    return FileNews{fmt::format("Written: {}. {}", file, made->remark), false};
+}
+
+FileWriting::FileWriting(When when, std::function<void()> wake, LevelWork levels)
+    : state_(std::make_unique<State>(when, std::move(wake), std::move(levels))) {}
+
+FileWriting::~FileWriting() = default;
+
+void FileWriting::write(FileOrder order) {
+    FileProgress progress{order.file, order.pictures};
+    state_->worker.ask(std::move(order), std::move(progress));
+}
+
+std::optional<FileProgress> FileWriting::progress() const {
+    return state_->worker.progress();
+}
+
+void FileWriting::cancel() {
+    state_->worker.drop([](const FileOrder&) { return true; });
+}
+
+std::optional<FileNews> FileWriting::takeNews() {
+    std::vector<FileNews> news = state_->worker.take();
+    if (news.empty())
+        return std::nullopt;
+    return std::move(news.back());
+}
+
+void FileWriting::wait() const {
+    state_->worker.wait();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,161 @@
+#include "core/emit/program_worker.h"
+#include "tests/support/no_threads.h"
+#include "tests/support/paused_encoding.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::emit::program_worker_test {
+namespace {
+
+using test::PausedEncoding;
+
+/// Its texels take long.
+Scene compressed(Pattern pattern = Pattern::Brick) {
+    Scene scene = defaultScene();
+    scene.textures[0].pattern = pattern;
+    scene.textures[0].compression = Compression::Cached;
+    return scene;
+}
+
+std::vector<Line> expected(const Scene& scene) {
+    TextureCodes codes;
+    return program(Flavour::Fixed, scene, {}, {}, codes).value();
+}
+
+std::optional<ProgramWorker::Program> ask(ProgramWorker& worker, const Scene& scene) {
+    return worker.program(Flavour::Fixed, scene, {}, {});
+}
+
+/// Numbers of arrays are compared by what they are, not by who makes them.
+void expectProgram(const std::optional<ProgramWorker::Program>& made, const Scene& scene) {
+    ASSERT_TRUE(made);
+    ASSERT_TRUE(*made) << describe(made->error());
+    EXPECT_EQ(textOf(made->value(), true), textOf(expected(scene), true));
+}
+
+TEST(ProgramWorker, WhatIsQuickIsThereAtOnce) {
+    bool woken = false;
+    ProgramWorker worker(When::WhenReady, [&] { woken = true; });
+    expectProgram(ask(worker, defaultScene()), defaultScene());
+    EXPECT_FALSE(worker.isMaking());
+    worker.wait();
+    EXPECT_FALSE(woken);
+}
+
+TEST(ProgramWorker, WhatTakesLongIsMadeByAThread) {
+    PausedEncoding paused;
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    EXPECT_FALSE(ask(worker, compressed()));
+    paused.waitUntilBegun();
+    EXPECT_TRUE(worker.isMaking());
+    EXPECT_FALSE(ask(worker, compressed())) << "still";
+    paused.goOn();
+    worker.wait();
+    expectProgram(ask(worker, compressed()), compressed());
+    EXPECT_FALSE(worker.isMaking());
+    EXPECT_EQ(paused.shares.size(), 1U) << "made once";
+}
+
+// What one drags while the texels are there needs no thread.
+TEST(ProgramWorker, ANumberIsChangedAtOnce) {
+    PausedEncoding paused;
+    paused.goOn();
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    EXPECT_FALSE(ask(worker, compressed()));
+    worker.wait();
+    EXPECT_TRUE(ask(worker, compressed()));
+    Scene turned = compressed();
+    turned.view.azimuth += 5;
+    turned.textures[0].wrapS = Wrap::ClampToEdge;
+    expectProgram(ask(worker, turned), turned);
+    EXPECT_EQ(paused.shares.size(), 1U);
+}
+
+TEST(ProgramWorker, ANumberThatChangesMeanwhileBeginsNothingAnew) {
+    PausedEncoding paused;
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    EXPECT_FALSE(ask(worker, compressed()));
+    paused.waitUntilBegun();
+    Scene turned = compressed();
+    turned.view.azimuth += 5;
+    EXPECT_FALSE(ask(worker, turned));
+    paused.goOn();
+    worker.wait();
+    expectProgram(ask(worker, turned), turned);
+    EXPECT_EQ(paused.shares.size(), 1U);
+}
+
+TEST(ProgramWorker, TheNewestSceneGivesUpWhatTheOneBeforeNeeded) {
+    PausedEncoding paused(0.01F);
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    EXPECT_FALSE(ask(worker, compressed(Pattern::Planet)));
+    paused.waitUntilBegun();
+    EXPECT_FALSE(ask(worker, compressed()));
+    paused.goOn();
+    worker.wait();
+    ASSERT_EQ(paused.shares.size(), 2U);
+    EXPECT_LT(paused.shares[0], 1) << "given up";
+    EXPECT_EQ(paused.shares[1], 1);
+    expectProgram(ask(worker, compressed()), compressed());
+}
+
+TEST(ProgramWorker, AQuickSceneNeedsNotWaitForAnother) {
+    PausedEncoding paused(0.01F);
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    EXPECT_FALSE(ask(worker, compressed()));
+    paused.waitUntilBegun();
+    expectProgram(ask(worker, defaultScene()), defaultScene());
+    EXPECT_FALSE(worker.isMaking());
+    paused.goOn();
+}
+
+TEST(ProgramWorker, TwoTexturesThatAreAlikeAreMadeOnce) {
+    PausedEncoding paused;
+    paused.goOn();
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    Scene scene = compressed();
+    scene.textures.push_back(scene.textures[0]);
+    EXPECT_FALSE(ask(worker, scene));
+    worker.wait();
+    expectProgram(ask(worker, scene), scene);
+    EXPECT_EQ(paused.shares.size(), 1U);
+}
+
+TEST(ProgramWorker, ForgetsWhatNobodyLooksAt) {
+    PausedEncoding paused;
+    paused.goOn();
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    EXPECT_FALSE(ask(worker, compressed()));
+    worker.wait();
+    EXPECT_TRUE(ask(worker, compressed()));
+    worker.rest();
+    EXPECT_FALSE(worker.isMaking());
+    EXPECT_FALSE(ask(worker, compressed()));
+    worker.wait();
+    EXPECT_TRUE(ask(worker, compressed()));
+    EXPECT_EQ(paused.shares.size(), 2U);
+}
+
+TEST(ProgramWorker, IsThereAtOnceForAProgramWithoutAUser) {
+    ProgramWorker worker(When::AtOnce);
+    expectProgram(ask(worker, compressed()), compressed());
+    EXPECT_FALSE(worker.isMaking());
+}
+
+TEST(ProgramWorker, WorksWithoutAThread) {
+    const test::NoThreads none;
+    ProgramWorker worker(When::WhenReady);
+    expectProgram(ask(worker, compressed()), compressed());
+}
+
+TEST(ProgramWorker, PassesOnWhatAProgramCantSay) {
+    Scene scene = compressed();
+    scene.textures[0].wrapS = Wrap::ClampToBorder;
+    ProgramWorker worker(When::AtOnce);
+    const auto made = worker.program(Flavour::WebGl, scene, {}, {});
+    ASSERT_TRUE(made);
+    EXPECT_FALSE(*made);
+}
+
+} // namespace
+} // namespace texplorer::emit::program_worker_test
