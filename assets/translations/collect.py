@@ -35,7 +35,7 @@ CATALOGUES = {
                "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/autosave/", "core/codec/", "core/compare/difference", "core/image/",
-                 "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "core/sheet/", "core/animation/", "app/animation/", "app/lettering/",
+                 "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/", "app/animation/", "app/lettering/",
                  "app/render/", "app/opengl/", "app/explorer/"],
 }
 
@@ -46,6 +46,8 @@ ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "0": "\0", "'": "'"}
 UNSEEN = re.compile(r'(noteItem|noteBox|PushID|GetID|BeginChild|InvisibleButton|wasUsed|static_assert|assert|getenv|rule'
                     r'|CallRow|[cC]odeLine|emit|cStyle)\(\s*(std::string\()?$|#include\s*$|PictureText\{\s*$|extern\s*$|since\s*=\s*$')
 ALWAYS = re.compile(r'\b(words|tr|label|unit|word)\(\s*$')
+# Of what writes programs: why it can't; the rest is C.
+REFUSAL = re.compile(r'(\b(fail|refuse)\(|\bFailureWords \w+\{)[^;]*$')
 COUNT = re.compile(r'\bcountOf\([^"]*,\s*$')
 
 
@@ -116,6 +118,8 @@ def collect():
                 for before, text in literals(path.read_text()):
                     line = before.rsplit("\n", 1)[-1]
                     plural = None
+                    if where.startswith("core/emit/") and name == "messages" and not REFUSAL.search(before):
+                        continue
                     if COUNT.search(before):
                         text, plural = "{} " + text, "{} " + text + "s"
                     elif UNSEEN.search(before) or line.lstrip().startswith("#"):

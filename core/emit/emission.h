@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer::emit {
@@ -36,6 +37,12 @@ struct FrameStart {
     std::array<bool, maxUnits> hasMatrix{};
     bool unitIsUnknown = false; ///< of glActiveTexture
 };
+
+/// Why a flavour can't say a parameter, in one sentence.
+[[nodiscard]] inline tl::unexpected<Error> refuse(std::string sentence, const std::string& path,
+                                                  const std::string& key) {
+    return fail(ErrorCode::Unsupported, std::move(sentence), path + '.' + key);
+}
 
 /// What is written, and what the parts of it have to know of each other.
 struct Emission {

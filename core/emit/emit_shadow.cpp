@@ -81,10 +81,9 @@ Result<void> checkShadowMaps(const Scene& scene) {
                                     rowOf(Target::Texture2D).name, rowOf(object.target).name),
                         path);
         if (!isDepth(texture.internalFormat))
-            return fail(ErrorCode::Unsupported,
-                        fmt::format("a program draws what the light sees into a texture of depths, not {}",
-                                    rowOf(texture.internalFormat).name),
-                        fmt::format("{}.{}", path, keyOf<&Texture::internalFormat>()));
+            return refuse(fmt::format("a program draws what the light sees into a texture of depths, not {}",
+                                      rowOf(texture.internalFormat).name),
+                          path, keyOf<&Texture::internalFormat>());
     }
     return {};
 }

@@ -111,17 +111,15 @@ std::vector<std::pair<const std::string*, Wrap>> wrapsOf(const Texture& texture,
 Result<void> sayableTexture(const Texture& texture, const TextureCode& code, Target target,
                             const std::string& path) {
     if (code.border != 0)
-        return fail(ErrorCode::Unsupported,
-                    fmt::format("{}.{}: textures have no border in OpenGL 3.3's core profile", path,
-                                keyOf<&Texture::border>()));
+        return refuse("textures have no border in OpenGL 3.3's core profile", path,
+                      keyOf<&Texture::border>());
     if (readsNearestAlone(texture) || !(isDepth(code.shape.internalFormat) || target == Target::CubeMap))
         return {};
     for (const auto& [key, wrap] : wrapsOf(texture, target)) {
         if (wrap == Wrap::Clamp)
-            return fail(ErrorCode::Unsupported,
-                        fmt::format("{}.{}: OpenGL 3.3's core profile has no {}, only {} and {}", path, *key,
-                                    rowOf(wrap).name, rowOf(Wrap::ClampToEdge).name,
-                                    rowOf(Wrap::ClampToBorder).name));
+            return refuse(fmt::format("OpenGL 3.3's core profile has no {}, only {} and {}", rowOf(wrap).name,
+                                      rowOf(Wrap::ClampToEdge).name, rowOf(Wrap::ClampToBorder).name),
+                          path, *key);
     }
     return {};
 }
@@ -140,12 +138,10 @@ Result<void> sayable(const GlslEmission& glsl) {
                 !said)
                 return said;
             if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
-                return fail(
-                    ErrorCode::Unsupported,
-                    fmt::format("{}.{}.{}: a program in GLSL can't move coordinates of an image that lies "
-                                "upside down",
-                                elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i),
-                                keyOf<&Unit::emboss>()));
+                return refuse(
+                    "the shaders can't move coordinates of an image that lies upside down",
+                    fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i)),
+                    keyOf<&Unit::emboss>());
         }
     }
     return {};

@@ -244,7 +244,7 @@ Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& p
         return fail(levels.error());
     TextureCode code = CodeMaker(texture, pictures, target, reader).make(*levels, work.stop);
     if (work.stop.stop_requested())
-        return fail(ErrorCode::Cancelled, "making its texels was cancelled");
+        return fail(ErrorCode::Cancelled, "making its levels was cancelled");
     code.shape = reference::shapeOf(*levels, target);
     return code;
 }

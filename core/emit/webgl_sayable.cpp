@@ -12,18 +12,15 @@
 namespace texplorer::emit {
 namespace {
 
-Error lacking(const std::string& path, const std::string& key, std::string_view what) {
-    return {ErrorCode::Unsupported, fmt::format("WebGL 2 has no {}", what), fmt::format("{}.{}", path, key)};
-}
-
 Result<void> isSayable(const Texture& texture, const TextureCode& code, const Unit& unit,
                        const std::string& path) {
     if (code.border != 0)
-        return fail(lacking(path, keyOf<&Texture::border>(), "textures with a border"));
+        return refuse("WebGL 2 has no textures with a border", path, keyOf<&Texture::border>());
     if (code.driverCompresses)
-        return fail(lacking(path, keyOf<&Texture::compression>(), "compression by the driver"));
+        return refuse("WebGL 2 has no compression by the driver", path, keyOf<&Texture::compression>());
     if (code.blocks == BlockFormat::Bc4Signed || code.blocks == BlockFormat::Bc5Signed)
-        return fail(lacking(path, keyOf<&Texture::file>(), "texels below 0 in 8 bits that are filtered"));
+        return refuse("WebGL 2 has no texels below 0 in 8 bits that are filtered", path,
+                      keyOf<&Texture::file>());
     const std::array wraps{std::pair{&keyOf<&Texture::wrapS>(), texture.wrapS},
                            std::pair{&keyOf<&Texture::wrapT>(), texture.wrapT},
                            std::pair{&keyOf<&Texture::wrapR>(), texture.wrapR}};
@@ -31,11 +28,12 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
     for (int i = 0; i < count; ++i) {
         const auto& [key, wrap] = wraps.at(static_cast<std::size_t>(i));
         if (wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && !readsNearestAlone(texture)))
-            return fail(lacking(path, *key, rowOf(wrap).name));
+            return refuse(fmt::format("WebGL 2 has no {}", rowOf(wrap).name), path, *key);
     }
     if (isDepth(code.shape.internalFormat) && texture.compareMode == CompareMode::None &&
         !readsNearestAlone(texture))
-        return fail(lacking(path, keyOf<&Texture::magFilter>(), "averages of depths that aren't compared"));
+        return refuse("WebGL 2 has no averages of depths that aren't compared", path,
+                      keyOf<&Texture::magFilter>());
     return {};
 }
 
@@ -56,20 +54,18 @@ Result<void> sayableInWebGl(const GlslEmission& glsl) {
                 return said;
             if (unit.target == Target::CubeMap && !drawn.seamlessCubeMap &&
                 !readsNearestAlone(scene.textures[texture]))
-                return fail(ErrorCode::Unsupported,
-                            "WebGL 2 always filters across the edges of a cube map: switch it on",
-                            fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index),
-                                        keyOf<&Pass::seamlessCubeMap>()));
+                return refuse("WebGL 2 always filters across the edges of a cube map: switch it on",
+                              elementOf<&Scene::passes>(pass.index), keyOf<&Pass::seamlessCubeMap>());
             if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
-                return fail(ErrorCode::Unsupported,
-                            "coordinates of an image that lies upside down can't be moved",
-                            fmt::format("{}.{}.{}", elementOf<&Scene::passes>(pass.index),
-                                        elementOf<&Pass::units>(i), keyOf<&Unit::emboss>()));
+                return refuse(
+                    "the shaders can't move coordinates of an image that lies upside down",
+                    fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i)),
+                    keyOf<&Unit::emboss>());
         }
         for (const std::size_t model : drawnModels(scene, drawn)) {
             if (partCorners(scene.models[model]) == 2 && scene.models[model].lineWidth != 1)
-                return fail(lacking(elementOf<&Scene::models>(model), keyOf<&Model::lineWidth>(),
-                                    "lines of another width than 1"));
+                return refuse("WebGL 2 has no lines of another width than 1",
+                              elementOf<&Scene::models>(model), keyOf<&Model::lineWidth>());
         }
     }
     return {};

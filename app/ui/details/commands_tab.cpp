@@ -5,6 +5,7 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/program_menu.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/params/key_edits.h"
 
@@ -21,10 +22,12 @@ namespace {
 constexpr const char* commandsHint = "Drag numbers, click names and switches";
 constexpr const char* makingHint = "Making the texels; until then the last program";
 
-void toolRow(const Session& session, CommandsTabState& state) {
+void toolRow(Session& session, CommandsTabState& state) {
     const char* copy = "Copy";
+    const char* save = "Export…";
     const char* hint = session.services.programs.isMaking() ? makingHint : commandsHint;
-    const float width = buttonWidth(copy);
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = buttonWidth(copy) + inner + buttonWidth(save);
     ImGui::Checkbox(label("All calls"), &state.showsAll);
     noteItem("all commands");
     helpTip("Off: only the calls that change what OpenGL starts with");
@@ -32,14 +35,23 @@ void toolRow(const Session& session, CommandsTabState& state) {
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(hint)).x + ImGui::GetFontSize() + width) {
         ImGui::AlignTextToFramePadding();
         dimText(hint);
-        noteItem(hint == makingHint ? "making commands" : "commands hint");
+        noteItem(hint == makingHint ? "commands:making" : "commands:hint");
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     if (ImGui::Button(label(copy)))
         ImGui::SetClipboardText(emit::textOf(state.lines, state.showsAll).c_str());
     noteItem("copy commands");
-    helpTip("Copies the calls that are listed, as C");
+    helpTip("Copies the program that is listed, as C");
+    ImGui::SameLine(0, inner);
+    if (ImGui::Button(label(save)))
+        ImGui::OpenPopup("export");
+    noteItem("export commands");
+    helpTip("Writes a program that draws the scene into a file: in C, or as a page for a browser");
+    if (ImGui::BeginPopup("export")) {
+        programMenuItems(session);
+        ImGui::EndPopup();
+    }
 }
 
 /// The lines that are listed, broken into rows of so many letters.

@@ -24,6 +24,7 @@
 namespace texplorer::ui {
 namespace {
 
+constexpr const char* recordWords = "Record animation…";
 constexpr std::array grids{0.0F, 0.05F, 0.1F, 0.25F, 0.5F, 1.0F};
 
 /// What is so wide stands beside the last widget, or where that has no room in the next line.
@@ -79,6 +80,24 @@ void timeControls(Session& session, TimelineTabState& state) {
     helpTip("Behind the last key frame time begins anew.");
     besideOrBelow(ImGui::GetFontSize() * 6);
     gridChoice(state);
+    besideOrBelow(buttonWidth(recordWords));
+    if (ImGui::Button(label(recordWords)))
+        session.window.dialog = Dialog::Record;
+    noteItem("timeline:record");
+    helpTip("Writes what moves as a GIF, a WebP or a PNG, drawn beside the window.");
+}
+
+/// How one begins, and something to begin with.
+void drawBeginning(Session& session) {
+    dimWrappedText(
+        "Nothing has key frames yet. Choose a time, and add one by a right click on any parameter: "
+        "it moves from one of its key frames to the next.");
+    noteItem("timeline:empty");
+    ImGui::Spacing();
+    if (ImGui::Button(label("Turn the view")))
+        turnView(session);
+    noteItem("timeline:turn");
+    helpTip("An example: two key frames, with which the camera goes once around the models in 4 seconds.");
 }
 
 void easingChoice(Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
@@ -186,11 +205,7 @@ void drawTimelineTab(Session& session, TimelineTabState& state) {
     timeControls(session, state);
     if (session.document.scene.timeline.keys.empty()) {
         state.chosen.reset();
-        dimWrappedText(
-            "Nothing has key frames yet. Choose a time, and add one by a right click on any parameter: "
-            "it moves from one of its key frames to the next.");
-        noteItem("timeline:empty");
-        return;
+        return drawBeginning(session);
     }
     if (state.chosen) {
         keyControls(session, state);

@@ -226,11 +226,10 @@ void sentence(const Axes& axes) {
             helpTip(words);
         return noteItem("sheet:too many");
     }
-    constexpr const char* words =
-        "Every pair of values, drawn by the reference. Rest on a picture: the view shows it. Click: the scene "
-        "takes both values.";
-    const std::string more =
-        tr("Each picture is drawn as small as it is here, and so minifies more than the view.");
+    constexpr const char* words = "Rest on a picture to see it large; click to take its values.";
+    const std::string more = tr(
+        "Every pair of values, drawn by the reference: as small as it is here, and so it minifies more than "
+        "the view.");
     helpTip(fittedText(words, color::dim) ? fmt::format("{}\n{}", tr(words), more) : more);
 }
 

@@ -3,6 +3,8 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "core/scene/params/key_edits.h"
+#include "core/scene/params/keys.h"
+#include "core/scene/params/param_text.h"
 #include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
@@ -90,6 +92,23 @@ void addKey(Session& session, std::string_view path, float time) {
     if (!added)
         return say(session, fmt::format("There can be no key frame: {}.", describe(added.error())));
     recordAlone(session, "Add key frame", path);
+}
+
+void turnView(Session& session) {
+    constexpr float turn = 360;
+    constexpr float seconds = 4;
+    const std::string path = pathOf<&Scene::view, &View::azimuth>();
+    const float now = session.document.scene.view.azimuth;
+    const float then = now > 0 ? now - turn : now + turn; // the range ends at one turn
+    Scene scene = session.document.scene;
+    for (const auto& [time, value] : {std::pair{0.0F, now}, std::pair{seconds, then}}) {
+        if (const Result<std::size_t> added = putKey(scene, path, time, formatNumber(value)); !added)
+            return say(session, fmt::format("There can be no key frame: {}.", describe(added.error())));
+    }
+    session.document.scene = std::move(scene);
+    recordAlone(session, "Turn the view", path);
+    session.window.playback.time = 0;
+    session.window.playback.playing = true;
 }
 
 void removeKey(Session& session, std::size_t key) {

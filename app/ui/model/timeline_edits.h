@@ -32,6 +32,8 @@ void goToKey(Session& session, int direction);
 
 /// The parameter is at a time what it is then.
 void addKey(Session& session, std::string_view path, float time);
+/// Two keys with which the view turns once around the models, and time goes on from the first.
+void turnView(Session& session);
 void removeKey(Session& session, std::size_t key);
 /// All of a parameter, which stays what it is now.
 void removeKeys(Session& session, std::string_view path);

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/program_menu.h"
 #include "app/ui/window/comfort.h"
 #include "app/ui/window/kept_controls.h"
 #include "app/ui/window/notes.h"
@@ -106,11 +107,7 @@ void fileMenu(Session& session) {
     if (item("Save as…", "save as"))
         askSaveAs(session);
     if (menu("Export as program")) {
-        for (const EnumRow& row : emit::flavourRows) {
-            if (item(std::string(row.label)))
-                askSaveProgram(session, static_cast<emit::Flavour>(row.value));
-            helpTip(std::string(row.help));
-        }
+        programMenuItems(session);
         ImGui::EndMenu();
     }
     ImGui::Separator();

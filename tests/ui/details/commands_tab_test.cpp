@@ -139,6 +139,15 @@ TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
     EXPECT_TRUE(scene().models[0].texCoords[0].empty());
 }
 
+TEST_F(CommandsTab, LeadsToAFile) {
+    click("export commands");
+    frames(2);
+    click("menu:Page with WebGL 2");
+    frames(2);
+    EXPECT_EQ(session->window.dialog, Dialog::SaveProgram);
+    EXPECT_EQ(states.dialogs.browser.typed, "scene.html");
+}
+
 // The last program stays, and what it has is dragged, while a thread makes the texels of the next.
 TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
     PausedEncoding paused;
@@ -148,13 +157,13 @@ TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
           atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
           atOnce.sheet, beside, atOnce.writing});
     show();
-    EXPECT_TRUE(has("commands hint"));
+    EXPECT_TRUE(has("commands:hint"));
     const std::string before = copied();
     ASSERT_THAT(before, HasSubstr("checkerboard("));
     texture().compression = Compression::Cached;
     frames(2);
     paused.waitUntilBegun();
-    EXPECT_TRUE(has("making commands"));
+    EXPECT_TRUE(has("commands:making"));
     EXPECT_EQ(copied(), before);
     find("command:material.shininess");
     drag(place("command:material.shininess"), {40, 0});
@@ -162,7 +171,7 @@ TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
     paused.goOn();
     beside.wait();
     frames(2);
-    EXPECT_TRUE(has("commands hint"));
+    EXPECT_TRUE(has("commands:hint"));
     EXPECT_THAT(copied(),
                 testing::AllOf(HasSubstr("glCompressedTexImage2D"), Not(HasSubstr("checkerboard("))));
     EXPECT_THAT(copied(), HasSubstr("GL_SHININESS, 52"));

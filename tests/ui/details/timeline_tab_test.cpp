@@ -43,6 +43,32 @@ TEST_F(TimelineTab, SaysHowItBegins) {
     EXPECT_TRUE(has("key:view.azimuth@4"));
 }
 
+TEST_F(TimelineTab, HasSomethingToBeginWith) {
+    for (const float azimuth : {-30.0F, 40.0F}) {
+        scene().view.azimuth = azimuth;
+        recordEdit(*session, "Azimuth");
+        sealEdit(*session);
+        frames(2);
+        click("timeline:turn");
+        frames(2);
+        ASSERT_EQ(keys().size(), 2U);
+        EXPECT_TRUE(session->window.playback.playing);
+        EXPECT_NEAR(sceneAt(scene(), 0).view.azimuth, azimuth, 0.001F);
+        const float half = sceneAt(scene(), 2).view.azimuth - azimuth;
+        EXPECT_NEAR(std::abs(half), 180, 0.001F);
+        EXPECT_NEAR(sceneAt(scene(), 4).view.azimuth - azimuth, 2 * half, 0.001F);
+        key('Z', {ctrl});
+        frames(2);
+        EXPECT_TRUE(has("timeline:empty")) << "one step";
+        EXPECT_EQ(scene().view.azimuth, azimuth);
+    }
+}
+
+TEST_F(TimelineTab, LeadsToTheRecording) {
+    click("timeline:record");
+    EXPECT_EQ(session->window.dialog, Dialog::Record);
+}
+
 TEST_F(TimelineTab, IsOpenedBesideTheClock) {
     session->window.wantedTab = Tab::Commands;
     frames(3);

@@ -1,0 +1,21 @@
+#include "app/ui/widgets/program_menu.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/asking.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+
+#include <fmt/core.h>
+
+namespace texplorer::ui {
+
+void programMenuItems(Session& session) {
+    for (const EnumRow& row : emit::flavourRows) {
+        if (ImGui::MenuItem(label(row.label).c_str()))
+            askSaveProgram(session, static_cast<emit::Flavour>(row.value));
+        noteItem(fmt::format("menu:{}", row.label));
+        helpTip(std::string(row.help));
+    }
+}
+
+} // namespace texplorer::ui

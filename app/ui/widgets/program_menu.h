@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+namespace texplorer::ui {
+
+/// In a menu: what the scene may be exported as.
+void programMenuItems(Session& session);
+
+} // namespace texplorer::ui
