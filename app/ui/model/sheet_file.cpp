@@ -11,7 +11,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <memory>
+#include <string_view>
 #include <utility>
 
 namespace texplorer::ui {
