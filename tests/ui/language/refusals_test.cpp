@@ -32,7 +32,8 @@ constexpr std::array refusals{
             [](Scene& scene) { scene.textures[0].compression = Compression::Driver; }},
     Refusal{"line", emit::Flavour::WebGl,
             [](Scene& scene) {
-                scene.models[0].primitive = Primitive::Lines;
+                scene.models[0].shape = Shape::Mesh;
+                scene.models[0].mesh = {.primitive = Primitive::Lines, .positions = {{0, 0, 0}, {1, 0, 0}}};
                 scene.models[0].lineWidth = 3;
             }},
     Refusal{"core border", emit::Flavour::Glsl, [](Scene& scene) { scene.textures[0].border = 1; }},
