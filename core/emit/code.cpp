@@ -90,9 +90,15 @@ std::string textOf(const std::vector<Line>& lines, bool all) {
         }
         const std::string shown = textOf(line);
         text += shown.substr(0, shown.find('{') + 1) + "\n";
-        text += (*line.data)() + "};\n";
+        text += line.data->text() + "};\n";
     }
     return text;
+}
+
+bool readsAs(const Line& line, const Line& other) {
+    return line.needed == other.needed && line.heading == other.heading && line.depth == other.depth &&
+           textOf(line) == textOf(other) &&
+           (line.data == other.data || (line.data && other.data && *line.data == *other.data));
 }
 
 std::vector<std::vector<Part>> wrapped(const Line& line, std::size_t columns) {

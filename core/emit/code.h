@@ -31,8 +31,16 @@ struct Part {
     bool operator==(const Part&) const = default;
 };
 
-/// Writes many numbers: that takes longer than all the rest of a program, and not everybody reads them.
-using Numbers = std::function<std::string()>;
+/// Many numbers: to write them takes longer than all the rest of a program, and not everybody reads them.
+struct Numbers {
+    std::function<std::string()> text;
+    /// Numbers of the same source are the same, which is known without writing them; nullptr: of none.
+    std::shared_ptr<const void> source{};
+
+    bool operator==(const Numbers& other) const {
+        return source && other.source ? source == other.source : text() == other.text();
+    }
+};
 
 struct Line {
     std::vector<Part> parts;
@@ -47,6 +55,9 @@ struct Line {
 };
 
 [[nodiscard]] std::string textOf(const Line& line);
+
+/// Whether both are the same to who reads them, and where they stand.
+[[nodiscard]] bool readsAs(const Line& line, const Line& other);
 
 /// Whether a line has to do with a parameter.
 [[nodiscard]] bool mentions(const Line& line, std::string_view path);

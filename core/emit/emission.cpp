@@ -87,7 +87,7 @@ bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
 
 void Emission::addData(const std::string& type, const std::string& name, std::size_t count,
                        std::string numbers) {
-    addData(type, name, count, Numbers([text = std::move(numbers)] { return text; }));
+    addData(type, name, count, Numbers{[text = std::move(numbers)] { return text; }});
 }
 
 void Emission::addData(const std::string& type, const std::string& name, std::size_t count, Numbers numbers) {

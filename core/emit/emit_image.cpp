@@ -192,7 +192,8 @@ private:
     }
 
     [[nodiscard]] Numbers numbersOf(const LevelCode& level, bool wide = false) const {
-        return [owner = owner_, &level, wide] { return numbersText(level.bytes, wide); };
+        return {[owner = owner_, &level, wide] { return numbersText(level.bytes, wide); },
+                std::shared_ptr<const void>(owner_, &level)};
     }
 
     [[nodiscard]] Part

@@ -224,7 +224,7 @@ private:
             const std::size_t all = values.size();
             return emission_.addData(
                 "GLfloat", variable_ + name, all,
-                Numbers([values = std::move(values), columns] { return floatsText(values, columns); }));
+                Numbers{[values = std::move(values), columns] { return floatsText(values, columns); }});
         }
         writer_.add(fmt::format("static const GLfloat {}{}[] = {{", variable_, name));
         writer_.indent();
@@ -259,7 +259,7 @@ private:
         }
         const std::size_t count = values.size();
         emission_.addData("GLfloat", fmt::format("{}Tangents{}", variable_, unit), count,
-                          Numbers([values = std::move(values)] { return floatsText(values, 6); }));
+                          Numbers{[values = std::move(values)] { return floatsText(values, 6); }});
         emission_.atStart.add({plain(fmt::format("static GLfloat {}EmbossedCoords{}[{}]; ", variable_, unit,
                                                  4 * mesh_.vertices.size())),
                                {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
@@ -279,7 +279,7 @@ private:
             const std::size_t count = indices.size();
             return emission_.addData(
                 "GLuint", variable_ + "Indices", count,
-                Numbers([indices = std::move(indices)] { return indicesText(indices); }));
+                Numbers{[indices = std::move(indices)] { return indicesText(indices); }});
         }
         std::string list;
         for (const std::uint32_t each : indices)

@@ -92,17 +92,14 @@ private:
         for (const auto& [path, param] : keys.params())
             most = std::max(most, stancesOf(param).size());
         Lines program;
-        std::string first; // its text
         for (std::size_t i = 0; i < most; ++i) {
             const Scene stands = standing(start, keys, i);
             keys.standAt(stands);
             Result<Lines> lines = of(stands, keys);
             if (!lines)
                 return lines;
-            std::string text = textOf(*lines, true) + textOf(*lines, false);
-            if (!keys.refused().empty() || (i > 0 && text != first))
+            if (!keys.refused().empty() || (i > 0 && !std::ranges::equal(*lines, program, readsAs)))
                 return fail(ErrorCode::Unsupported, {}, keys.refused());
-            first = std::move(text);
             program = std::move(*lines);
         }
         return program;

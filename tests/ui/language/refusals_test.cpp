@@ -36,6 +36,11 @@ constexpr std::array refusals{
                 scene.models[0].mesh = {.primitive = Primitive::Lines, .positions = {{0, 0, 0}, {1, 0, 0}}};
                 scene.models[0].lineWidth = 3;
             }},
+    Refusal{
+        "key frames", emit::Flavour::Fixed,
+        [](Scene& scene) {
+            scene.timeline.keys = {{0, "textures[0].pattern", "brick"}, {1, "textures[0].pattern", "planet"}};
+        }},
     Refusal{"core border", emit::Flavour::Glsl, [](Scene& scene) { scene.textures[0].border = 1; }},
     Refusal{"depths", emit::Flavour::Fixed, [](Scene& scene) { showDepths(scene, InternalFormat::Rgba); }},
 };
