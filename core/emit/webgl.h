@@ -16,6 +16,8 @@ void writeWebModelSetup(GlslEmission& glsl, std::size_t model);
 void writeWebEmboss(GlslEmission& glsl, const GlslPass& pass, std::size_t model,
                     const std::string& modelView);
 
+/// Every `word` of a text.
+void replaceAll(std::string& text, std::string_view word, std::string_view with);
 /// A line of C as JavaScript: names, numbers, types.
 [[nodiscard]] Line asJavaScript(Line line);
 

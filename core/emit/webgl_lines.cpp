@@ -64,11 +64,6 @@ std::string methods(const std::string& text) {
     return out;
 }
 
-void replaceAll(std::string& text, std::string_view word, std::string_view with) {
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size()))
-        text.replace(at, word.size(), with);
-}
-
 void stagesToEs(GlslPass& pass, const Pass& drawn, bool hasPoints) {
     constexpr std::string_view desktop = "#version 330 core\n";
     constexpr std::string_view es = "#version 300 es\n";
@@ -117,6 +112,11 @@ std::string translated(const std::string& text) {
 }
 
 } // namespace
+
+void replaceAll(std::string& text, std::string_view word, std::string_view with) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size()))
+        text.replace(at, word.size(), with);
+}
 
 Line asJavaScript(Line line) {
     for (Part& part : line.parts) {

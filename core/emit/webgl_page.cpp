@@ -3,6 +3,7 @@
 #include "core/base/html.h"
 #include "core/base/printable.h"
 #include "core/emit/js_functions.h"
+#include "core/emit/piece_files.h"
 #include "core/emit/webgl.h"
 #include "core/gl/fragment.h"
 
@@ -61,122 +62,14 @@ bool readsTargetAlpha(const Scene& scene) {
     });
 }
 
-constexpr std::string_view pageHead = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>{0}</title>
-<style>
-html, body {{ height: 100%; margin: 0; background: #222; color: #eee; font-family: sans-serif; }}
-canvas {{ display: block; width: 100%; height: 100%; touch-action: none; }}
-p {{ padding: 1em; }}
-</style>
-</head>
-<body>
-<canvas id="canvas" tabindex="0" role="img" aria-label="{0}. Drag it or use the arrow keys to turn the view; plus and minus go nearer and farther."></canvas>
-<p id="problem" role="alert" hidden></p>
-<script>
-"use strict";
-)";
-
-constexpr std::string_view pageHandlers = R"(
-// Dragging turns the view, the wheel goes nearer; keys do the same.
-canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
-canvas.addEventListener("pointermove", (event) => {
-    if (event.buttons & 1) turn(-event.movementX / 2, event.movementY / 2, 1);
-});
-canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    turn(0, 0, 0.9 ** (-event.deltaY / 100));
-}, {passive: false});
-canvas.addEventListener("keydown", (event) => {
-    const steps = {
-        ArrowLeft: [5, 0, 1], ArrowRight: [-5, 0, 1], ArrowUp: [0, -5, 1], ArrowDown: [0, 5, 1],
-        "+": [0, 0, 0.9], "-": [0, 0, 1 / 0.9],
-    };
-    if (steps[event.key]) turn(...steps[event.key]);
-});
-
-function turn(aside, upwards, farther) {
-    azimuth += aside;
-    elevation += upwards;
-    distance *= farther;
-    redraw();
+const std::string& pieceOf(std::string_view file) {
+    return std::ranges::find(pageFiles(), file, &PieceFile::name)->text;
 }
-
-// As many pixels as the screen has where the canvas is.
-function resize() {
-    const width = Math.max(1, Math.round(canvas.clientWidth * devicePixelRatio));
-    const height = Math.max(1, Math.round(canvas.clientHeight * devicePixelRatio));
-    if (canvas.width === width && canvas.height === height) return;
-    canvas.width = width;
-    canvas.height = height;
-    redraw();
-}
-)";
-
-constexpr std::string_view movingFrames = R"(
-function redraw() {} // the next frame comes anyway
-
-function frame(milliseconds) {
-    draw(canvas.width, canvas.height, milliseconds / 1000);
-    requestAnimationFrame(frame);
-}
-)";
-
-constexpr std::string_view stillFrames = R"(
-// Nothing moves by itself: a frame is drawn where something has changed.
-let isAsked = false;
-function redraw() {
-    if (isAsked) return;
-    isAsked = true;
-    requestAnimationFrame(frame);
-}
-
-function frame() {
-    isAsked = false;
-    draw(canvas.width, canvas.height);
-}
-)";
-
-constexpr std::string_view opaque = R"(
-// Blending needs alpha while it draws; the page isn't to shine through what it leaves.
-function makeOpaque() {{
-    gl.colorMask(false, false, false, true);
-    gl.clearColor(0, 0, 0, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    gl.colorMask(true, true, true, true);
-    gl.clearColor({}, {}, {}, {});
-}}
-)";
-
-constexpr std::string_view pageStart = R"(
-try {
-    if (!gl) throw new Error("This page needs WebGL 2, which the browser doesn't offer.");
-    init();
-    resize();
-    new ResizeObserver(resize).observe(canvas);
-    requestAnimationFrame(frame);
-} catch (error) {
-    canvas.style.display = "none";
-    const problem = document.getElementById("problem");
-    problem.textContent = error.message;
-    problem.hidden = false;
-}
-</script>
-</body>
-</html>
-)";
 
 /// Nothing within a script ends it.
 std::string withinScript(std::string text) {
-    for (const auto& [word, with] :
-         {std::pair<std::string_view, std::string_view>{"</", "<\\/"}, {"<!--", "<\\!--"}}) {
-        for (std::size_t at = text.find(word); at != std::string::npos;
-             at = text.find(word, at + with.size()))
-            text.replace(at, word.size(), with);
-    }
+    replaceAll(text, "</", "<\\/");
+    replaceAll(text, "<!--", "<\\!--");
     return text;
 }
 
@@ -210,7 +103,8 @@ std::vector<Line> webPage(Emission&& emission) {
     std::vector<Line> data = scriptOf(std::move(emission.atEnd).take());
     finish(script);
     std::string words = textOf(script, false) + textOf(data, false);
-    std::string text = fmt::format(pageHead, escapedHtml(withoutLine(options.title)));
+    std::string text = pieceOf("page.html");
+    replaceAll(text, "TITLE", escapedHtml(withoutLine(options.title)));
     std::string first = commentOf(options.title) + commentOf(options.about);
     const bool readsAlpha = readsTargetAlpha(emission.scene);
     first += "const canvas = document.getElementById(\"canvas\");\n";
@@ -221,16 +115,15 @@ std::vector<Line> webPage(Emission&& emission) {
     text += withinScript(first);
     text += withinScript("\n" + jsFunctionsFor(words));
     text += withinScript(words);
-    text += pageHandlers;
-    std::string frames(emission.moves ? movingFrames : stillFrames);
+    text += "\n" + pieceOf("handlers.js") + "\n";
+    std::string frames = pieceOf(emission.moves ? "moving_frames.js" : "still_frames.js");
     if (readsAlpha) {
-        const glm::vec4& background = emission.scene.view.background;
-        text += fmt::format(opaque, background.r, background.g, background.b, background.a);
+        text += pieceOf("make_opaque.js") + "\n";
         const std::size_t end = frames.find(");\n", frames.find("draw(canvas"));
         frames.insert(end + 3, "    makeOpaque();\n");
     }
-    text += frames;
-    text += pageStart;
+    text += frames + "\n" + pieceOf("start.js");
+    text += "</script>\n</body>\n</html>\n";
     std::vector<Line> lines;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());

@@ -42,8 +42,8 @@ Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& ques
 
 Result<Contributions> findContributions(const DrawRequest& request, const TexelQuestion& question,
                                         const DrawOptions& options, TextureStore& textures) {
-    const auto& [scene, images, time, width, height, anisotropy] = request;
-    const Viewport viewport{width, height};
+    const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
+    const Viewport viewport{width, height, cornerBits};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the search was stopped"); };
     Contributions found;
     const std::vector<PassState> passes =

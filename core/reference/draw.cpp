@@ -43,15 +43,16 @@ struct ReferenceRenderer::State {
         const bool lit = showsLightDepths(*scene);
         if (!lit && &*scene == &request.scene)
             return request;
-        seen = {*scene, request.images, request.time, request.width, request.height, request.anisotropy};
+        seen = {*scene,         request.images,     request.time,      request.width,
+                request.height, request.anisotropy, request.cornerBits};
         if (lit)
             seen.images = lightDepths.addedTo(request.images, seen.scene, request.time, options.stop);
         return seen;
     }
 
     Result<Frame> draw(const DrawRequest& request, const DrawOptions& options) {
-        const auto& [scene, images, time, width, height, anisotropy] = request;
-        const Viewport viewport{width, height};
+        const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
+        const Viewport viewport{width, height, cornerBits};
         std::vector<std::string> problems;
         textures.keepOnly(scene);
         const std::vector<PassState> passes =

@@ -14,6 +14,9 @@ struct DrawRequest {
     int width = 1;   ///< pixels
     int height = 1;
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
+    /// GL_SUBPIXEL_BITS of a driver that computes everything from corners that it has snapped to as many; 0:
+    /// what is interpolated is exact, and edges have 8.
+    int cornerBits = 0;
 
     bool operator==(const DrawRequest&) const = default;
 };

@@ -56,8 +56,8 @@ bool LevelMap::isMagnified(const PixelLevels& pixel) const {
 
 Result<LevelMap> findLevels(const DrawRequest& request, const LevelQuestion& question,
                             const DrawOptions& options, TextureStore& textures) {
-    const auto& [scene, images, time, width, height, anisotropy] = request;
-    const Viewport viewport{width, height};
+    const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
+    const Viewport viewport{width, height, cornerBits};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the search was stopped"); };
     LevelMap map;
     const std::vector<PassState> passes =

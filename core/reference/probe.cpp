@@ -396,13 +396,14 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
 
 Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, const DrawOptions& options,
                                  TextureStore& textures) {
-    const auto& [scene, images, time, width, height, anisotropy] = request;
-    const Viewport viewport{width, height};
+    const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
+    const Viewport viewport{width, height, cornerBits};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the probe was stopped"); };
     Explanation explanation;
     explanation.pixel = pixel;
     explanation.width = viewport.width;
     explanation.height = viewport.height;
+    explanation.cornerBits = cornerBits;
     explanation.time = time;
     explanation.background = explanation.color = glm::clamp(scene.view.background, 0.0F, 1.0F);
     const std::vector<PassState> passes =

@@ -206,7 +206,8 @@ Coverage::Coverage(const Triangle& triangle, Box box)
 
 void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Remaining remaining, const Kernel* kernel,
                unsigned threads, const std::stop_token& stop) {
-    const auto [width, height] = canvas.viewport();
+    const int width = canvas.color.width;
+    const int height = canvas.color.height;
     if (remaining == Remaining::More && canvas.depth.empty())
         canvas.depth.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const int columns = (width + tileExtent - 1) / tileExtent;

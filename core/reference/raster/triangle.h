@@ -61,6 +61,7 @@ struct Triangle {
 struct Viewport {
     int width = 0;
     int height = 0;
+    int cornerBits = 0; ///< see DrawRequest
 };
 
 /// The number of pixels that a line width or a point size is rounded to.

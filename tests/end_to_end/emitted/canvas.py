@@ -10,15 +10,16 @@ from selenium.webdriver.chrome.service import Service
 
 from capture import PATIENCE, ProgramError
 
-# Before the page's own scripts: time stands still where it is put, the picture stays where it can be read, and the errors of
-# OpenGL are looked for after each frame. A page calls requestAnimationFrame or not: its picture is that after two frames.
+# Before the page's own scripts: time stands still where it is put, frames are drawn when they are asked for and not when the
+# screen would, the picture stays where it can be read, and the errors of OpenGL are looked for after each frame. A page calls
+# requestAnimationFrame or not.
 WATCH = """
 (() => {
-  const watch = window.texplorerWatch = {milliseconds: 0, contexts: [], errors: [], drawn: 0};
-  const animate = window.requestAnimationFrame.bind(window);
+  const watch = window.texplorerWatch = {milliseconds: 0, contexts: [], errors: []};
+  let frames = []; // that the page has asked for
   performance.now = () => watch.milliseconds;
   Date.now = () => watch.milliseconds;
-  window.requestAnimationFrame = (callback) => animate(() => { callback(watch.milliseconds); ++watch.drawn; });
+  window.requestAnimationFrame = (callback) => frames.push(callback);
   const getContext = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (kind, attributes) {
     const context = getContext.call(this, kind, {...attributes, preserveDrawingBuffer: true});
@@ -27,7 +28,6 @@ WATCH = """
   };
   window.addEventListener("error", (event) => watch.errors.push(event.message));
   window.addEventListener("unhandledrejection", (event) => watch.errors.push(String(event.reason)));
-  const frames = async (count) => { while (count-- > 0) await new Promise((resolve) => animate(resolve)); };
   const readPixels = (gl) => {
     const error = gl.getError();
     if (error !== gl.NO_ERROR) watch.errors.push("gl.getError says 0x" + error.toString(16).padStart(4, "0"));
@@ -47,15 +47,20 @@ WATCH = """
     for (let i = 0; i < pixels.length; i += 32768) text += String.fromCharCode(...pixels.subarray(i, i + 32768));
     return {width: gl.drawingBufferWidth, height: gl.drawingBufferHeight, pixels: btoa(text)};
   };
-  watch.picture = async (seconds) => {
+  watch.picture = (seconds) => {
     watch.milliseconds = seconds * 1000;
-    await frames(3);  // a callback that was asked for before has the time of now only in the second one
+    const asked = frames;
+    frames = [];
+    try {
+      for (const callback of asked) callback(watch.milliseconds);
+    } catch (error) {
+      watch.errors.push(error.message);
+    }
     return {picture: watch.contexts.length === 1 ? readPixels(watch.contexts[0]) : null, contexts: watch.contexts.length,
             errors: watch.errors};
   };
 })();
 """
-PICTURE = "const done = arguments[1]; window.texplorerWatch.picture(arguments[0]).then(done, (error) => done({error: String(error)}));"
 
 
 class Pages:
@@ -80,8 +85,7 @@ class Pages:
 
     def run(self, page, times=(0,)):
         """The red, green and blue at these times, as arrays of rows, the top one first."""
-        self.driver.get("about:blank")
-        self.driver.get_log("browser")  # of the page before
+        self.driver.get_log("browser")  # of a page that failed
         self.driver.get(page.resolve().as_uri())
         pictures = [self.picture(seconds) for seconds in (times[0], *times)]
         said = [entry["message"] for entry in self.driver.get_log("browser")]
@@ -92,9 +96,9 @@ class Pages:
         return pictures[1:]
 
     def picture(self, seconds):
-        found = self.driver.execute_async_script(PICTURE, float(seconds))
-        if found.get("error") or found["errors"]:
-            raise ProgramError(f"it fails: {found.get('error') or found['errors']}")
+        found = self.driver.execute_script("return window.texplorerWatch.picture(arguments[0])", float(seconds))
+        if found["errors"]:
+            raise ProgramError(f"it fails: {found['errors']}")
         if not found["picture"]:
             raise ProgramError(f"expected one canvas with WebGL 2, found {found['contexts']}")
         drawn = found["picture"]

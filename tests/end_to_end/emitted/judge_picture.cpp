@@ -1,7 +1,10 @@
-// judge_picture SCENE FOLDER SECONDS PICTURE: whether a picture that somebody drew of a scene is one that
-// OpenGL allows, by the rules by which "texshot test" holds one against the reference. FOLDER has the images
-// that the scene names. It prints the rule, how many pixels there are, how many are over its bound, and how
-// many of them no freedom of a driver explains, as JSON. Exit status: 0 it has judged, 2 it can't.
+// judge_picture SCENE FOLDER [SECONDS PICTURE]…: whether pictures that SwiftShader drew of a scene at these
+// times are what OpenGL allows, by the rules by which "texshot test" holds one against the reference. FOLDER
+// has the images that the scene names. For each it prints the rule, how many pixels there are, how many are
+// over its bound, and how many of them no freedom of a driver explains, as a line of JSON. Exit status: 0 it
+// has judged, 2 it can't.
+//
+// What OpenGL leaves to a driver, and SwiftShader does so, is no error: see "swiftShader" below.
 
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
@@ -22,6 +25,10 @@ namespace texplorer {
 namespace {
 
 constexpr int unable = 2;
+
+/// GL_SUBPIXEL_BITS of SwiftShader, as its pages say: the least that OpenGL allows (table 6.35). Everything
+/// that is interpolated follows corners that are snapped to a sixteenth of a pixel.
+constexpr int cornerBits = 4;
 
 int complain(const Error& error) {
     fmt::print(stderr, "judge_picture: {}\n", describe(error));
@@ -60,7 +67,7 @@ public:
 
 private:
     [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
-        return {scene, images_, seconds_, width_, height_, reference::AnisotropyMethod::Ellipse};
+        return {scene, images_, seconds_, width_, height_, reference::AnisotropyMethod::Probes, cornerBits};
     }
 
     reference::ReferenceRenderer renderer_;
@@ -70,28 +77,21 @@ private:
     int height_;
 };
 
-int judge(std::span<char*> words) {
-    const Result<std::string> text = readText(words[1]);
-    const Result<Scene> scene = text ? parseScene(*text) : fail(text.error());
-    if (!scene)
-        return complain(scene.error());
-    ImageSource images{words[2]};
-    if (const Result<void> loaded = images.load(*scene); !loaded)
-        return complain(loaded.error());
-    const Result<Bytes> file = readFile(words[4]);
+/// One picture, into a line.
+int judgeOne(const Scene& scene, const ImageSource& images, const char* seconds, const char* picture) {
+    const Result<Bytes> file = readFile(picture);
     Result<Image> found = file ? decodeImage(*file) : fail(file.error());
     if (!found)
         return complain(found.error());
     if (found->format != PixelFormat::Rgba8)
-        return complain({ErrorCode::Unsupported, "expected a picture of RGBA", words[4]});
+        return complain({ErrorCode::Unsupported, "expected a picture of RGBA", picture});
     makeOpaque(*found);
-
-    Reference reference(std::move(images), std::strtod(words[3], nullptr), found->width, found->height);
-    const Result<Frame> drawn = reference.draw(*scene);
+    Reference reference(images, std::strtod(seconds, nullptr), found->width, found->height);
+    const Result<Frame> drawn = reference.draw(scene);
     if (!drawn)
         return complain(drawn.error());
-    const conform::Rule& rule = suite::ruleFor(*scene);
-    const auto judgement = conform::judge(rule, *scene, drawn->image, *found, reference);
+    const conform::Rule& rule = suite::ruleFor(scene);
+    const auto judgement = conform::judge(rule, scene, drawn->image, *found, reference);
     if (!judgement)
         return complain(judgement.error());
     fmt::print("{{\"rule\": \"{}\", \"bound\": {}, \"explained\": {}, \"pixels\": {}, \"over\": {}, "
@@ -101,12 +101,27 @@ int judge(std::span<char*> words) {
     return 0;
 }
 
+int judge(std::span<char*> words) {
+    const Result<std::string> text = readText(words[1]);
+    const Result<Scene> scene = text ? parseScene(*text) : fail(text.error());
+    if (!scene)
+        return complain(scene.error());
+    ImageSource images{words[2]};
+    if (const Result<void> loaded = images.load(*scene); !loaded)
+        return complain(loaded.error());
+    for (std::size_t i = 3; i + 1 < words.size(); i += 2) {
+        if (const int status = judgeOne(*scene, images, words[i], words[i + 1]); status != 0)
+            return status;
+    }
+    return 0;
+}
+
 } // namespace
 } // namespace texplorer
 
 int main(int argc, char** argv) {
-    if (argc != 5) {
-        fmt::print(stderr, "judge_picture SCENE FOLDER SECONDS PICTURE\n");
+    if (argc < 5 || argc % 2 == 0) {
+        fmt::print(stderr, "judge_picture SCENE FOLDER [SECONDS PICTURE]...\n");
         return texplorer::unable;
     }
     return texplorer::judge({argv, static_cast<std::size_t>(argc)});

@@ -7,7 +7,7 @@ import unittest
 
 from canvas import Pages
 from scenes import every_case
-from web_proof import PagesProof
+from web_proof import HEIGHT, WIDTH, PagesProof
 
 TEXSHOT, JUDGE, KEEP = (sys.argv.pop(1) for _ in range(3))
 
@@ -19,7 +19,7 @@ class PagesTest(unittest.TestCase):
     def setUpClass(cls):
         cls.browsers = []
         for _ in range(cls.BROWSERS):
-            cls.browsers.append(Pages())
+            cls.browsers.append(Pages(WIDTH, HEIGHT))
             cls.addClassCleanup(cls.browsers[-1].quit)
 
     def test_draws_what_opengl_allows(self):

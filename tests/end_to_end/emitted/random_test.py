@@ -12,7 +12,7 @@ from canvas import Pages
 from capture import Capture, Display
 from proof import FIXED, GLSL, Proof
 from scenes import Case
-from web_proof import PagesProof
+from web_proof import HEIGHT, WIDTH, PagesProof
 
 TEXSHOT, SOAK, LIBRARY, JUDGE, KEEP = (sys.argv.pop(1) for _ in range(5))
 COUNT = int(os.environ.get("TEXPLORER_PROGRAMS", "10"))
@@ -61,7 +61,7 @@ class Glsl(RandomScenes, unittest.TestCase):
 
 class Webgl(RandomScenes, unittest.TestCase):
     def test_draws_what_opengl_allows(self):
-        browsers = [Pages(), Pages()]
+        browsers = [Pages(WIDTH, HEIGHT), Pages(WIDTH, HEIGHT)]
         for each in browsers:
             self.addCleanup(each.quit)
         self.hold(PagesProof(TEXSHOT, JUDGE, browsers, Path(KEEP) / "random"), self.cases("--comparable"), 0.3)

@@ -2,7 +2,6 @@
 
 import json
 import subprocess
-from pathlib import Path
 from queue import SimpleQueue
 
 from PIL import Image
@@ -10,8 +9,8 @@ from PIL import Image
 from capture import PATIENCE, ProgramError
 from proof import TIMES, Flavour, Proof
 
-LESSONS = Path(__file__).parents[3] / "assets" / "lessons"
 WEBGL = Flavour("webgl", "demo.html", "reference", 2)
+WIDTH, HEIGHT = 320, 240  # of the window: what there is to see is there, too, in a quarter of the pixels of 640x480
 
 
 class PagesProof(Proof):
@@ -33,17 +32,26 @@ class PagesProof(Proof):
     def expect(self, cases, folder):
         return {}  # the judge draws it
 
-    def difference(self, case, scene, path, time, picture, expected):
-        (path / "scene.json").write_text(json.dumps(scene))
-        Image.fromarray(picture).convert("RGBA").save(path / "found.png")
-        images = LESSONS / case.words[1] if "--lesson" in case.words else path
-        done = subprocess.run([self.judge, path / "scene.json", images, time, path / "found.png"], capture_output=True, text=True,
-                              timeout=PATIENCE)
+    def compare(self, case, path, drawn, expected):
+        asked = []
+        for time, picture in zip(self.times, drawn):
+            Image.fromarray(picture).convert("RGBA").save(path / f"program-{time}.png", compress_level=1)
+            asked += [time, path / f"program-{time}.png"]
+        done = subprocess.run([self.judge, case.file, case.file.parent, *asked], capture_output=True, text=True, timeout=PATIENCE)
         if done.returncode != 0:
             raise ProgramError(f"it can't be judged: {done.stderr}")
-        judgement = json.loads(done.stdout)
-        allowed = 1 - judgement["explained"]
-        if judgement["unexplained"] <= allowed * judgement["pixels"]:
-            return ""
-        return (f"{judgement['unexplained']} of {judgement['pixels']} pixels differ by more than {judgement['bound']}/255 and are not "
-                f"explained by the rule {judgement['rule']}, which allows {allowed:.2%}; the worst differs by {judgement['max']}/255")
+        wrong = [f"at {time} s {sentence}" for time, line in zip(self.times, done.stdout.splitlines()) if (sentence := refusal(line))]
+        if wrong:
+            self.run("shot", *case.words, "--renderer", "reference", "--size", f"{WIDTH}x{HEIGHT}", "--no-metadata",
+                     "--time", ",".join(self.times), "-o", "texshot-{time}.png", cwd=path)
+            raise ProgramError("; ".join(wrong))
+
+
+def refusal(line):
+    """What a judgement has against a picture, or nothing."""
+    judgement = json.loads(line)
+    allowed = 1 - judgement["explained"]
+    if judgement["unexplained"] <= allowed * judgement["pixels"]:
+        return ""
+    return (f"{judgement['unexplained']} of {judgement['pixels']} pixels differ by more than {judgement['bound']}/255 and are not "
+            f"explained by the rule {judgement['rule']}, which allows {allowed:.2%}; the worst differs by {judgement['max']}/255")

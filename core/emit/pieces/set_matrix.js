@@ -1,0 +1,3 @@
+function setMatrix(program, name, matrix) {
+    gl.uniformMatrix4fv(gl.getUniformLocation(program, name), false, matrix);
+}
