@@ -1,7 +1,6 @@
 #include "core/conform/lambda_range.h"
 
 #include "core/reference/probe.h"
-#include "core/reference/raster/corner.h"
 #include "core/reference/sampling/cube.h"
 #include "core/texture/image_source.h"
 #include "core/texture/level_plan.h"
@@ -27,7 +26,8 @@ public:
         const std::size_t corners = std::min<std::size_t>(fragment.vertices.size(), 3);
         for (std::size_t i = 0; i < corners; ++i) {
             const glm::dvec4 clip(fragment.vertices[i].clip);
-            window_[i] = reference::windowPlace(clip, {pixel.width, pixel.height, pixel.cornerBits});
+            window_[i] = {(clip.x / clip.w + 1) / 2 * pixel.width - 0.5,
+                          (clip.y / clip.w + 1) / 2 * pixel.height - 0.5};
             overW_[i] = glm::dvec4(unit.vertices[i].transformed) / clip.w;
         }
         if (corners == 1) {

@@ -61,8 +61,11 @@ Texture adapted(const Emission& emission, std::size_t object) {
     Texture texture = emission.scene.textures[emission.objects[object].texture];
     if (emission.isCore) {
         const Wrap other = readsNearestAlone(texture) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
-        for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
+        for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR}) {
             *wrap = *wrap == Wrap::Clamp ? other : *wrap; // the core profile has no GL_CLAMP
+            if (emission.isWeb && *wrap == Wrap::ClampToBorder)
+                *wrap = Wrap::ClampToEdge; // the border is the shader's
+        }
     }
     texture.baseLevel = std::max(0, texture.baseLevel); // OpenGL refuses another
     if (emission.isWeb)

@@ -24,6 +24,14 @@ void replaceAll(std::string& text, std::string_view word, std::string_view with)
 /// Whether WebGL 2 can say the scene. Unsupported: what it can't, in one sentence.
 [[nodiscard]] Result<void> sayableInWebGl(const GlslEmission& glsl);
 
+/// Whether texels beyond the edge have the border's colour on any axis that a picture has.
+[[nodiscard]] bool hasBorder(const Texture& texture, Target target);
+/// Where no shader of a page makes up for WebGL's lack of a border: "in three dimensions". Else nothing.
+[[nodiscard]] std::string_view unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled,
+                                               Target target);
+/// Lookups of a pass that mix the border in.
+void writeBorders(const GlslEmission& glsl, GlslPass& pass);
+
 /// GLSL 3.30 as GLSL ES 3.00: a line is a picture of one row, and the shader says how large points are.
 void toEs(GlslEmission& glsl);
 

@@ -85,6 +85,10 @@ void stagesToEs(GlslPass& pass, const Pass& drawn, bool hasPoints) {
         replaceAll(fragment, fmt::format("textureProj(texture{0}, texCoord{0}", i),
                    fmt::format("textureProj(texture{0}, vec4(texCoord{0}.s, 0.0, texCoord{0}.pq)", i));
     }
+    replaceAll(
+        fragment,
+        "which OpenGL's core profile has not: GL_CLAMP_TO_BORDER for coordinates that end at the edge.",
+        "which WebGL has not: a border beyond the edge, for coordinates that end there.");
     std::string head = std::string(es) + "precision highp float;\n";
     for (const std::string_view sampler : {"sampler2D", "sampler3D", "samplerCube", "sampler2DShadow"}) {
         if (fragment.find(fmt::format("uniform {} ", sampler)) != std::string::npos)
@@ -133,6 +137,7 @@ void toEs(GlslEmission& glsl) {
         const bool hasPoints = std::ranges::any_of(drawnModels(scene, drawn), [&](std::size_t model) {
             return partCorners(scene.models[model]) == 1;
         });
+        writeBorders(glsl, pass);
         stagesToEs(pass, drawn, hasPoints);
         findUniforms(pass);
     }

@@ -13,7 +13,7 @@ namespace texplorer::emit {
 namespace {
 
 Result<void> isSayable(const Texture& texture, const TextureCode& code, const Unit& unit,
-                       const std::string& path) {
+                       const glsl::SampledUnit& sampled, const std::string& path) {
     if (code.border != 0)
         return refuse("WebGL 2 has no textures with a border", path, keyOf<&Texture::border>());
     if (code.driverCompresses)
@@ -27,8 +27,16 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
     const int count = unit.target == Target::CubeMap ? 0 : coordinatesOf(unit.target);
     for (int i = 0; i < count; ++i) {
         const auto& [key, wrap] = wraps.at(static_cast<std::size_t>(i));
-        if (wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && !readsNearestAlone(texture)))
+        const bool isBorder =
+            wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && !readsNearestAlone(texture));
+        if (!isBorder)
+            continue;
+        if (wrap == Wrap::Clamp && sampled.hasDepths)
             return refuse(fmt::format("WebGL 2 has no {}", rowOf(wrap).name), path, *key);
+        if (const std::string_view where = unsayableBorder(texture, sampled, unit.target); !where.empty())
+            return refuse(fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it {}",
+                                      rowOf(wrap).name, where),
+                          path, *key);
     }
     if (isDepth(code.shape.internalFormat) && texture.compareMode == CompareMode::None &&
         !readsNearestAlone(texture))
@@ -48,8 +56,9 @@ Result<void> sayableInWebGl(const GlslEmission& glsl) {
                 continue;
             const Unit& unit = drawn.units[i];
             const auto texture = static_cast<std::size_t>(unit.texture);
-            if (const Result<void> said = isSayable(scene.textures[texture], *glsl.emission.codeOf(unit),
-                                                    unit, elementOf<&Scene::textures>(texture));
+            if (const Result<void> said =
+                    isSayable(scene.textures[texture], *glsl.emission.codeOf(unit), unit, *pass.units[i],
+                              elementOf<&Scene::textures>(texture));
                 !said)
                 return said;
             if (unit.target == Target::CubeMap && !drawn.seamlessCubeMap &&

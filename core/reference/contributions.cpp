@@ -42,12 +42,12 @@ Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& ques
 
 Result<Contributions> findContributions(const DrawRequest& request, const TexelQuestion& question,
                                         const DrawOptions& options, TextureStore& textures) {
-    const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
-    const Viewport viewport{width, height, cornerBits};
+    const Scene& scene = request.scene;
+    const Viewport viewport{request.width, request.height, request.cornerBits};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the search was stopped"); };
     Contributions found;
-    const std::vector<PassState> passes =
-        passStates(scene, images, time, options.levels, anisotropy, textures, found.problems);
+    const std::vector<PassState> passes = passStates(scene, request.images, request.time, options.levels,
+                                                     request.sampling(), textures, found.problems);
     if (options.isStopped())
         return stopped();
     const Result<const UnitState*> unit = askedUnit(passes, question.pass, question.unit);
@@ -61,7 +61,7 @@ Result<Contributions> findContributions(const DrawRequest& request, const TexelQ
                          static_cast<std::size_t>(viewport.height));
     const PassState* asked = &passes[static_cast<std::size_t>(question.pass)];
     FragmentWalk walk(viewport, options.stop);
-    eachTriangle(scene, passes, time, viewport, options.stop, [&](const Triangle& triangle) {
+    eachTriangle(scene, passes, request.time, viewport, options.stop, [&](const Triangle& triangle) {
         walk.draw(triangle, [&](std::size_t at, glm::vec2 offset) {
             float weight = 0;
             if (triangle.pass == asked) {

@@ -43,20 +43,20 @@ struct ReferenceRenderer::State {
         const bool lit = showsLightDepths(*scene);
         if (!lit && &*scene == &request.scene)
             return request;
-        seen = {*scene,         request.images,     request.time,      request.width,
-                request.height, request.anisotropy, request.cornerBits};
+        seen = {*scene,         request.images,     request.time,       request.width,
+                request.height, request.anisotropy, request.cornerBits, request.zeroSwitchOver};
         if (lit)
             seen.images = lightDepths.addedTo(request.images, seen.scene, request.time, options.stop);
         return seen;
     }
 
     Result<Frame> draw(const DrawRequest& request, const DrawOptions& options) {
-        const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
-        const Viewport viewport{width, height, cornerBits};
+        const Scene& scene = request.scene;
+        const Viewport viewport{request.width, request.height, request.cornerBits};
         std::vector<std::string> problems;
         textures.keepOnly(scene);
-        const std::vector<PassState> passes =
-            passStates(scene, images, time, options.levels, anisotropy, textures, problems);
+        const std::vector<PassState> passes = passStates(scene, request.images, request.time, options.levels,
+                                                         request.sampling(), textures, problems);
         if (options.isStopped())
             return stopped();
         Canvas canvas(viewport, scene.view.background);
@@ -69,7 +69,7 @@ struct ReferenceRenderer::State {
             rasterize(triangles, canvas, remaining, kernel, threads, options.stop);
             triangles.clear();
         };
-        eachTriangle(scene, passes, time, viewport, options.stop, [&](const Triangle& triangle) {
+        eachTriangle(scene, passes, request.time, viewport, options.stop, [&](const Triangle& triangle) {
             if (triangles.size() == batch)
                 flush(Remaining::More);
             triangles.push_back(triangle);

@@ -17,6 +17,11 @@ struct DrawRequest {
     /// GL_SUBPIXEL_BITS of a driver that computes everything from corners that it has snapped to as many; 0:
     /// what is interpolated is exact, and edges have 8.
     int cornerBits = 0;
+    bool zeroSwitchOver = false; ///< see SampleOptions
+
+    [[nodiscard]] SampleOptions sampling() const {
+        return {.anisotropy = anisotropy, .zeroSwitchOver = zeroSwitchOver};
+    }
 
     bool operator==(const DrawRequest&) const = default;
 };

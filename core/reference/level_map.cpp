@@ -51,31 +51,32 @@ const PixelLevels* LevelMap::at(int x, int y) const {
 }
 
 bool LevelMap::isMagnified(const PixelLevels& pixel) const {
-    return !(pixel.lambda > switchOverOf(sampler.magFilter, sampler.minFilter));
+    return !(pixel.lambda > (zeroSwitchOver ? 0 : switchOverOf(sampler.magFilter, sampler.minFilter)));
 }
 
 Result<LevelMap> findLevels(const DrawRequest& request, const LevelQuestion& question,
                             const DrawOptions& options, TextureStore& textures) {
-    const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
-    const Viewport viewport{width, height, cornerBits};
+    const Scene& scene = request.scene;
+    const Viewport viewport{request.width, request.height, request.cornerBits};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the search was stopped"); };
     LevelMap map;
-    const std::vector<PassState> passes =
-        passStates(scene, images, time, options.levels, anisotropy, textures, map.problems);
+    const std::vector<PassState> passes = passStates(scene, request.images, request.time, options.levels,
+                                                     request.sampling(), textures, map.problems);
     if (options.isStopped())
         return stopped();
     const Result<const UnitState*> unit = askedUnit(passes, question.pass, question.unit);
     if (!unit)
         return fail(unit.error());
     const SampledTexture& texture = *(*unit)->texture;
-    map.width = width;
-    map.height = height;
+    map.width = viewport.width;
+    map.height = viewport.height;
+    map.zeroSwitchOver = request.zeroSwitchOver;
     map.sampler = texture;
     map.lastLevel = lastMipLevel(texture);
-    map.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    map.pixels.resize(static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height));
     const PassState* asked = &passes[static_cast<std::size_t>(question.pass)];
     FragmentWalk walk(viewport, options.stop);
-    eachTriangle(scene, passes, time, viewport, options.stop, [&](const Triangle& triangle) {
+    eachTriangle(scene, passes, request.time, viewport, options.stop, [&](const Triangle& triangle) {
         if (triangle.pass > asked) // which comes too late to hide anything
             return;
         walk.draw(triangle, [&](std::size_t at, glm::vec2 offset) {

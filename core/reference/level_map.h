@@ -40,6 +40,7 @@ struct LevelMap {
     std::vector<PixelLevels> pixels;   ///< bottom row first
     SamplerState sampler;              ///< of the unit's texture, its levels kept to those that there are
     int lastLevel = 0;                 ///< q: the last one that minification can use
+    bool zeroSwitchOver = false;       ///< see SampleOptions
     std::vector<std::string> problems; ///< sentences: what could not be drawn
 
     /// nullptr: outside of the picture, or nothing was sampled there.

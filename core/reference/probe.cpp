@@ -162,7 +162,7 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
     const Model& model = scene_.models[modelIndex];
     const Mesh mesh = meshOf(model);
     const VertexStage stage(scene_, pass, model, mesh, modelViewMatrix(scene_.view, model, explanation_.time),
-                            projection);
+                            projection, {viewport_.width, viewport_.height, viewport_.cornerBits});
     std::vector<glm::vec4> clipped;
     clipped.reserve(mesh.vertices.size());
     for (const Vertex& vertex : mesh.vertices)
@@ -396,18 +396,17 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
 
 Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, const DrawOptions& options,
                                  TextureStore& textures) {
-    const auto& [scene, images, time, width, height, anisotropy, cornerBits] = request;
-    const Viewport viewport{width, height, cornerBits};
+    const Scene& scene = request.scene;
+    const Viewport viewport{request.width, request.height, request.cornerBits};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the probe was stopped"); };
     Explanation explanation;
     explanation.pixel = pixel;
     explanation.width = viewport.width;
     explanation.height = viewport.height;
-    explanation.cornerBits = cornerBits;
-    explanation.time = time;
+    explanation.time = request.time;
     explanation.background = explanation.color = glm::clamp(scene.view.background, 0.0F, 1.0F);
-    const std::vector<PassState> passes =
-        passStates(scene, images, time, options.levels, anisotropy, textures, explanation.problems);
+    const std::vector<PassState> passes = passStates(scene, request.images, request.time, options.levels,
+                                                     request.sampling(), textures, explanation.problems);
     if (options.isStopped())
         return stopped();
     const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
@@ -421,7 +420,7 @@ Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, c
         }
         if (explanation.fragments.size() == first)
             continue;
-        const std::vector<IdleUnit> idle = idleUnits(scene, passes[p], images, options.levels, textures);
+        const std::vector<IdleUnit> idle = idleUnits(scene, passes[p], request.images, options.levels, textures);
         for (std::size_t i = first; i < explanation.fragments.size(); ++i)
             explanation.fragments[i].idle = idle;
     }

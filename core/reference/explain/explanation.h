@@ -166,7 +166,6 @@ struct Explanation {
     PixelPlace pixel;
     int width = 0; ///< of the picture
     int height = 0;
-    int cornerBits = 0; ///< to which corners were snapped: see DrawRequest
     double time = 0;
     glm::vec4 background{0};
     std::vector<FragmentExplanation> fragments; ///< every one that covers the pixel, in the order of drawing

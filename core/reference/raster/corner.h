@@ -21,9 +21,6 @@ struct Corner {
     std::int64_t y;
 };
 
-/// Relative to the centre of pixel (0, 0), y upwards, snapped where the viewport says so.
-[[nodiscard]] glm::dvec2 windowPlace(const glm::dvec4& clip, Viewport viewport);
-
 [[nodiscard]] Corner cornerOf(const ShadedVertex& vertex, Viewport viewport, bool perspective);
 
 /// The pixels whose centres a range of snapped positions holds.

@@ -17,7 +17,7 @@ void eachTriangle(const Scene& scene, std::span<const PassState> passes, double 
             const Model& model = scene.models[index];
             const Mesh mesh = meshOf(model);
             const VertexStage stage(scene, pass, model, mesh, modelViewMatrix(scene.view, model, time),
-                                    projection);
+                                    projection, {viewport.width, viewport.height, viewport.cornerBits});
             const std::vector<ShadedVertex> vertices =
                 shadeVertices(stage, mesh, givenTexCoords(scene, pass, model, mesh, time), pass);
             const Assembly assembly(pass, model, viewport, work);

@@ -3,8 +3,6 @@
 #include "core/reference/raster/corner.h"
 #include "core/reference/shading/pass_state.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -63,19 +61,13 @@ private:
 
 } // namespace
 
-glm::dvec2 windowPlace(const glm::dvec4& clip, Viewport viewport) {
-    // Section 2.11.1: normalised device coordinates, then window coordinates.
-    const glm::dvec2 place((clip.x / clip.w + 1) / 2 * viewport.width - 0.5,
-                           (clip.y / clip.w + 1) / 2 * viewport.height - 0.5);
-    const double steps = std::ldexp(1.0, viewport.cornerBits);
-    return viewport.cornerBits == 0 ? place : glm::roundEven(place * steps) / steps;
-}
-
 Corner cornerOf(const ShadedVertex& vertex, Viewport viewport, bool perspective) {
     const glm::dvec4 clip(vertex.clip);
     Corner corner{};
     corner.vertex = &vertex;
-    corner.window = windowPlace(clip, viewport);
+    // Section 2.11.1: normalised device coordinates, then window coordinates.
+    corner.window = {(clip.x / clip.w + 1) / 2 * viewport.width - 0.5,
+                     (clip.y / clip.w + 1) / 2 * viewport.height - 0.5};
     corner.depth = std::clamp((clip.z / clip.w + 1) / 2, 0.0, 1.0);
     corner.invW = perspective ? 1 / clip.w : 1;
     corner.x = std::llrint(corner.window.x * subPixels);

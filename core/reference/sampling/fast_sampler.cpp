@@ -31,7 +31,7 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
     }
     lastStep = static_cast<float>(steps);
     bias = lodBias(sampled, sampling);
-    switchOver = switchOverOf(sampled.magFilter, sampled.minFilter);
+    switchOver = sampling.zeroSwitchOver ? 0 : switchOverOf(sampled.magFilter, sampled.minFilter);
     if (bias > 32) // no GL allows it; the kernel takes it for granted that tiny footprints are magnified
         return;
     maxProbes = anisotropic ? std::min(std::floor(sampled.maxAnisotropy), 1024.0F) : 1.0F;

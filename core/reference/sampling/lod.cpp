@@ -51,7 +51,7 @@ float lodBias(const SamplerState& object, const SampleOptions& options) {
 Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
                   const SampleOptions& options) {
     Lod lod;
-    lod.switchOver = switchOverOf(texture.magFilter, texture.minFilter);
+    lod.switchOver = options.zeroSwitchOver ? 0 : switchOverOf(texture.magFilter, texture.minFilter);
     const Level* base = texture.level(texture.baseLevel);
     if (!base)
         return lod;

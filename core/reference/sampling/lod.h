@@ -32,6 +32,8 @@ struct SampleOptions {
     float maxBias = 16;   ///< GL_MAX_TEXTURE_LOD_BIAS, of the implementation; at least 2
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
     bool seamlessCubeMap = false; ///< GL_TEXTURE_CUBE_MAP_SEAMLESS
+    /// c is 0 for all filters: OpenGL 2.1 wants 0.5 for some, OpenGL 4.1 allows either (section 3.9.12).
+    bool zeroSwitchOver = false;
 };
 
 /// How lambda came about, step by step.

@@ -10,13 +10,13 @@ namespace texplorer::reference {
 namespace {
 
 UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& stored, double time,
-                    const Light& light, AnisotropyMethod anisotropy) {
+                    const Light& light, const SampleOptions& sampling) {
     UnitState state;
     state.texture = stored.complete ? &stored.sampled : nullptr;
     state.unit = &unit;
     state.envColor = glm::clamp(unit.envColor, 0.0F, 1.0F);
+    state.sampling = sampling;
     state.sampling.unitBias = unit.lodBias;
-    state.sampling.anisotropy = anisotropy;
     state.sampling.seamlessCubeMap = pass.seamlessCubeMap;
     if (state.texture)
         state.sampler = FastSampler(*state.texture, state.sampling);
@@ -28,7 +28,7 @@ UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& sto
 } // namespace
 
 std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
-                                  const LevelWork& work, AnisotropyMethod anisotropy, TextureStore& store,
+                                  const LevelWork& work, const SampleOptions& sampling, TextureStore& store,
                                   std::vector<std::string>& problems) {
     std::vector<PassState> states;
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
@@ -56,7 +56,7 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
                                                         unit.target, images, work, problems);
             if (!stored)
                 continue;
-            state.units[u] = unitState(pass, unit, *stored, time, scene.light, anisotropy);
+            state.units[u] = unitState(pass, unit, *stored, time, scene.light, sampling);
             const SampledTexture* texture = state.units[u].texture;
             if (!texture)
                 continue;

@@ -47,9 +47,10 @@ struct PassState {
     bool twoSided = false;         ///< what is seen from behind has colours of its own (section 2.14.1)
 };
 
-/// Every pass of the scene. Sentences about what could not be drawn are added to `problems`.
+/// Every pass of the scene; `sampling` is what all units share. Sentences about what could not be drawn are
+/// added to `problems`.
 [[nodiscard]] std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
-                                                const LevelWork& work, AnisotropyMethod anisotropy,
+                                                const LevelWork& work, const SampleOptions& sampling,
                                                 TextureStore& store, std::vector<std::string>& problems);
 
 } // namespace texplorer::reference

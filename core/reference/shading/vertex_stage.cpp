@@ -3,18 +3,34 @@
 #include "core/scene/emboss.h"
 #include "core/scene/model_mesh.h"
 
+#include <glm/common.hpp>
+
 #include <cmath>
 
 namespace texplorer::reference {
 
 VertexStage::VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
-                         const glm::mat4& modelview, const glm::mat4& projection)
+                         const glm::mat4& modelview, const glm::mat4& projection, const CornerGrid& grid)
     : scene_(scene)
     , pass_(pass)
     , material_(materialOf(scene, model))
     , colored_(mesh.colored)
     , eye_(modelview)
-    , clip_(projection * modelview) {}
+    , clip_(projection * modelview)
+    , grid_(grid) {}
+
+glm::vec4 VertexStage::clip(const Vertex& vertex) const {
+    const glm::vec4 clip = clip_ * glm::vec4(vertex.position, 1);
+    if (grid_.bits == 0 || clip.w == 0)
+        return clip;
+    // Section 2.11.1, to the window and back. What is behind the eye is snapped as well: clipping comes
+    // later.
+    const glm::dvec2 pixels(grid_.width, grid_.height);
+    const double steps = std::ldexp(1.0, grid_.bits);
+    const glm::dvec2 window = (glm::dvec2(clip) / double{clip.w} + 1.0) / 2.0 * pixels - 0.5;
+    const glm::dvec2 snapped = glm::roundEven(window * steps) / steps;
+    return {((snapped + 0.5) / pixels * 2.0 - 1.0) * double{clip.w}, clip.z, clip.w};
+}
 
 VertexRecord VertexStage::explain(const Vertex& vertex,
                                   const std::array<glm::vec4, maxUnits>& texCoords) const {

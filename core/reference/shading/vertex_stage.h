@@ -22,12 +22,20 @@ struct VertexRecord {
     ShadedVertex shaded;
 };
 
+/// Where corners may lie: a driver that has `bits` of GL_SUBPIXEL_BITS and computes everything from corners
+/// that it has snapped to as many, in a picture of these pixels. 0 bits: anywhere.
+struct CornerGrid {
+    int width = 1;
+    int height = 1;
+    int bits = 0;
+};
+
 /// One vertex of a model: clip coordinates, colours and generated coordinates. `modelview` and `projection`
 /// as in section 2.11.
 class VertexStage {
 public:
     VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
-                const glm::mat4& modelview, const glm::mat4& projection);
+                const glm::mat4& modelview, const glm::mat4& projection, const CornerGrid& grid);
 
     /// `texCoords` holds one coordinate a unit, as the scene gives them.
     [[nodiscard]] ShadedVertex operator()(const Vertex& vertex,
@@ -39,7 +47,7 @@ public:
                                        const std::array<glm::vec4, maxUnits>& texCoords) const;
 
     /// The clip coordinates alone.
-    [[nodiscard]] glm::vec4 clip(const Vertex& vertex) const { return clip_ * glm::vec4(vertex.position, 1); }
+    [[nodiscard]] glm::vec4 clip(const Vertex& vertex) const;
 
 private:
     const Scene& scene_;
@@ -48,6 +56,7 @@ private:
     bool colored_; ///< whether a vertex's colour takes the place of glColor
     EyeSpace eye_;
     glm::mat4 clip_;
+    CornerGrid grid_;
 };
 
 /// The coordinates of a model's vertices, a list for each unit that takes part in a pass.

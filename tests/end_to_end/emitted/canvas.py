@@ -56,6 +56,8 @@ WATCH = """
     } catch (error) {
       watch.errors.push(error.message);
     }
+    const alarm = document.querySelector("[role=alert]:not([hidden])"); // where a page says what it can't
+    if (alarm) watch.errors.push(alarm.textContent);
     return {picture: watch.contexts.length === 1 ? readPixels(watch.contexts[0]) : null, contexts: watch.contexts.length,
             errors: watch.errors};
   };

@@ -53,6 +53,7 @@ class CanvasTest(unittest.TestCase):
         self.complains("leftover", "its second frame differs from the first")
         self.complains("wrong-enum", "says 0x0500|INVALID_ENUM")
         self.complains("throws", "Cannot read properties of null")
+        self.complains("alerts", "There is no picture")
         self.complains("talks", "something is odd")
         self.complains("old", "expected one canvas with WebGL 2, found 0")
 

@@ -8,6 +8,7 @@
 
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/codec/png/png.h"
 #include "core/conform/judge.h"
 #include "core/conform/lambda_range.h"
 #include "core/reference/draw.h"
@@ -67,7 +68,8 @@ public:
 
 private:
     [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
-        return {scene, images_, seconds_, width_, height_, reference::AnisotropyMethod::Probes, cornerBits};
+        return {scene, images_, seconds_, width_, height_, reference::AnisotropyMethod::Probes,
+                cornerBits, true};
     }
 
     reference::ReferenceRenderer renderer_;
@@ -94,6 +96,8 @@ int judgeOne(const Scene& scene, const ImageSource& images, const char* seconds,
     const auto judgement = conform::judge(rule, scene, drawn->image, *found, reference);
     if (!judgement)
         return complain(judgement.error());
+    if (std::getenv("KEEP"))
+        (void)writeFileAtomically(std::string(picture) + ".expected.png", *encodePng(drawn->image));
     fmt::print("{{\"rule\": \"{}\", \"bound\": {}, \"explained\": {}, \"pixels\": {}, \"over\": {}, "
                "\"unexplained\": {}, \"max\": {}}}\n",
                rule.name, rule.bound, rule.explainedScene, judgement->difference.pixels,

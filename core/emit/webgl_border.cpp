@@ -1,0 +1,208 @@
+// Borders beyond the edge, which WebGL 2 has not: its shader mixes their colour in.
+
+#include "core/emit/piece_files.h"
+#include "core/emit/webgl.h"
+#include "core/reference/sampling/comparison.h"
+#include "core/reference/sampling/lod.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace texplorer::emit {
+namespace {
+
+bool averagesMinified(const Texture& texture) {
+    return reference::isLinear(texture.minFilter);
+}
+
+bool averagesMagnified(const Texture& texture) {
+    return texture.magFilter == MagFilter::Linear;
+}
+
+/// Whether what is read depends on how large the texels are on the screen.
+bool asksForLambda(const Texture& texture) {
+    return reference::wantsMipmaps(texture.minFilter) ||
+           averagesMinified(texture) != averagesMagnified(texture);
+}
+
+std::string vec4Of(const glm::vec4& color) {
+    return fmt::format("vec4({:?}, {:?}, {:?}, {:?})", color.r, color.g, color.b, color.a);
+}
+
+/// The condition under which r passes against a depth of the border's.
+std::string_view operatorOf(CompareFunc function) {
+    switch (function) {
+    case CompareFunc::Less:
+        return "<";
+    case CompareFunc::Equal:
+        return "==";
+    case CompareFunc::LessEqual:
+        return "<=";
+    case CompareFunc::Greater:
+        return ">";
+    case CompareFunc::NotEqual:
+        return "!=";
+    case CompareFunc::GreaterEqual:
+        return ">=";
+    case CompareFunc::Never:
+    case CompareFunc::Always:
+        break;
+    }
+    return {};
+}
+
+/// Which of s and t end at the border.
+std::array<bool, 2> endsOf(const Texture& texture, Target target) {
+    const auto ends = [&](Wrap wrap) {
+        return wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && !readsNearestAlone(texture));
+    };
+    if (target == Target::CubeMap)
+        return {};
+    return {ends(texture.wrapS), target != Target::Texture1D && ends(texture.wrapT)};
+}
+
+/// The lookup of one unit, in the place of the one that asks the sampler alone.
+class BorderedLookup {
+public:
+    BorderedLookup(const Unit& unit, const glsl::SampledUnit& sampled, const Texture& texture,
+                   const TextureCode& code, std::size_t index)
+        : unit_(unit)
+        , sampled_(sampled)
+        , texture_(texture)
+        , shape_(code.shape)
+        , n_(std::to_string(index))
+        , ended_(std::ranges::find(sampled.ends, true) != sampled.ends.end()) {
+        reference::setParameters(shape_, texture, code.lastLevel);
+    }
+
+    [[nodiscard]] std::string text() const {
+        std::string lines;
+        if (!ended_)
+            lines += fmt::format("    vec3 place{0} = texCoord{0}.stp / texCoord{0}.q;\n", n_);
+        return lines + (sampled_.compares ? comparison() : colors());
+    }
+
+private:
+    [[nodiscard]] std::string ends() const {
+        const auto [s, t] = endsOf(texture_, unit_.target);
+        return fmt::format("bvec2({}, {})", s, t);
+    }
+    [[nodiscard]] std::string place(std::string_view name) const {
+        return unit_.target == Target::Texture1D ? fmt::format("vec2({}{}.s, 0.0)", name, n_)
+                                                 : fmt::format("{}{}.st", name, n_);
+    }
+
+    [[nodiscard]] std::string comparison() const {
+        const std::string_view compares = operatorOf(texture_.compareFunc);
+        const std::string beyond =
+            compares.empty() ? (texture_.compareFunc == CompareFunc::Always ? "1.0" : "0.0")
+                             : fmt::format("float(place{}.p {} {:?})", n_, compares, shape_.borderColor.r);
+        const std::string asked = unit_.target == Target::Texture1D
+                                      ? fmt::format("vec3(place{0}.s, 0.0, place{0}.p)", n_)
+                                      : "place" + n_;
+        return fmt::format("    float depth{0} = borderedDepth(texture{0}, {1}, {2}, {3}, {4});\n", n_, asked,
+                           averagesMagnified(texture_), ends(), beyond);
+    }
+
+    [[nodiscard]] std::string colors() const {
+        std::string lines = fmt::format("    vec4 border{} = {}; // GL_TEXTURE_BORDER_COLOR\n", n_,
+                                        vec4Of(shape_.borderColor));
+        std::string averages = averagesMagnified(texture_) ? "true" : "false";
+        if (asksForLambda(texture_)) {
+            lines += fmt::format("    float lambda{} = {};\n", n_, lambda());
+            if (averagesMagnified(texture_) != averagesMinified(texture_))
+                averages = fmt::format("lambda{} <= 0.0", n_);
+        }
+        const auto level = [&](std::string_view number) {
+            return fmt::format("bordered(texture{0}, {1}, {2}, {3}, {4}, border{0})", n_,
+                               place(ended_ ? "end" : "place"), number, averages, ends());
+        };
+        std::string texel = level("0.0");
+        if (reference::wantsMipmaps(texture_.minFilter)) {
+            const bool blends = reference::blendsLevels(texture_.minFilter);
+            lines += fmt::format("    float level{} = clamp({}, 0.0, {:?});\n", n_,
+                                 fmt::format(blends ? "lambda{}" : "ceil(lambda{} - 0.5)", n_),
+                                 static_cast<float>(reference::lastMipLevel(shape_) - shape_.baseLevel));
+            texel = level("level" + n_);
+            if (blends)
+                texel = fmt::format("mix({},\n        {}, fract(level{}))", level("floor(level" + n_ + ")"),
+                                    level("ceil(level" + n_ + ")"), n_);
+        }
+        if (sampled_.hasDepths)
+            return lines + fmt::format("    float depth{} = {}.r;\n", n_, texel);
+        return lines + fmt::format("    vec4 texel{} = {};\n", n_, texel);
+    }
+
+    [[nodiscard]] std::string lambda() const {
+        static const Texture initial;
+        std::string text = fmt::format("lambda(texture{}, {})", n_, place("place"));
+        if (unit_.lodBias != 0)
+            text += " + lodBias" + n_;
+        if (texture_.minLod != initial.minLod || texture_.maxLod != initial.maxLod)
+            text = fmt::format("clamp({}, {:?}, {:?})", text, texture_.minLod, texture_.maxLod);
+        return text;
+    }
+
+    const Unit& unit_;
+    const glsl::SampledUnit& sampled_;
+    const Texture& texture_;
+    reference::SampledTexture shape_;
+    std::string n_;
+    bool ended_; ///< GL_CLAMP: the shader has the place and where it ends
+};
+
+const std::string& shaderPiece(std::string_view file) {
+    return std::ranges::find(pageFiles(), file, &PieceFile::name)->text;
+}
+
+} // namespace
+
+bool hasBorder(const Texture& texture, Target target) {
+    const std::array<bool, 2> ends = endsOf(texture, target);
+    return ends[0] || ends[1];
+}
+
+std::string_view unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled, Target target) {
+    if (target == Target::Texture3D)
+        return "in three dimensions";
+    if (texture.maxAnisotropy > 1)
+        return "under anisotropy";
+    if (averagesMinified(texture) && !averagesMagnified(texture))
+        return "where minification alone averages";
+    if (sampled.compares && asksForLambda(texture))
+        return "where depths are compared at several levels";
+    return {};
+}
+
+void writeBorders(const GlslEmission& glsl, GlslPass& pass) {
+    const Scene& scene = glsl.emission.scene;
+    std::string& text = pass.source.fragment.text;
+    bool found = false;
+    for (std::size_t i = 0; i < maxUnits; ++i) {
+        const Unit& unit = scene.passes[pass.index].units[i];
+        if (!pass.units[i] || !hasBorder(scene.textures[static_cast<std::size_t>(unit.texture)], unit.target))
+            continue;
+        const BorderedLookup lookup(unit, *pass.units[i],
+                                    scene.textures[static_cast<std::size_t>(unit.texture)],
+                                    *glsl.emission.codeOf(unit), i);
+        const std::regex given(fmt::format(
+            "(    float scale{0} = [^\n]*\n)?    (vec4 texel|float depth){0} = texture[^\n]*\n", i));
+        text = std::regex_replace(text, given, lookup.text(), std::regex_constants::format_first_only);
+        found = true;
+    }
+    if (!found)
+        return;
+    std::string functions;
+    for (const auto& [call, file] :
+         {std::pair{" lambda(", "lambda.glsl"}, std::pair{"bordered(", "bordered.glsl"},
+          std::pair{"borderedDepth(", "bordered_depth.glsl"}}) {
+        if (text.find(call) != std::string::npos)
+            functions += shaderPiece(file) + "\n";
+    }
+    const std::size_t main = text.find("void main() {\n");
+    text.insert(main, functions);
+}
+
+} // namespace texplorer::emit
