@@ -28,7 +28,7 @@ bool asksForLambda(const Texture& texture) {
 }
 
 std::string vec4Of(const glm::vec4& color) {
-    return fmt::format("vec4({:?}, {:?}, {:?}, {:?})", color.r, color.g, color.b, color.a);
+    return fmt::format("vec4({:#}, {:#}, {:#}, {:#})", color.r, color.g, color.b, color.a);
 }
 
 /// The condition under which r passes against a depth of the border's.
@@ -96,9 +96,10 @@ private:
 
     [[nodiscard]] std::string comparison() const {
         const std::string_view compares = operatorOf(texture_.compareFunc);
-        const std::string beyond =
-            compares.empty() ? (texture_.compareFunc == CompareFunc::Always ? "1.0" : "0.0")
-                             : fmt::format("float(place{}.p {} {:?})", n_, compares, shape_.borderColor.r);
+        const std::string beyond = compares.empty()
+                                       ? (texture_.compareFunc == CompareFunc::Always ? "1.0" : "0.0")
+                                       : fmt::format("float(clamp(place{}.p, 0.0, 1.0) {} {:#})", n_,
+                                                     compares, shape_.borderColor.r);
         const std::string asked = unit_.target == Target::Texture1D
                                       ? fmt::format("vec3(place{0}.s, 0.0, place{0}.p)", n_)
                                       : "place" + n_;
@@ -122,8 +123,8 @@ private:
         std::string texel = level("0.0");
         if (reference::wantsMipmaps(texture_.minFilter)) {
             const bool blends = reference::blendsLevels(texture_.minFilter);
-            lines += fmt::format("    float level{} = clamp({}, 0.0, {:?});\n", n_,
-                                 fmt::format(blends ? "lambda{}" : "ceil(lambda{} - 0.5)", n_),
+            lines += fmt::format("    float level{0} = clamp({1}, 0.0, {2:#});\n", n_,
+                                 blends ? "lambda" + n_ : fmt::format("ceil(lambda{} - 0.5)", n_),
                                  static_cast<float>(reference::lastMipLevel(shape_) - shape_.baseLevel));
             texel = level("level" + n_);
             if (blends)
@@ -141,7 +142,7 @@ private:
         if (unit_.lodBias != 0)
             text += " + lodBias" + n_;
         if (texture_.minLod != initial.minLod || texture_.maxLod != initial.maxLod)
-            text = fmt::format("clamp({}, {:?}, {:?})", text, texture_.minLod, texture_.maxLod);
+            text = fmt::format("clamp({}, {:#}, {:#})", text, texture_.minLod, texture_.maxLod);
         return text;
     }
 
