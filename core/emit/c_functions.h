@@ -1,6 +1,7 @@
 #pragma once
 
-// Functions of C that a program has where it calls them, the same for all scenes: the files of pieces/.
+// Functions of C that a program has where it calls them, the same for all scenes: the files of
+// assets/programs.
 
 #include "core/emit/code.h"
 

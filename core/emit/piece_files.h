@@ -5,7 +5,7 @@
 
 namespace texplorer::emit {
 
-/// A file of pieces/: what programs have where they ask for it, the same for all scenes.
+/// A file of assets/programs: what programs have where they ask for it, the same for all scenes.
 struct PieceFile {
     std::string name; ///< "halve.c"
     std::string text;

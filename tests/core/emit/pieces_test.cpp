@@ -1,4 +1,4 @@
-// The functions that programs have: what the files of pieces/ become.
+// The functions that programs have: what the files of assets/programs become.
 
 #include "core/emit/c_functions.h"
 #include "core/emit/piece_files.h"
@@ -22,7 +22,7 @@ std::string textOf(CFunction function) {
 TEST(Pieces, AreTheFilesOfTheFolder) {
     std::vector<std::string> expected;
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(TEXPLORER_SOURCE_DIR) /
-                                                                 "core/emit/pieces")) {
+                                                                 "assets/programs")) {
         if (entry.path().extension() == ".c" || entry.path().extension() == ".h")
             expected.push_back(entry.path().filename().string());
     }

@@ -4,7 +4,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-PIECES = Path(__file__).parents[3] / "core" / "emit" / "pieces"
+PIECES = Path(__file__).parents[3] / "assets" / "programs"
 # A function that nothing calls is what such a file is.
 OPTIONS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Werror", "-Wno-unused-function", "-Wno-unused-const-variable",
            "-fsyntax-only"]
