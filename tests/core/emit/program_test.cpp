@@ -17,6 +17,7 @@ namespace {
 
 using emit::Line;
 using emit::Part;
+using testing::AnyOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -458,6 +459,90 @@ TEST(EmittedModels, SetTheirOwnMaterialAndGiveTheScenesBack) {
     EXPECT_THAT(set, ElementsAre("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 32.0f);",
                                  "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 5.0f);",
                                  "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 32.0f);"));
+}
+
+TEST(EmittedModels, HaveCoordinatesThatATextureMatrixLooksAt) {
+    Scene scene = defaultScene();
+    scene.models = {{.shape = Shape::Sphere}};
+    Unit& unit = scene.passes[0].units[0];
+    unit.texGenS = {.enabled = true, .mode = TexGenMode::SphereMap};
+    unit.texGenT = unit.texGenS;
+    const auto pointer = HasSubstr("glTexCoordPointer(");
+    EXPECT_THAT(needed(scene), Not(Contains(pointer)));
+    unit.matrix = {{.op = MatrixOp::Multiply}}; // r and q go into s and t, too
+    EXPECT_THAT(needed(scene), Contains(pointer));
+    unit.texGenR = unit.texGenS;
+    unit.texGenQ = unit.texGenS;
+    EXPECT_THAT(needed(scene), Not(Contains(pointer)));
+}
+
+TEST(EmittedModels, SwitchColorMaterialOnBeforeTheirColor) {
+    Scene scene = defaultScene();
+    scene.material.colorMaterial = false;
+    scene.models = {{.shape = Shape::Quad, .ownMaterial = true, .material = {.colorMaterial = true}}};
+    const std::vector<std::string> lines = needed(scene);
+    const auto on = std::ranges::find(lines, "glEnable(GL_COLOR_MATERIAL);");
+    EXPECT_THAT(std::vector(on, lines.end()), Contains(StartsWith("glColor4f(")));
+}
+
+TEST(EmittedModels, HaveNoMaterialButAColorWithoutLight) {
+    Scene scene = defaultScene();
+    const auto lit = AnyOf(HasSubstr("glMaterial"), HasSubstr("glLight"), HasSubstr("GL_COLOR_MATERIAL"));
+    EXPECT_THAT(needed(scene), Contains(lit));
+    scene.passes[0].lighting = false;
+    EXPECT_THAT(needed(scene), Not(Contains(lit)));
+    EXPECT_THAT(all(scene), Contains(lit));
+    EXPECT_THAT(needed(scene), Contains("glColor4f(1.0f, 1.0f, 1.0f, 1.0f);"));
+}
+
+TEST(EmittedModels, ArePushedWhereTheyAreNotWhereTheirVerticesSay) {
+    Scene scene = defaultScene();
+    scene.models = {{.shape = Shape::Cube}};
+    EXPECT_THAT(needed(scene), Not(Contains("glPushMatrix();")));
+    scene.models[0].size = 2;
+    EXPECT_THAT(needed(scene), IsSupersetOf({"glPushMatrix();", "glPopMatrix();"}));
+}
+
+TEST(EmittedTextures, HaveAMaxLevelThatIsNotBelowTheBaseLevelWhichAloneIsRead) {
+    Scene scene = defaultScene();
+    Texture& texture = scene.textures[0];
+    texture.baseLevel = 3;
+    texture.maxLevel = 1;
+    texture.minFilter = MinFilter::Linear;
+    const auto raised = StartsWith("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 3);");
+    EXPECT_THAT(needed(scene), Contains(raised));
+    texture.minFilter = MinFilter::LinearMipmapLinear; // it is incomplete, and stays so
+    EXPECT_THAT(needed(scene), Not(Contains(raised)));
+}
+
+TEST(EmittedUnits, HaveAllMatricesInAFrameWhereOneMoves) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[1] = scene.passes[0].units[0];
+    scene.passes[0].units[1].matrix = {{.op = MatrixOp::Scale, .amount = {3, 1, 1}}};
+    const auto inFrame = [&] {
+        const std::vector<std::string> lines = needed(scene);
+        const auto frame = std::ranges::find_if(
+            lines, [](const std::string& line) { return line.starts_with("static void draw("); });
+        return std::find(frame, lines.end(), "glScalef(3.0f, 1.0f, 1.0f);") != lines.end();
+    };
+    EXPECT_FALSE(inFrame());
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Translate, .rate = {1, 0, 0}}};
+    EXPECT_TRUE(inFrame());
+    // A matrix that is loaded takes the place of what moves.
+    scene.passes[0].units[0].matrix.push_back({.op = MatrixOp::Load});
+    EXPECT_FALSE(inFrame());
+    EXPECT_THAT(needed(scene), Not(Contains(HasSubstr("seconds"))));
+}
+
+TEST(EmittedUnits, WriteAMatrixColumnByColumn) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Multiply}};
+    const std::vector<std::string> lines = needed(scene);
+    const auto array = std::ranges::find(lines, "const GLfloat unit0Matrix0[] = {");
+    ASSERT_GT(lines.end() - array, 6);
+    EXPECT_THAT(std::vector(array + 1, array + 6),
+                ElementsAre("1.0f, 0.0f, 0.0f, 0.0f,", "0.0f, 1.0f, 0.0f, 0.0f,", "0.0f, 0.0f, 1.0f, 0.0f,",
+                            "0.0f, 0.0f, 0.0f, 1.0f,", "};"));
 }
 
 TEST(EmittedPrograms, SayWhatTheyAreAndHowTheyAreCompiled) {
