@@ -1,3 +1,4 @@
+#include "core/diagnosis/applied_texture.h"
 #include "core/emit/emission.h"
 #include "core/emit/webgl.h"
 #include "core/gl/argument_names.h"
@@ -102,6 +103,19 @@ std::optional<std::size_t> unitOf(const Emission& emission, const TextureObject&
     return std::nullopt;
 }
 
+/// Where OpenGL is given another than the scene's, keys can't move it.
+void refuseMaxLevel(Emission& emission, std::size_t object) {
+    const std::size_t index = emission.objects[object].texture;
+    const Texture& texture = emission.scene.textures[index];
+    const std::string path =
+        fmt::format("{}.{}", elementOf<&Scene::textures>(index), keyOf<&Texture::maxLevel>());
+    if (!emission.keys.moves(path) || !emission.texels[object] || !*emission.texels[object])
+        return;
+    const TextureCode& code = **emission.texels[object];
+    if (appliedTexture(texture, code.shape, code.lastLevel, {}).texture.maxLevel != texture.maxLevel)
+        emission.keys.refuse(path);
+}
+
 void writeTexture(Emission& emission, std::size_t object) {
     static const Texture initial;
     const auto [index, target] = emission.objects[object];
@@ -176,6 +190,7 @@ void writeMovingTextures(Emission& emission) {
         if (!unit || emission.leftOut.contains(i) ||
             !writer.movesBelow(elementOf<&Scene::textures>(object.texture) + "."))
             continue;
+        refuseMaxLevel(emission, i);
         const std::size_t start = writer.size();
         writer.heading(fmt::format("texture {}", object.texture));
         writer.add(fmt::format("glActiveTexture({});", textureUnitName(*unit)),

@@ -217,6 +217,16 @@ TEST(EmittedKeyFrames, AreRefusedWhereANumberIsMadeOfThem) {
     EXPECT_EQ(page.error().where, "passes[0].units[0].lodBias");
 }
 
+// Mesa is given at least the base level, or it crashes: that isn't the number of the keys.
+TEST(EmittedKeyFrames, AreRefusedWhereOpenGlIsGivenAnotherNumber) {
+    Scene scene = sceneWith({{0, "textures[0].maxLevel", "1"}, {1, "textures[0].maxLevel", "2"}});
+    EXPECT_TRUE(programOf(scene));
+    scene.textures[0].baseLevel = 3;
+    const auto lines = programOf(scene);
+    ASSERT_FALSE(lines);
+    EXPECT_EQ(lines.error().where, "textures[0].maxLevel");
+}
+
 TEST(EmittedKeyFrames, HaveVariablesNamedByTheirPath) {
     EXPECT_EQ(emit::variableOf("view.azimuth"), "viewAzimuth");
     EXPECT_EQ(emit::variableOf("passes[1].units[0].matrix[2].angle"), "pass1Unit0Matrix2Angle");

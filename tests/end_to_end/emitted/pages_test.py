@@ -4,7 +4,9 @@ against the reference by the rules of texshot conform."""
 import sys
 import tempfile
 import unittest
+from pathlib import Path
 
+import moving
 from canvas import Pages
 from scenes import every_case
 from web_proof import HEIGHT, WIDTH, PagesProof
@@ -31,6 +33,16 @@ class PagesTest(unittest.TestCase):
                     self.fail(verdict.wrong)
         drawn = [verdict for verdict in verdicts if not verdict.refused]
         self.assertGreater(len(drawn), 100, [verdict.refused for verdict in verdicts])
+
+    def test_moves_by_key_frames(self):
+        with tempfile.TemporaryDirectory() as folder:
+            proof = PagesProof(TEXSHOT, JUDGE, self.browsers, Path(KEEP) / "moving", moving.TIMES)
+            verdicts = proof.of_all(moving.cases(TEXSHOT, Path(folder)))
+        for verdict in verdicts:
+            with self.subTest(verdict.case.name):
+                self.assertEqual(verdict.wrong, "")
+        drawn = [verdict for verdict in verdicts if not verdict.refused]
+        self.assertGreater(len(drawn), 17, [verdict.refused for verdict in verdicts])
 
 
 if __name__ == "__main__":
