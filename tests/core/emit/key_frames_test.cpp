@@ -222,6 +222,7 @@ TEST(EmittedKeyFrames, AreRefusedWhereOpenGlIsGivenAnotherNumber) {
     Scene scene = sceneWith({{0, "textures[0].maxLevel", "1"}, {1, "textures[0].maxLevel", "2"}});
     EXPECT_TRUE(programOf(scene));
     scene.textures[0].baseLevel = 3;
+    scene.textures[0].minFilter = MinFilter::Linear; // which reads the base level alone
     const auto lines = programOf(scene);
     ASSERT_FALSE(lines);
     EXPECT_EQ(lines.error().where, "textures[0].maxLevel");
