@@ -148,7 +148,10 @@ public:
 private:
     void drawElements() {
         writer_.add(fmt::format("glDrawElements({}, {}, {}, NULL);", drawnPrimitive(mesh_),
-                                isShape_ ? variable_ + "Count" : std::to_string(indicesOf(mesh_).size()),
+                                isShape_ ? variable_ + "Count"
+                                : emission_.isWeb && isTurned(model_.shape)
+                                    ? variable_ + "Indices.length"
+                                    : std::to_string(indicesOf(mesh_).size()),
                                 unsignedIntType));
     }
 

@@ -26,9 +26,9 @@ void replaceAll(std::string& text, std::string_view word, std::string_view with)
 
 /// Whether texels beyond the edge have the border's colour on any axis that a picture has.
 [[nodiscard]] bool hasBorder(const Texture& texture, Target target);
-/// Where no shader of a page makes up for WebGL's lack of a border: "in three dimensions". Else nothing.
-[[nodiscard]] std::string_view unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled,
-                                               Target target);
+/// Where no shader of a page makes up for WebGL's lack of a border, a sentence that says so; else nothing.
+[[nodiscard]] std::string unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled,
+                                          Wrap wrap);
 /// Lookups of a pass that mix the border in.
 void writeBorders(const GlslEmission& glsl, GlslPass& pass);
 

@@ -8,7 +8,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
+#include <set>
 
 namespace texplorer::emit {
 namespace {
@@ -53,14 +55,15 @@ std::string_view operatorOf(CompareFunc function) {
     return {};
 }
 
-/// Which of s and t end at the border.
-std::array<bool, 2> endsOf(const Texture& texture, Target target) {
+/// Which of s, t and r end at the border.
+std::array<bool, 3> endsOf(const Texture& texture, Target target) {
     const auto ends = [&](Wrap wrap) {
         return wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && !readsNearestAlone(texture));
     };
     if (target == Target::CubeMap)
         return {};
-    return {ends(texture.wrapS), target != Target::Texture1D && ends(texture.wrapT)};
+    return {ends(texture.wrapS), target != Target::Texture1D && ends(texture.wrapT),
+            target == Target::Texture3D && ends(texture.wrapR)};
 }
 
 /// The lookup of one unit, in the place of the one that asks the sampler alone.
@@ -86,12 +89,19 @@ public:
 
 private:
     [[nodiscard]] std::string ends() const {
-        const auto [s, t] = endsOf(texture_, unit_.target);
-        return fmt::format("bvec2({}, {})", s, t);
+        const auto [s, t, r] = endsOf(texture_, unit_.target);
+        return unit_.target == Target::Texture3D ? fmt::format("bvec3({}, {}, {})", s, t, r)
+                                                 : fmt::format("bvec2({}, {})", s, t);
     }
     [[nodiscard]] std::string place(std::string_view name) const {
-        return unit_.target == Target::Texture1D ? fmt::format("vec2({}{}.s, 0.0)", name, n_)
-                                                 : fmt::format("{}{}.st", name, n_);
+        switch (unit_.target) {
+        case Target::Texture1D:
+            return fmt::format("vec2({}{}.s, 0.0)", name, n_);
+        case Target::Texture3D:
+            return fmt::format("{}{}", name, n_);
+        default:
+            return fmt::format("{}{}.st", name, n_);
+        }
     }
 
     [[nodiscard]] std::string comparison() const {
@@ -154,6 +164,14 @@ private:
     bool ended_; ///< GL_CLAMP: the shader has the place and where it ends
 };
 
+/// A function of pictures for those of three dimensions.
+std::string ofVolumes(std::string text) {
+    replaceAll(text, "sampler2D", "sampler3D");
+    replaceAll(text, "vec2", "vec3"); // and bvec2
+    replaceAll(text, "within.s * within.t", "within.s * within.t * within.p");
+    return text;
+}
+
 const std::string& shaderPiece(std::string_view file) {
     return std::ranges::find(pageFiles(), file, &PieceFile::name)->text;
 }
@@ -161,26 +179,30 @@ const std::string& shaderPiece(std::string_view file) {
 } // namespace
 
 bool hasBorder(const Texture& texture, Target target) {
-    const std::array<bool, 2> ends = endsOf(texture, target);
-    return ends[0] || ends[1];
+    const std::array<bool, 3> ends = endsOf(texture, target);
+    return std::ranges::find(ends, true) != ends.end();
 }
 
-std::string_view unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled, Target target) {
-    if (target == Target::Texture3D)
-        return "in three dimensions";
+std::string unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled, Wrap wrap) {
+    const std::string_view name = rowOf(wrap).name;
     if (texture.maxAnisotropy > 1)
-        return "under anisotropy";
+        return fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it under anisotropy",
+                           name);
     if (averagesMinified(texture) && !averagesMagnified(texture))
-        return "where minification alone averages";
+        return fmt::format(
+            "WebGL 2 has no {}, and the page's shader can't make up for it where minification alone averages",
+            name);
     if (sampled.compares && asksForLambda(texture))
-        return "where depths are compared at several levels";
+        return fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it where depths are "
+                           "compared at several levels",
+                           name);
     return {};
 }
 
 void writeBorders(const GlslEmission& glsl, GlslPass& pass) {
     const Scene& scene = glsl.emission.scene;
     std::string& text = pass.source.fragment.text;
-    bool found = false;
+    std::map<std::string_view, std::set<bool>> calls; // of functions of pictures, of volumes
     for (std::size_t i = 0; i < maxUnits; ++i) {
         const Unit& unit = scene.passes[pass.index].units[i];
         if (!pass.units[i] || !hasBorder(scene.textures[static_cast<std::size_t>(unit.texture)], unit.target))
@@ -190,17 +212,21 @@ void writeBorders(const GlslEmission& glsl, GlslPass& pass) {
                                     *glsl.emission.codeOf(unit), i);
         const std::regex given(fmt::format(
             "(    float scale{0} = [^\n]*\n)?    (vec4 texel|float depth){0} = texture[^\n]*\n", i));
-        text = std::regex_replace(text, given, lookup.text(), std::regex_constants::format_first_only);
-        found = true;
+        const std::string lines = lookup.text();
+        text = std::regex_replace(text, given, lines, std::regex_constants::format_first_only);
+        for (const std::string_view name : {"lambda", "bordered", "borderedDepth"}) {
+            if (lines.find(fmt::format("{}(", name)) != std::string::npos)
+                calls[name].insert(unit.target == Target::Texture3D);
+        }
     }
-    if (!found)
-        return;
     std::string functions;
-    for (const auto& [call, file] :
-         {std::pair{" lambda(", "lambda.glsl"}, std::pair{"bordered(", "bordered.glsl"},
-          std::pair{"borderedDepth(", "bordered_depth.glsl"}}) {
-        if (text.find(call) != std::string::npos)
+    for (const std::string_view name : {"lambda", "bordered", "borderedDepth"}) {
+        const std::string file =
+            name == "borderedDepth" ? "bordered_depth.glsl" : std::string(name) + ".glsl";
+        if (calls[name].contains(false))
             functions += shaderPiece(file) + "\n";
+        if (calls[name].contains(true))
+            functions += ofVolumes(shaderPiece(file)) + "\n";
     }
     const std::size_t main = text.find("void main() {\n");
     text.insert(main, functions);

@@ -26,9 +26,8 @@ const std::vector<Rule>& rules() {
             rule(R"(^static const char (\w+)\[\] =$)", "const $1 ="),
             rule(R"(^static GLuint textures\[\d+\];)", "const textures = [];"),
             rule(R"(^static (GLuint|GLfloat) )", "let "),
-            rule(R"(\bconst Matrix (\w+) = \{\{(.*)\}\};)", "const $1 = [$2];"),
-            rule(R"(\bconst Matrix (\w+) = \{\{$)", "const $1 = ["), // its columns follow
-            rule(R"(^( *)\}\};$)", "$1];"),
+            rule(R"(\bconst Matrix (\w+) = \{\{)", "const $1 = ["), // whose numbers are parts of their own
+            rule(R"(\}\};)", "];"),
             rule(R"(\bconst (Matrix|GLfloat|double) )", "const "),
             rule(R"(\bMatrix (\w+) = )", "let $1 = "),
             rule(R"(\(GLfloat\))", ""),
@@ -94,6 +93,8 @@ void stagesToEs(GlslPass& pass, const Pass& drawn, bool hasPoints) {
         if (fragment.find(fmt::format("uniform {} ", sampler)) != std::string::npos)
             head += fmt::format("precision highp {};\n", sampler);
     }
+    // An output that is never written is an error in WebGL, though no fragment comes that far.
+    replaceAll(fragment, "\n    discard;\n", "\n    if (alpha >= 0.0) discard; // GL_NEVER: all of them\n");
     replaceAll(fragment, desktop, head);
 }
 
@@ -127,6 +128,11 @@ Line asJavaScript(Line line) {
         if (part.kind != Part::Kind::Comment)
             part.text = translated(part.text);
     }
+    if (line.parts.empty())
+        return line;
+    Part& last = line.parts.back();
+    if (last.kind == Part::Kind::Comment && last.text.starts_with("/* ") && last.text.ends_with(" */"))
+        last.text = "// " + last.text.substr(3, last.text.size() - 6);
     return line;
 }
 

@@ -49,6 +49,28 @@ public:
                 glsl_.emission.atStart.add(fmt::format("let {}; // {}", array.name, nameOfModel()));
         }
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
+        if (isTurned(model_.shape))
+            declareShape();
+        else
+            declareMesh();
+        for (std::size_t unit = 0; unit < maxUnits; ++unit) {
+            for (const CoordForm form : {CoordForm::AsGiven, CoordForm::Flipped, CoordForm::Embossed}) {
+                if (hasForm(unit, form))
+                    declareCoords(unit, form);
+            }
+        }
+    }
+
+    /// A function makes it.
+    void declareShape() {
+        std::vector<Part> parts{
+            plain(fmt::format("const {{vertices: {0}Vertices, indices: {0}Indices}} = ", variable_))};
+        append(parts, shapeCall(glsl_.emission, index_));
+        parts.push_back(plain(";"));
+        writer_.add(std::move(parts));
+    }
+
+    void declareMesh() {
         std::vector<float> values;
         for (const Vertex& vertex : mesh_.vertices) {
             values.insert(values.end(), &vertex.position.x, &vertex.position.x + 3);
@@ -61,12 +83,6 @@ public:
             for (const Vertex& vertex : mesh_.vertices)
                 values.insert(values.end(), &vertex.color.x, &vertex.color.x + 4);
             floats("Colors", values, 4, "red, green, blue, alpha");
-        }
-        for (std::size_t unit = 0; unit < maxUnits; ++unit) {
-            for (const CoordForm form : {CoordForm::AsGiven, CoordForm::Flipped, CoordForm::Embossed}) {
-                if (hasForm(unit, form))
-                    declareCoords(unit, form);
-            }
         }
         declareIndices();
     }

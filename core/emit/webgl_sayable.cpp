@@ -33,10 +33,8 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
             continue;
         if (wrap == Wrap::Clamp && sampled.hasDepths)
             return refuse(fmt::format("WebGL 2 has no {}", rowOf(wrap).name), path, *key);
-        if (const std::string_view where = unsayableBorder(texture, sampled, unit.target); !where.empty())
-            return refuse(fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it {}",
-                                      rowOf(wrap).name, where),
-                          path, *key);
+        if (const std::string sentence = unsayableBorder(texture, sampled, wrap); !sentence.empty())
+            return refuse(sentence, path, *key);
     }
     if (isDepth(code.shape.internalFormat) && texture.compareMode == CompareMode::None &&
         !readsNearestAlone(texture))

@@ -92,19 +92,27 @@ TEST(WebGlProgram, NamesWhatWebGlHasNot) {
         const auto& [sentence, change] :
         {Case{"textures[0].border: WebGL 2 has no textures with a border",
               [](Scene& s) { s.textures[0].border = 1; }},
-         Case{"textures[0].wrapT: WebGL 2 has no GL_CLAMP_TO_BORDER",
-              [](Scene& s) { s.textures[0].wrapT = Wrap::ClampToBorder; }},
+         Case{
+             "textures[0].wrapT: WebGL 2 has no GL_CLAMP_TO_BORDER, and the page's shader can't make up for it "
+             "under anisotropy",
+             [](Scene& s) {
+                 s.textures[0].wrapT = Wrap::ClampToBorder;
+                 s.textures[0].maxAnisotropy = 2;
+             }},
+         Case{"textures[0].wrapS: WebGL 2 has no GL_CLAMP, and the page's shader can't make up for it where "
+              "minification alone averages",
+              [](Scene& s) {
+                  s.textures[0].wrapS = Wrap::Clamp;
+                  s.textures[0].magFilter = MagFilter::Nearest;
+                  s.textures[0].minFilter = MinFilter::Linear;
+              }},
          Case{
              "passes[0].seamlessCubeMap: WebGL 2 always filters across the edges of a cube map: switch it on",
              [](Scene& s) {
                  s.textures[0].magFilter = MagFilter::Linear;
                  s.textures[0].pattern = Pattern::CubeFaces;
                  s.passes[0].units[0].target = Target::CubeMap;
-             }},
-         Case{"textures[0].wrapS: WebGL 2 has no GL_CLAMP", [](Scene& s) {
-                  s.textures[0].wrapS = Wrap::Clamp;
-                  s.textures[0].magFilter = MagFilter::Linear;
-              }}}) {
+             }}}) {
         Scene scene = defaultScene();
         change(scene);
         const Result<std::string> page = pageOf(scene);
@@ -121,6 +129,54 @@ TEST(WebGlProgram, ClampsToTheEdgeWhereThatIsTheSame) {
     scene.textures[0].minFilter = MinFilter::Nearest;
     EXPECT_THAT(textOf(scene),
                 HasSubstr("gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);"));
+}
+
+/// The border's colour is the shader's, as WebGL has none; what the texture is told is the edge.
+TEST(WebGlProgram, MixesTheBorderIn) {
+    Scene scene = defaultScene();
+    Texture& texture = scene.textures[0];
+    texture.wrapS = texture.wrapT = Wrap::ClampToBorder;
+    texture.borderColor = {1, 0.5F, 2, 1};
+    texture.internalFormat = InternalFormat::Rgb;
+    texture.magFilter = MagFilter::Linear;
+    texture.minFilter = MinFilter::Linear;
+    EXPECT_THAT(textOf(scene),
+                AllOf(HasSubstr("gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);"), Not(HasSubstr("float lambda")),
+                      HasSubstr("vec4 border0 = vec4(1.0, 0.5, 1.0, 1.0); // GL_TEXTURE_BORDER_COLOR\n"),
+                      HasSubstr("bordered(texture0, place0.st, 0.0, true, bvec2(true, true), border0);\n")));
+    texture.wrapS = Wrap::Repeat;
+    texture.minFilter = MinFilter::LinearMipmapNearest;
+    EXPECT_THAT(textOf(scene),
+                AllOf(HasSubstr("float lambda0 = lambda(texture0, place0.st);\n"),
+                      HasSubstr("bordered(texture0, place0.st, level0, true, bvec2(false, true), border0)")));
+    texture.minFilter = MinFilter::Nearest;
+    EXPECT_THAT(textOf(scene),
+                HasSubstr("bordered(texture0, place0.st, 0.0, lambda0 <= 0.0, bvec2(false, true), border0)"));
+    texture.wrapR = Wrap::ClampToBorder;
+    scene.passes[0].units[0].target = Target::Texture3D;
+    EXPECT_THAT(textOf(scene), AllOf(HasSubstr("vec4 bordered(sampler3D image, vec3 place"),
+                                     HasSubstr("lambda0 <= 0.0, bvec3(false, true, true), border0)")));
+}
+
+/// What turns about an axis is made by a function, and isn't a list of numbers.
+TEST(WebGlProgram, MakesShapes) {
+    Scene scene = defaultScene();
+    scene.models.resize(1);
+    scene.models[0].shape = Shape::Torus;
+    scene.models[0].tubeRadius = 0.25F;
+    EXPECT_THAT(
+        textOf(scene),
+        AllOf(HasSubstr("const {vertices: model0Vertices, indices: model0Indices} = torus(0.25, 32, 16);\n"),
+              HasSubstr("gl.drawElements(gl.TRIANGLES, model0Indices.length, gl.UNSIGNED_INT, 0);"),
+              HasSubstr("function band("), Not(HasSubstr("atob"))));
+}
+
+/// What a matrix without a step turns around.
+TEST(WebGlProgram, HasTheIdentityWhereItIsNamed) {
+    Scene scene = defaultScene();
+    EXPECT_THAT(textOf(scene), Not(HasSubstr("const identity")));
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Rotate, .amount = {0, 0, 0}, .angle = 30}};
+    EXPECT_THAT(textOf(scene), HasSubstr("const identity = ["));
 }
 
 /// A title and names of models come from outside: none of them is markup, or ends the script.

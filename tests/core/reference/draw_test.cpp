@@ -53,6 +53,28 @@ TEST(DrawReference, FillsTheSquareAndNothingElse) {
     }
 }
 
+// A driver of 1 bit of GL_SUBPIXEL_BITS knows half pixels alone: what ends at 1.8 pixels ends at 2 there.
+// Colours follow the corners that are left. A pixel's centre lies at a half.
+TEST(DrawReference, SnapsCornersAsADriverDoes) {
+    Scene scene = squareScene();
+    scene.view.background = {0, 1, 0, 1};
+    scene.models[0].size = 0.55F; // from 1.8 to 6.2 of 8 pixels
+    const auto inside = [&](int cornerBits, bool literal) {
+        const Result<Frame> frame = drawReference(
+            {.scene = scene, .width = 8, .height = 8, .cornerBits = cornerBits}, {.literal = literal});
+        EXPECT_TRUE(frame);
+        int count = 0;
+        for (int x = 0; x < 8; ++x)
+            count += pixelAt(frame->image, x, 4) != Pixel{0, 255, 0, 255} ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(inside(0, false), 4);
+    scene.models[0].size = 0.6F; // from 1.6 to 6.4: the nearest halves are 1.5 and 6.5
+    EXPECT_EQ(inside(0, false), 4);
+    EXPECT_EQ(inside(1, false), 5); // 1.5 is a centre, and the left edge owns it
+    EXPECT_EQ(inside(1, true), 5);
+}
+
 // Section 3.8.10 asks for levels up to GL_TEXTURE_MAX_LEVEL where the filter reads them: without mipmaps the
 // base level is drawn, whatever the maximum.
 TEST(DrawReference, DrawsTheBaseLevelThoughTheMaximumIsBelowIt) {

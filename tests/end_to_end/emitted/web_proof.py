@@ -10,6 +10,10 @@ from capture import PATIENCE, ProgramError
 from proof import TIMES, Flavour, Proof
 
 WEBGL = Flavour("webgl", "demo.html", "reference", 2)
+# The share of a picture's pixels that nothing explains: less than the rules of conform allow, as judge_picture knows how
+# SwiftShader draws. A floor that reaches far needs more bits than floats have (0.27 %); how one filters under anisotropy is left
+# open, and only that it does so can be asked for (2.1 %).
+ALLOWED = {"ellipse": 0.05}
 WIDTH, HEIGHT = 320, 240  # of the window: what there is to see is there, too, in a quarter of the pixels of 640x480
 
 
@@ -50,7 +54,7 @@ class PagesProof(Proof):
 def refusal(line):
     """What a judgement has against a picture, or nothing."""
     judgement = json.loads(line)
-    allowed = 1 - judgement["explained"]
+    allowed = min(1 - judgement["explained"], ALLOWED.get(judgement["rule"], 0.005))
     if judgement["unexplained"] <= allowed * judgement["pixels"]:
         return ""
     return (f"{judgement['unexplained']} of {judgement['pixels']} pixels differ by more than {judgement['bound']}/255 and are not "

@@ -27,7 +27,10 @@ void showDepths(Scene& scene, InternalFormat format) {
 constexpr std::array refusals{
     Refusal{"border", emit::Flavour::WebGl, [](Scene& scene) { scene.textures[0].border = 1; }},
     Refusal{"wrap", emit::Flavour::WebGl,
-            [](Scene& scene) { scene.textures[0].wrapS = Wrap::ClampToBorder; }},
+            [](Scene& scene) {
+                scene.textures[0].wrapS = Wrap::ClampToBorder;
+                scene.textures[0].maxAnisotropy = 2;
+            }},
     Refusal{"driver", emit::Flavour::WebGl,
             [](Scene& scene) { scene.textures[0].compression = Compression::Driver; }},
     Refusal{"line", emit::Flavour::WebGl,

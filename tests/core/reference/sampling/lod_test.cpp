@@ -105,6 +105,11 @@ INSTANTIATE_TEST_SUITE_P(
              .first = 0,
              .second = 1,
              .share = 0.5849625F},
+        Case{.name = "SwitchOverAtZeroForAll", // OpenGL 4.1, section 3.9.12
+             .texelsX = 1.25F,
+             .min = M::NearestMipmapNearest,
+             .options = {.zeroSwitchOver = true},
+             .lambda = 0.32192809F},
         Case{.name = "NoSwitchOverForNearest",
              .texelsX = 1.25F,
              .min = M::NearestMipmapNearest,
