@@ -64,7 +64,7 @@ class Webgl(RandomScenes, unittest.TestCase):
         browsers = [Pages(WIDTH, HEIGHT), Pages(WIDTH, HEIGHT)]
         for each in browsers:
             self.addCleanup(each.quit)
-        self.hold(PagesProof(TEXSHOT, JUDGE, browsers, Path(KEEP) / "random"), self.cases("--comparable"), 0.3)
+        self.hold(PagesProof(TEXSHOT, JUDGE, browsers, Path(KEEP) / "random"), self.cases("--comparable"), 0.2)
 
 
 if __name__ == "__main__":
