@@ -444,7 +444,7 @@ TEST(EmittedModels, AreBounded) {
         return line.data && textOf(line).starts_with("static const GLfloat model0Positions[196608]");
     });
     ASSERT_NE(positions, lines.end());
-    EXPECT_EQ(std::ranges::count(*positions->data, ','), 196608);
+    EXPECT_EQ(std::ranges::count(positions->data->text(), ','), 196608);
 }
 
 TEST(EmittedModels, SetTheirOwnMaterialAndGiveTheScenesBack) {
@@ -592,6 +592,28 @@ TEST(EmittedPrograms, RefuseWhatTheyCantDraw) {
               "texture of depths, not GL_RGBA");
     scene.textures[0].internalFormat = InternalFormat::DepthComponent24;
     EXPECT_THAT(needed(scene), Contains("drawShadowMap0();"));
+}
+
+/// What isn't read costs nothing: while one drags a number, nobody writes those of a texture.
+TEST(EmittedPrograms, WriteNumbersOfTexelsWhenTheyAreRead) {
+    Scene scene = defaultScene();
+    scene.textures[0].pattern = Pattern::Brick;
+    emit::TextureCodes codes;
+    const auto dataOf = [&](float azimuth) {
+        scene.view.azimuth = azimuth;
+        std::vector<Line> lines = emit::program(emit::Flavour::Fixed, scene, {}, {}, codes).value();
+        std::erase_if(lines, [](const Line& line) { return !line.data; });
+        return lines;
+    };
+    const std::vector<Line> before = dataOf(10);
+    const std::vector<Line> after = dataOf(20);
+    ASSERT_FALSE(before.empty());
+    ASSERT_TRUE(before[0].data->source);
+    EXPECT_EQ(before[0].data->source, after[0].data->source);
+    EXPECT_TRUE(readsAs(before[0], after[0]));
+    EXPECT_EQ(before[0].data->text(), after[0].data->text());
+    scene.textures[0].pattern = Pattern::Planet;
+    EXPECT_FALSE(readsAs(before[0], dataOf(20)[0]));
 }
 
 TEST(EmittedLines, TellApartWhatStandsForTheSameValue) {

@@ -64,7 +64,7 @@ TEST_F(CommandsTab, KeyFramesAreThoseOfTheProgram) {
     start(moving);
     show();
     const std::string text = copied();
-    EXPECT_EQ(text, textOf(programOf(moving), false));
+    EXPECT_EQ(text, textOf(programOf(scene()), false)) << "whose camera is fitted to the view";
     EXPECT_THAT(text, HasSubstr("GL_SHININESS, materialShininess);"));
     session->window.playback.time = 1;
     frames(2);
