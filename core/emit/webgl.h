@@ -26,9 +26,10 @@ void replaceAll(std::string& text, std::string_view word, std::string_view with)
 
 /// Whether texels beyond the edge have the border's colour on any axis that a picture has.
 [[nodiscard]] bool hasBorder(const Texture& texture, Target target);
-/// Where no shader of a page makes up for WebGL's lack of a border, a sentence that says so; else nothing.
-[[nodiscard]] std::string unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled,
-                                          Wrap wrap);
+/// Whether a shader of a page makes up for WebGL's lack of a border. Unsupported: where not, and that it is
+/// so.
+[[nodiscard]] Result<void> checkBorder(const Texture& texture, const glsl::SampledUnit& sampled, Wrap wrap,
+                                       const std::string& path, const std::string& key);
 /// Lookups of a pass that mix the border in.
 void writeBorders(const GlslEmission& glsl, GlslPass& pass);
 

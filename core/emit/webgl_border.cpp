@@ -183,19 +183,26 @@ bool hasBorder(const Texture& texture, Target target) {
     return std::ranges::find(ends, true) != ends.end();
 }
 
-std::string unsayableBorder(const Texture& texture, const glsl::SampledUnit& sampled, Wrap wrap) {
+Result<void> checkBorder(const Texture& texture, const glsl::SampledUnit& sampled, Wrap wrap,
+                         const std::string& path, const std::string& key) {
     const std::string_view name = rowOf(wrap).name;
     if (texture.maxAnisotropy > 1)
-        return fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it under anisotropy",
-                           name);
+        return refuse(
+            fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it under anisotropy",
+                        name),
+            path, key);
     if (averagesMinified(texture) && !averagesMagnified(texture))
-        return fmt::format(
-            "WebGL 2 has no {}, and the page's shader can't make up for it where minification alone averages",
-            name);
+        return refuse(
+            fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it where minification "
+                        "alone averages",
+                        name),
+            path, key);
     if (sampled.compares && asksForLambda(texture))
-        return fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it where depths are "
-                           "compared at several levels",
-                           name);
+        return refuse(
+            fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it where depths are "
+                        "compared at several levels",
+                        name),
+            path, key);
     return {};
 }
 

@@ -33,8 +33,8 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
             continue;
         if (wrap == Wrap::Clamp && sampled.hasDepths)
             return refuse(fmt::format("WebGL 2 has no {}", rowOf(wrap).name), path, *key);
-        if (const std::string sentence = unsayableBorder(texture, sampled, wrap); !sentence.empty())
-            return refuse(sentence, path, *key);
+        if (const Result<void> said = checkBorder(texture, sampled, wrap, path, *key); !said)
+            return said;
     }
     if (isDepth(code.shape.internalFormat) && texture.compareMode == CompareMode::None &&
         !readsNearestAlone(texture))

@@ -40,14 +40,17 @@ class PagesProof(Proof):
         asked = []
         for time, picture in zip(self.times, drawn):
             Image.fromarray(picture).convert("RGBA").save(path / f"program-{time}.png", compress_level=1)
-            asked += [time, path / f"program-{time}.png"]
+            asked += [time, path / f"program-{time}.png", path / f"texshot-{time}.png"]
         done = subprocess.run([self.judge, case.file, case.file.parent, *asked], capture_output=True, text=True, timeout=PATIENCE)
         if done.returncode != 0:
             raise ProgramError(f"it can't be judged: {done.stderr}")
-        wrong = [f"at {time} s {sentence}" for time, line in zip(self.times, done.stdout.splitlines()) if (sentence := refusal(line))]
+        wrong = []
+        for time, line in zip(self.times, done.stdout.splitlines()):
+            if sentence := refusal(line):
+                self.run("compare", f"texshot-{time}.png", f"program-{time}.png", "--rgb", "--tolerance", str(self.flavour.bound),
+                         "-o", f"difference-{time}.png", cwd=path)
+                wrong.append(f"at {time} s {sentence}")
         if wrong:
-            self.run("shot", *case.words, "--renderer", "reference", "--size", f"{WIDTH}x{HEIGHT}", "--no-metadata",
-                     "--time", ",".join(self.times), "-o", "texshot-{time}.png", cwd=path)
             raise ProgramError("; ".join(wrong))
 
 
