@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         // 1.25 counts as 0.75, u = 3.
         Case{"MirrorBeyondOne", W::MirroredRepeat, true, 1.25F, {{2, 0.5F}, {3, 0.5F}}, 0},
         Case{"MirrorNearest", W::MirroredRepeat, false, 1.25F, {{3, 1}}, 0}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& test) { return std::string(test.param.name); });
 
 // The renderer's own sampler has the same weights, texel by texel.
 TEST(RowWeights, AreThoseOfTheSampler) {
