@@ -179,8 +179,9 @@ private:
         if (isEmbossed()) {
             table("Positions", 3,
                   [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.position, 0); });
-            table("Normals", 3,
-                  [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.normal, 0); });
+            if (hasNormals_)
+                table("Normals", 3,
+                      [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.normal, 0); });
         } else
             declareStructs();
         if (isColored())
@@ -324,8 +325,10 @@ private:
         if (isEmbossed()) {
             fill("GL_ARRAY_BUFFER", "Positions");
             attribute(glsl::positionAttribute, 3, "0", "0", "position");
-            fill("GL_ARRAY_BUFFER", "Normals");
-            attribute(glsl::normalAttribute, 3, "0", "0", "normal");
+            if (hasNormals_) {
+                fill("GL_ARRAY_BUFFER", "Normals");
+                attribute(glsl::normalAttribute, 3, "0", "0", "normal");
+            }
         } else {
             fill("GL_ARRAY_BUFFER", isShape_ ? "vertices" : "Vertices", isShape_);
             attribute(glsl::positionAttribute, 3, "sizeof(Vertex)", "offsetof(Vertex, position)", "position");
@@ -346,10 +349,13 @@ private:
             if (form == CoordForm::Off ||
                 (form == CoordForm::AsGiven && !isEmbossed() && !hasOwnCoords(unit, form)))
                 continue;
-            if (form == CoordForm::Embossed)
+            if (form == CoordForm::Embossed && embossed_.insert(unit).second)
                 writer_.add(fmt::format(
                     "{0}EmbossedBuffer{1} = newBuffer(GL_ARRAY_BUFFER, sizeof {0}Embossed{1}, NULL);",
                     variable_, unit));
+            else if (form == CoordForm::Embossed)
+                writer_.add(
+                    fmt::format("glBindBuffer(GL_ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));
             else
                 fill("GL_ARRAY_BUFFER", coordsName(unit, form));
             attribute(glsl::firstCoordAttribute + static_cast<unsigned>(unit), 4, "0", "0", unitWords(unit));
@@ -441,6 +447,7 @@ private:
     bool hasNormals_;
     bool isSmall_ = false; ///< its numbers stand where they are used
     Mesh mesh_;
+    std::set<std::size_t> embossed_{}; ///< units whose buffer there is: vertex array objects share it
 };
 
 } // namespace

@@ -218,9 +218,12 @@ private:
             const CoordForm form = array.coords[unit];
             if (form == CoordForm::Off || (form == CoordForm::AsGiven && !isOwn(unit, form)))
                 continue;
-            if (form == CoordForm::Embossed)
+            if (form == CoordForm::Embossed && embossed_.insert(unit).second)
                 writer_.add(fmt::format("{0}EmbossedBuffer{1} = newBuffer(gl.ARRAY_BUFFER, {0}{2});",
                                         variable_, unit, coordsName(unit, form)));
+            else if (form == CoordForm::Embossed)
+                writer_.add(
+                    fmt::format("gl.bindBuffer(gl.ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));
             else
                 buffer(coordsName(unit, form));
             coordAttribute(unit, 4, 0);
@@ -239,6 +242,7 @@ private:
     std::size_t index_;
     std::string variable_;
     Mesh mesh_;
+    std::set<std::size_t> embossed_{}; ///< units whose buffer there is: vertex array objects share it
 };
 
 } // namespace

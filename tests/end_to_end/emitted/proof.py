@@ -48,9 +48,9 @@ class Verdict(NamedTuple):
 class Proof:
     """Of one flavour. What is wrong is kept in a folder: the program, its pictures, those of texshot, and what differs."""
 
-    def __init__(self, texshot, flavour, capture, keep, times=TIMES):
+    def __init__(self, texshot, flavour, capture, keep, times=TIMES, last_bits=LAST_BITS):
         self.texshot, self.flavour, self.capture, self.times = os.path.abspath(texshot), flavour, capture, times
-        self.keep = Path(keep) / flavour.name
+        self.keep, self.last_bits = Path(keep) / flavour.name, last_bits
 
     def of_all(self, cases):
         """The verdicts in the order of the cases."""
@@ -142,7 +142,7 @@ class Proof:
         """Of the pixels of a scene, which may differ."""
         if self.flavour is FIXED and any(is_twisted(model) for model in scene["models"]):
             return TWISTED
-        return LAST_BITS if computes_otherwise(scene) else 0
+        return self.last_bits if computes_otherwise(scene, self.flavour) else 0
 
 
 def is_twisted(model):
@@ -157,9 +157,12 @@ def is_twisted(model):
     return any(abs(numpy.linalg.det(quad[1:] - quad[0])) > 1e-5 for quad in quads)
 
 
-def computes_otherwise(scene):
+def computes_otherwise(scene, flavour):
     """Whether something isn't OpenGL's to compute, and is computed by a program in other steps than by texshot: where
     embossed coordinates lie, by the matrix that OpenGL has kept as floats, where texshot has kept doubles; what the light
-    sees, which a program has OpenGL draw."""
-    embosses = any(unit.get("enabled") and unit.get("emboss", {}).get("enabled") for each in scene["passes"] for unit in each["units"])
-    return embosses or any(texture["source"] == "light-depth" for texture in scene["textures"])
+    sees, which a program has OpenGL draw; where a light projects a picture by shaders, by a matrix whose numbers stand in the
+    program."""
+    units = [unit for each in scene["passes"] for unit in each["units"] if unit.get("enabled")]
+    embosses = any(unit.get("emboss", {}).get("enabled") for unit in units)
+    projects = flavour is GLSL and any(step["op"] == "projector" for unit in units for step in unit.get("matrix", []))
+    return embosses or projects or any(texture["source"] == "light-depth" for texture in scene["textures"])
