@@ -3,6 +3,7 @@
 
 #include "app/stage/loop.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/sheet_file.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/base/file_io.h"
