@@ -119,7 +119,7 @@ void writeMovingLight(Emission& emission);
 /// The camera's calls, on the matrix that there is; before them the variables that the mouse changes.
 void writeCamera(Emission& emission);
 void declareCamera(Emission& emission);
-/// "azimuth": what the mouse changes, with what key frames say of it.
+/// The variable of what the mouse changes, with what key frames say of it.
 [[nodiscard]] std::string cameraVariable(Emission& emission, MemberId member);
 /// What multiplies by the projection of what the light sees, and by its view of eye coordinates, whose
 /// array's name begins with `variable`.

@@ -420,7 +420,8 @@ Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, c
         }
         if (explanation.fragments.size() == first)
             continue;
-        const std::vector<IdleUnit> idle = idleUnits(scene, passes[p], request.images, options.levels, textures);
+        const std::vector<IdleUnit> idle =
+            idleUnits(scene, passes[p], request.images, options.levels, textures);
         for (std::size_t i = first; i < explanation.fragments.size(); ++i)
             explanation.fragments[i].idle = idle;
     }

@@ -150,7 +150,7 @@ TEST(ProgramWorker, WorksWithoutAThread) {
 
 TEST(ProgramWorker, PassesOnWhatAProgramCantSay) {
     Scene scene = compressed();
-    scene.textures[0].wrapS = Wrap::ClampToBorder;
+    scene.textures[0].border = 1;
     ProgramWorker worker(When::AtOnce);
     const auto made = worker.program(Flavour::WebGl, scene, {}, {});
     ASSERT_TRUE(made);

@@ -139,7 +139,7 @@ class LessonPage(Texshot):
         keyed = {"version": 1, "timeline": [{"time": 1, "path": "view.azimuth", "value": 9}]}
         folder = self.folder_of({**LESSON, "steps": [
             {"title": "One", "text": "Text.", "scene": "keyed.json"},
-            {"title": "Two", "text": "Text.", "scene": "cube", "edits": ["textures[0].wrapS=GL_CLAMP_TO_BORDER"]},
+            {"title": "Two", "text": "Text.", "scene": "cube", "edits": ["textures[0].wrapS=GL_CLAMP_TO_BORDER", "textures[0].maxAnisotropy=2"]},
             {"title": "Three", "text": "Text.", "scene": "photo.json"}]})
         (folder / "keyed.json").write_text(json.dumps(keyed))
         Image.effect_noise((1200, 1200), 90).convert("RGB").save(folder / "photo.png")

@@ -69,9 +69,10 @@ TEST_F(ProgramFile, NamesImagesFromItsOwnFolder) {
 }
 
 TEST_F(ProgramFile, WhatAFlavourCantSayIsOneSentence) {
-    session.document.scene.textures[0].wrapS = Wrap::ClampToBorder;
+    session.document.scene.textures[0].border = 1;
     EXPECT_EQ(saved(emit::Flavour::WebGl, folder / "a.html"), "");
-    EXPECT_EQ(said, "The program can't be written: textures[0].wrapS: WebGL 2 has no GL_CLAMP_TO_BORDER.");
+    EXPECT_EQ(said,
+              "The program can't be written: textures[0].border: WebGL 2 has no textures with a border.");
     EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
 }
 
