@@ -119,6 +119,21 @@ TEST(GlslProgram, EachPassHasItsOwnProgram) {
 }
 
 /// Of scenes that nobody would make: real C, or it says so.
+TEST(GlslProgram, HasOneBufferOfEmbossedCoordinates) {
+    Scene scene = defaultScene();
+    scene.models = {{.shape = Shape::Quad}};
+    scene.passes[0].units[1] = {.enabled = true, .emboss = {.enabled = true}};
+    scene.passes.push_back(scene.passes[0]);
+    scene.passes[1].units[0].emboss.enabled = true; // another vertex array object, for it takes others here
+    const std::string text = textOf(scene);
+    const std::size_t made = text.find("model0EmbossedBuffer1 = newBuffer(");
+    ASSERT_NE(made, std::string::npos);
+    EXPECT_EQ(text.find("model0EmbossedBuffer1 = newBuffer(", made + 1), std::string::npos);
+    EXPECT_THAT(
+        text.substr(made),
+        HasSubstr("    glBindBuffer(GL_ARRAY_BUFFER, model0EmbossedBuffer1);\n    attribute(9, 4, 0, 0);"));
+}
+
 TEST(GlslProgram, OfRandomScenesIsC) {
     const test::TempDir folder;
     const std::vector<std::string> files{"a.png", "*/ int broken; /*", "line\nbreak.png",
