@@ -86,7 +86,7 @@ TEST(ProgramWorker, ANumberThatChangesMeanwhileBeginsNothingAnew) {
 }
 
 TEST(ProgramWorker, TheNewestSceneGivesUpWhatTheOneBeforeNeeded) {
-    PausedEncoding paused(0.01F);
+    PausedEncoding paused(0.5F);
     ProgramWorker worker(When::WhenReady, {}, paused.work());
     EXPECT_FALSE(ask(worker, compressed(Pattern::Planet)));
     paused.waitUntilBegun();
@@ -100,7 +100,7 @@ TEST(ProgramWorker, TheNewestSceneGivesUpWhatTheOneBeforeNeeded) {
 }
 
 TEST(ProgramWorker, AQuickSceneNeedsNotWaitForAnother) {
-    PausedEncoding paused(0.01F);
+    PausedEncoding paused(0.5F);
     ProgramWorker worker(When::WhenReady, {}, paused.work());
     EXPECT_FALSE(ask(worker, compressed()));
     paused.waitUntilBegun();
