@@ -20,7 +20,7 @@ namespace texplorer::ui {
 namespace {
 
 constexpr const char* commandsHint = "Drag numbers, click names and switches";
-constexpr const char* makingHint = "Making the texels; until then the last program";
+constexpr const char* makingHint = "Making the texels…";
 
 void toolRow(Session& session, CommandsTabState& state) {
     const char* copy = "Copy";
@@ -48,6 +48,12 @@ void toolRow(Session& session, CommandsTabState& state) {
         ImGui::OpenPopup("export");
     noteItem("export commands");
     helpTip("Writes a program that draws the scene into a file: in C, or as a page for a browser");
+    const ImVec2 corner = ImGui::GetItemRectMax();
+    const float height =
+        ImGui::GetFrameHeightWithSpacing() * static_cast<float>(emit::flavourRows.size() + 1);
+    const bool hasRoom = corner.y + height < ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowPos({corner.x, hasRoom ? corner.y : ImGui::GetItemRectMin().y}, ImGuiCond_Appearing,
+                            {1, hasRoom ? 0.0F : 1.0F}); // beside the button, not over it
     if (ImGui::BeginPopup("export")) {
         programMenuItems(session);
         ImGui::EndPopup();
@@ -126,7 +132,7 @@ void renewRows(const Session& session, CommandsTabState& state, std::size_t colu
 
 /// Scrolls to where the scene's own calls begin, once: what is before them is the same in most programs.
 void showCalls(CommandsTabState& state, float rowHeight) {
-    if (std::exchange(state.hasShownCalls, true))
+    if (state.rows.empty() || std::exchange(state.hasShownCalls, true))
         return;
     const auto isCall = [&](const CodeRow& row) {
         return std::ranges::any_of(row.parts, [](const emit::Part& part) {

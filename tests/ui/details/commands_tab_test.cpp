@@ -178,6 +178,24 @@ TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
     EXPECT_EQ(paused.shares.size(), 1U);
 }
 
+TEST_F(CommandsTab, OpensAtTheCallsAlsoWhereTheProgramComesLate) {
+    PausedEncoding paused;
+    emit::ProgramWorker beside(When::WhenReady, {}, paused.work());
+    const Services atOnce = session->services;
+    states.details.commands = {};
+    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
+          atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
+          atOnce.sheet, beside, atOnce.writing});
+    texture().compression = Compression::Cached;
+    show();
+    paused.waitUntilBegun();
+    EXPECT_FALSE(has("command:textures[0].minFilter"));
+    paused.goOn();
+    beside.wait();
+    frames(3);
+    EXPECT_TRUE(isWhole("command:textures[0].minFilter"));
+}
+
 TEST_F(CommandsTab, AChoiceHasAList) {
     find("command:textures[0].minFilter");
     click("command:textures[0].minFilter");
