@@ -1,4 +1,5 @@
 #include "core/emit/emission.h"
+#include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/keys.h"
 
@@ -45,24 +46,46 @@ void writeRows(Emission& emission, const Holder& holder, bool all) {
     }
 }
 
-} // namespace
-
-void writeMaterial(Emission& emission) {
+/// That of a model: the scene's, or its own.
+Holder holderOf(const Scene& scene, std::size_t index) {
+    const Model& model = scene.models[index];
     const std::string& key = keyOf<&Scene::material>();
-    emission.writer.heading(key);
-    writeRows(emission, {materialTable(), &emission.scene.material, &initialMaterial(), key, key, key}, true);
-}
-
-void writeMaterial(Emission& emission, std::size_t index) {
-    const Model& model = emission.scene.models[index];
-    const std::string& key = keyOf<&Scene::material>();
-    Holder holder{
-        modelMaterialTable(), &materialOf(emission.scene, model), &initialMaterial(), key, key, key};
+    Holder holder{modelMaterialTable(), &materialOf(scene, model), &initialMaterial(), key, key, key};
     if (model.ownMaterial) {
         holder.path = fmt::format("{}.{}", elementOf<&Scene::models>(index), keyOf<&Model::material>());
         holder.variable = joined(fmt::format("model{}", index), key);
     }
-    writeRows(emission, holder, false);
+    return holder;
+}
+
+/// The model that a frame begins with.
+std::optional<std::size_t> firstModel(const Scene& scene) {
+    for (const Pass& pass : scene.passes) {
+        if (const std::vector<std::size_t> models = drawnModels(scene, pass);
+            drawsAnything(scene, pass) && !models.empty())
+            return models.front();
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+void writeMaterial(Emission& emission) {
+    const Scene& scene = emission.scene;
+    const std::string& key = keyOf<&Scene::material>();
+    const Holder ofTheScene{materialTable(), &scene.material, &initialMaterial(), key, key, key};
+    emission.writer.heading(key);
+    // That of the first model at once: if the first frame begins with another than it goes on with, Mesa 22.3
+    // mixes both up.
+    const std::optional<std::size_t> first = firstModel(scene);
+    if (!first || !scene.models[*first].ownMaterial)
+        return writeRows(emission, ofTheScene, true);
+    writeRows(emission, holderOf(scene, *first), true);
+    emission.writer.row(ofTheScene, memberId<&Material::shadeModel>);
+}
+
+void writeMaterial(Emission& emission, std::size_t index) {
+    writeRows(emission, holderOf(emission.scene, index), false);
 }
 
 } // namespace texplorer::emit
