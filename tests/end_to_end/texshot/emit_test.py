@@ -60,14 +60,15 @@ class Emit(Texshot):
         self.assertEqual(bytes(texels), turned.tobytes())
 
     def test_what_a_program_has_no_words_for_is_one_sentence(self):
-        self.assertIn("key frames", self.refused("--set", "view.azimuth=3", self.keyed()))
+        self.assertIn("models[0].shape: a program (C with OpenGL 2.1) can't move this by key frames", self.refused(self.keyed()))
         self.assertIn("--as", self.refused("--as", "assembler", code=2))
         self.assertIn("internalFormat", self.refused("--preset", "shadow-map", "--set", "textures[0].internalFormat=GL_RGBA",
                                                      self.shadowed()))
 
     def keyed(self):
         file = self.path / "keyed.json"
-        file.write_text(json.dumps({"version": 1, "timeline": [{"time": 1, "path": "view.azimuth", "value": 9}]}))
+        file.write_text(json.dumps({"version": 1, "timeline": [
+            {"time": 0, "path": "models[0].shape", "value": "cube"}, {"time": 1, "path": "models[0].shape", "value": "sphere"}]}))
         return file
 
     def shadowed(self):

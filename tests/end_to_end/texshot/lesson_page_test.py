@@ -136,7 +136,8 @@ class LessonPage(Texshot):
         self.complains(1, "programs/mine/mine-1.c", "lessons", "--page", self.path / "out", "--lesson", folder)
 
     def test_what_a_flavour_cannot_say_is_a_sentence(self):
-        keyed = {"version": 1, "timeline": [{"time": 1, "path": "view.azimuth", "value": 9}]}
+        keyed = {"version": 1, "timeline": [{"time": 0, "path": "models[0].shape", "value": "cube"},
+                                           {"time": 1, "path": "models[0].shape", "value": "sphere"}]}
         folder = self.folder_of({**LESSON, "steps": [
             {"title": "One", "text": "Text.", "scene": "keyed.json"},
             {"title": "Two", "text": "Text.", "scene": "cube", "edits": ["textures[0].wrapS=GL_CLAMP_TO_BORDER", "textures[0].maxAnisotropy=2"]},
@@ -146,7 +147,7 @@ class LessonPage(Texshot):
         (folder / "photo.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "photo.png", "minFilter": "GL_LINEAR"}],
                                                        "models": [{}], "passes": [{"units": [{"enabled": True}]}]}))
         text = html.unescape(self.page("--lesson", folder))
-        self.assertEqual(text.count("timeline: a program has no key frames"), 3)
+        self.assertEqual(text.count("can't move this by key frames; texshot animate draws it"), 3)
         self.assertIn("Page with WebGL 2: textures[0].wrapS: WebGL 2 has no GL_CLAMP_TO_BORDER", text)
         self.assertRegex(text, r"C with OpenGL 2\.1: the program holds \d+ MB of texels")
         self.assertEqual({name for name in self.files() if name.startswith("programs/")},
