@@ -57,11 +57,13 @@ constexpr std::string_view trackInJs =
     R"(/* What a component's keys say at a time: between two of them a mixture, before the first what that says, after
  * the last what that says. */
 function track(keys, seconds, component) {
-    const next = keys.findIndex((key) => key.seconds > seconds);
-    if (next <= 0) return keys[next === 0 ? 0 : keys.length - 1].value[component];
+    const time = (key) => Math.fround(key.seconds); // floats, as OpenGL has them
+    const value = (key) => Math.fround(key.value[component]);
+    const next = keys.findIndex((key) => time(key) > seconds);
+    if (next <= 0) return value(keys[next === 0 ? 0 : keys.length - 1]);
     const from = keys[next - 1], to = keys[next];
-    const share = from.easing((seconds - from.seconds) / (to.seconds - from.seconds));
-    return from.value[component] * (1 - share) + to.value[component] * share;
+    const share = from.easing((seconds - time(from)) / (time(to) - time(from)));
+    return value(from) * (1 - share) + value(to) * share;
 }
 )";
 constexpr std::string_view stepInC =
@@ -78,7 +80,7 @@ constexpr std::string_view stepInJs =
     R"(/* Nothing lies between two names or switches: each holds until the next one comes. */
 function step(steps, seconds) {
     let i = 0;
-    while (i + 1 < steps.length && steps[i + 1].seconds <= seconds) ++i;
+    while (i + 1 < steps.length && Math.fround(steps[i + 1].seconds) <= seconds) ++i;
     return steps[i].value;
 }
 )";

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace texplorer::emit {
@@ -310,11 +311,14 @@ private:
         return indices;
     }
 
-    /// Whether it lies elsewhere than where its vertices say.
+    /// Whether it lies elsewhere than where its vertices say, at least at times.
     [[nodiscard]] bool isPlaced() const {
-        return model_.attachment == Attachment::Eye || model_.position != glm::vec3(0) ||
-               model_.rotation != glm::vec3(0) || model_.spin != glm::vec3(0) || model_.size != 1 ||
-               model_.scale != glm::vec3(1);
+        const std::array keys{&keyOf<&Model::position>(), &keyOf<&Model::rotation>(), &keyOf<&Model::spin>(),
+                              &keyOf<&Model::size>(), &keyOf<&Model::scale>()};
+        const auto moves = [this](const std::string* key) { return writer_.moves(own(*key)); };
+        return std::ranges::any_of(keys, moves) || model_.attachment == Attachment::Eye ||
+               model_.position != glm::vec3(0) || model_.rotation != glm::vec3(0) ||
+               model_.spin != glm::vec3(0) || model_.size != 1 || model_.scale != glm::vec3(1);
     }
 
     void place(bool beforeTheEye = true) {

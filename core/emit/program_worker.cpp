@@ -1,5 +1,6 @@
 #include "core/emit/program_worker.h"
 
+#include "core/scene/params/params.h"
 #include "core/texture/levels_worker.h"
 
 #include <algorithm>
@@ -9,6 +10,17 @@ namespace texplorer::emit {
 namespace {
 
 constexpr FailureWords texelsFailure{"there is no memory for its texels", "its texels can't be made"};
+
+/// A program shows what a unit shows that key frames switch on at times.
+Scene withSwitchedUnits(const Scene& scene) {
+    Scene shown = scene;
+    for (const KeyFrame& key : scene.timeline.keys) {
+        const auto at = paramAt(scene, key.path);
+        if (at && at->row->member == memberId<&Unit::enabled>)
+            static_cast<void>(putBetween(shown, key.path, "true", "true", 0));
+    }
+    return shown;
+}
 
 } // namespace
 
@@ -78,7 +90,7 @@ std::optional<ProgramWorker::Program> ProgramWorker::program(Flavour flavour, co
     State& state = *state_;
     state.receive();
     std::vector<TexelRequest> missing;
-    for (std::optional<TexelRequest>& request : texelRequests(scene, images, options)) {
+    for (std::optional<TexelRequest>& request : texelRequests(withSwitchedUnits(scene), images, options)) {
         if (request && !isQuick(request->levels) && !state.codes.has(*request) &&
             std::ranges::find(missing, *request) == missing.end())
             missing.push_back(*std::move(request));

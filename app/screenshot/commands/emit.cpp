@@ -33,21 +33,21 @@ Result<void> checkFilesBeside(const EmitOptions& options) {
 /// Files that are there already stay, if they are what they should be.
 Result<void> writeBeside(const std::string& program, const std::vector<ReadFile>& files) {
     const std::filesystem::path folder = std::filesystem::path(program).parent_path();
-    std::vector<const ReadFile*> missing;
+    std::vector<FileContent> missing;
     for (const ReadFile& each : files) {
         const std::filesystem::path path = folder / each.name;
+        if (path == std::filesystem::path(program))
+            return fail(ErrorCode::Unwritable, "is the name of a file that the program would read", program);
         const Result<Bytes> there = readFile(path, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)
-            missing.push_back(&each);
+            missing.push_back({each.name, each.bytes});
+        else if (!there && there.error().code != ErrorCode::TooLarge)
+            return fail(there.error());
         else if (!there || *there != each.bytes)
             return fail(ErrorCode::Unwritable,
                         "is there already, and is not the file that the program would read", path.string());
     }
-    for (const ReadFile* each : missing) {
-        if (const Result<void> written = writeFileAtomically(folder / each->name, each->bytes); !written)
-            return written;
-    }
-    return {};
+    return missing.empty() ? Result<void>() : writeFolderAtomically(folder.empty() ? "." : folder, missing);
 }
 
 ExitCode emitProgram(const EmitOptions& options) {

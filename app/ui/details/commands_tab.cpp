@@ -91,7 +91,8 @@ void renewLines(const Session& session, CommandsTabState& state) {
     const Document& document = session.document;
     const std::optional<Scene> timeless = withoutTime(document);
     const Scene& scene = timeless ? *timeless : document.scene;
-    if (state.scene && *state.scene == scene && state.images == document.images)
+    const bool isSame = state.scene && *state.scene == scene && state.images == document.images;
+    if (isSame && !session.services.programs.isMaking()) // what is made is of another scene: it is given up
         return;
     const emit::ProgramOptions options{.title = "Texplorer",
                                        .fileName = [](const std::string& file) { return file; }};

@@ -87,7 +87,8 @@ std::optional<FileNews> FileWriting::takeNews() {
     std::vector<FileNews> news = state_->worker.take();
     if (news.empty())
         return std::nullopt;
-    return std::move(news.back());
+    const auto bad = std::ranges::find(news, false, &FileNews::isGood);
+    return std::move(bad != news.end() ? *bad : news.back());
 }
 
 void FileWriting::wait() const {

@@ -67,7 +67,7 @@ public:
     [[nodiscard]] std::optional<FileProgress> progress() const;
     /// Gives up all that isn't written yet: its files stay what they were.
     void cancel();
-    /// What there is to say of the last one that was written, or couldn't be: once.
+    /// What there is to say, once: of the first that couldn't be written, or of the last that was.
     [[nodiscard]] std::optional<FileNews> takeNews();
     /// Sleeps until all is written.
     void wait() const;

@@ -37,14 +37,23 @@ struct LetteredSheet {
     sheet::Layout layout;
 };
 
+/// Fonts are opened once: a panel asks for the sheet's extent in every frame.
+const Result<std::shared_ptr<const sheet::Lettering>>& sheetPen() {
+    static const Result<std::shared_ptr<const sheet::Lettering>> pen =
+        openLettering().map([](std::unique_ptr<sheet::Lettering> opened) {
+            return std::shared_ptr<const sheet::Lettering>(std::move(opened));
+        });
+    return pen;
+}
+
 Result<LetteredSheet> letteredSheet(const sheet::Content& content) {
-    Result<std::unique_ptr<sheet::Lettering>> pen = openLettering();
+    const auto& pen = sheetPen();
     if (!pen)
         return fail(pen.error());
     Result<sheet::Layout> layout = sheet::layoutOf(content, **pen);
     if (!layout)
         return fail(layout.error());
-    return LetteredSheet{*std::move(pen), *std::move(layout)};
+    return LetteredSheet{*pen, *std::move(layout)};
 }
 
 Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const FileMaking& making) {

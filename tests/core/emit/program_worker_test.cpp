@@ -26,6 +26,13 @@ std::optional<ProgramWorker::Program> ask(ProgramWorker& worker, const Scene& sc
     return worker.program(Flavour::Fixed, scene, {}, {});
 }
 
+/// Its texels are made, and kept.
+void makeOnce(ProgramWorker& worker) {
+    EXPECT_FALSE(ask(worker, compressed()));
+    worker.wait();
+    EXPECT_TRUE(ask(worker, compressed()));
+}
+
 /// Numbers of arrays are compared by what they are, not by who makes them.
 void expectProgram(const std::optional<ProgramWorker::Program>& made, const Scene& scene) {
     ASSERT_TRUE(made);
@@ -61,9 +68,7 @@ TEST(ProgramWorker, ANumberIsChangedAtOnce) {
     PausedEncoding paused;
     paused.goOn();
     ProgramWorker worker(When::WhenReady, {}, paused.work());
-    EXPECT_FALSE(ask(worker, compressed()));
-    worker.wait();
-    EXPECT_TRUE(ask(worker, compressed()));
+    makeOnce(worker);
     Scene turned = compressed();
     turned.view.azimuth += 5;
     turned.textures[0].wrapS = Wrap::ClampToEdge;
@@ -125,18 +130,30 @@ TEST(ProgramWorker, TwoTexturesThatAreAlikeAreMadeOnce) {
     EXPECT_EQ(paused.shares.size(), 1U);
 }
 
+// What key frames switch on at times is drawn then.
+TEST(ProgramWorker, MakesWhatAUnitShowsThatKeyFramesSwitchOn) {
+    PausedEncoding paused;
+    paused.goOn();
+    ProgramWorker worker(When::WhenReady, {}, paused.work());
+    Scene scene = compressed();
+    scene.passes[0].units[0].enabled = false;
+    scene.passes[0].units[0].target = Target::CubeMap;
+    scene.timeline.keys = {{0, "passes[0].units[0].enabled", "false"},
+                           {1, "passes[0].units[0].enabled", "true"}};
+    EXPECT_FALSE(ask(worker, scene));
+    worker.wait();
+    expectProgram(ask(worker, scene), scene);
+    EXPECT_EQ(paused.shares.size(), 1U) << "none on the thread that asks";
+}
+
 TEST(ProgramWorker, ForgetsWhatNobodyLooksAt) {
     PausedEncoding paused;
     paused.goOn();
     ProgramWorker worker(When::WhenReady, {}, paused.work());
-    EXPECT_FALSE(ask(worker, compressed()));
-    worker.wait();
-    EXPECT_TRUE(ask(worker, compressed()));
+    makeOnce(worker);
     worker.rest();
     EXPECT_FALSE(worker.isMaking());
-    EXPECT_FALSE(ask(worker, compressed()));
-    worker.wait();
-    EXPECT_TRUE(ask(worker, compressed()));
+    makeOnce(worker);
     EXPECT_EQ(paused.shares.size(), 2U);
 }
 

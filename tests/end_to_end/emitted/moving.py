@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from scenes import Case, said
 
-TIMES = ("0", "0.5", "1.3125", "2", "3.5")  # before, at and between keys, and behind the last one: no rounding in any of them
+TIMES = ("0", "0.3", "0.5", "1.3125", "2", "3.5")  # before, at and between keys, and behind the last one; one that is rounded
 
 
 class Moving(NamedTuple):
@@ -34,6 +34,12 @@ MOVING = (
     Moving("jumps", {"models[0].rotation": [(0, [0, 0, 0]), (1, [0, 90, 0]), (1, [45, 0, 0]), (2, [45, 45, 45])]}, scene={"models": CUBES}),
     Moving("models", {"models[0].rotation": [(0, [0, 0, 0]), (3, [350, -30, 45])], "models[0].spin": [(0, [0, 0, 0]), (2, [0, 30, 0])],
                       "models[1].size": [(0, 1), (2, 0.5)], "models[1].scale": [(0, [1, 1, 1]), (2, [1, 0.3, 2])]}, scene={"models": CUBES}),
+    *(Moving(f"from-rest-{key}", {f"models[0].{key}": [(0, rest), (2, moved)]}, scene={"models": [{"shape": "cube"}]})
+      for key, rest, moved in (("position", [0, 0, 0], [1, 0.5, -1]), ("rotation", [0, 0, 0], [0, 90, 0]), ("spin", [0, 0, 0], [0, 30, 0]),
+                               ("size", 1, 0.5), ("scale", [1, 1, 1], [1, 0.3, 2]))),
+    Moving("jumps-between-fractions", {"models[0].rotation": [(0, [0, 0, 0], "hold"), (0.3, [0, 40, 0], "hold"), (0.7, [20, 40, 0])],
+                                       "material.color": [(0.1, [1, 1, 1, 1]), (0.3, [1, 0.3, 0.1, 1]), (1.3, [0.2, 0.7, 1, 1])]},
+           scene={"models": [{"shape": "cube"}]}),
     Moving("spins-on", {"view.azimuth": [(0, 0), (2, 90)]}, scene={"models": [{"shape": "cube", "spin": [10, 20, 30]}]}),
     Moving("environment-color", {"passes[0].units[0].envColor": [(0, [1, 0, 0, 1]), (2, [0, 0.5, 1, 1])]}, unit=COLOR),
     Moving("environment-mode", {"passes[0].units[0].envMode": [(0, "GL_MODULATE"), (1, "GL_REPLACE"), (2, "GL_BLEND")]},

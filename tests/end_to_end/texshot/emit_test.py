@@ -99,6 +99,8 @@ class Emit(Texshot):
         (self.path / "demo.c").unlink()
         self.assertIn("uv.bmp: is there already", self.refused(*step, "--files"))
         self.assertEqual((self.path / "uv.bmp").read_bytes(), b"mine")
+        result = texshot("emit", *step, "--files", "-o", self.path / "uv.bmp")  # which would read itself
+        self.assertEqual((result.returncode, (self.path / "uv.bmp").read_bytes()), (1, b"mine"), result.stderr)
         self.assertIn("--files", self.refused("--example", "cube", "--files", code=2))
         result = texshot("emit", *step, "--files")
         self.assertEqual((result.returncode, result.stdout), (2, b""))

@@ -178,6 +178,25 @@ TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
     EXPECT_EQ(paused.shares.size(), 1U);
 }
 
+TEST_F(CommandsTab, WhatIsTakenBackIsGivenUp) {
+    PausedEncoding paused(0.5F);
+    emit::ProgramWorker beside(When::WhenReady, {}, paused.work());
+    const Services& atOnce = session->services;
+    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
+          atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
+          atOnce.sheet, beside, atOnce.writing});
+    show();
+    const Compression before = std::exchange(texture().compression, Compression::Cached);
+    frames(2);
+    paused.waitUntilBegun();
+    EXPECT_TRUE(has("commands:making"));
+    texture().compression = before;
+    frames(2);
+    EXPECT_TRUE(has("commands:hint"));
+    EXPECT_FALSE(beside.isMaking());
+    paused.goOn();
+}
+
 TEST_F(CommandsTab, OpensAtTheCallsAlsoWhereTheProgramComesLate) {
     PausedEncoding paused;
     emit::ProgramWorker beside(When::WhenReady, {}, paused.work());

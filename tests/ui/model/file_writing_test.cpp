@@ -143,6 +143,18 @@ TEST(FileWriting, IsGivenUpWithoutATrace) {
     EXPECT_FALSE(std::filesystem::exists(folder / "waits.txt"));
 }
 
+TEST(FileWriting, AFailureIsNotLostBehindASuccess) {
+    const test::TempDir folder;
+    FileWriting writing(When::AtOnce);
+    FileOrder refused = order(folder / "a.txt", "");
+    refused.make = [](const FileMaking&) -> Result<MadeFile> {
+        return fail(ErrorCode::Unsupported, "it has no words");
+    };
+    writing.write(refused);
+    writing.write(order(folder / "b.txt", "all of it"));
+    EXPECT_EQ(writing.takeNews()->text, "The thing can't be written: it has no words.");
+}
+
 TEST(FileWriting, WorksWithoutAThread) {
     const test::TempDir folder;
     const test::NoThreads none;
