@@ -30,6 +30,20 @@ std::string listed(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
+/// Where a renderer gives OpenGL another than the scene's.
+void writeMaxLevel(CodeWriter& writer, const Holder& holder, const Texture& texture,
+                   const TextureCode& code) {
+    const int level = appliedTexture(texture, code.shape, code.lastLevel, {}).texture.maxLevel;
+    if (level == texture.maxLevel)
+        return;
+    const bool isFew = level < texture.maxLevel;
+    writer.add({call("glTexParameteri"),
+                plain(fmt::format("({}, {}, {}); ", rowOf(holder.target).name,
+                                  glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), level)),
+                {Part::Kind::Comment, isFew ? "/* there are no more levels */"
+                                            : "/* at least the base level, or Mesa crashes */"}});
+}
+
 class TexelWriter {
 public:
     TexelWriter(Emission& emission, const Holder& holder, const Texture& texture,
@@ -42,7 +56,7 @@ public:
         , code_(**owner_) {}
 
     void write() {
-        writeMaxLevel();
+        writeMaxLevel(writer_, holder_, texture_, code_);
         if (code_.reader == FileReader::Dds) {
             emission_.use(CFunction::ReadDds);
             return writer_.add({plain("readDds("), path(),
@@ -55,20 +69,6 @@ public:
 
 private:
     [[nodiscard]] bool isCube() const { return code_.faces > 1; }
-
-    /// Where a renderer gives OpenGL another than the scene's.
-    void writeMaxLevel() {
-        const int level = appliedTexture(texture_, code_.shape, code_.lastLevel, {}).texture.maxLevel;
-        if (level == texture_.maxLevel)
-            return;
-        const bool isFew = level < texture_.maxLevel;
-        writer_.add(
-            {call("glTexParameteri"),
-             plain(fmt::format("({}, {}, {}); ", rowOf(holder_.target).name,
-                               glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), level)),
-             {Part::Kind::Comment, isFew ? "/* the file holds no more levels */"
-                                         : "/* at least the base level, or Mesa crashes */"}});
-    }
 
     void writeGroup(const LevelGroup& group) {
         const LevelCode& level = group.first();
@@ -296,6 +296,8 @@ private:
 void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture& texture,
                         std::size_t object) {
     CodeWriter& writer = emission.writer;
+    if (const auto& code = emission.texels[object]; code && *code)
+        writeMaxLevel(writer, holder, texture, **code);
     const Part size =
         whole(texture.depthSize, fmt::format("{}.{}", holder.path, keyOf<&Texture::depthSize>()));
     writer.add({call("glTexImage2D"), plain(fmt::format("({}, 0, ", rowOf(holder.target).name)),

@@ -66,7 +66,8 @@ public:
         , form_(emission.models[index])
         , index_(index)
         , path_(elementOf<&Scene::models>(index))
-        , variable_(fmt::format("model{}", index)) {
+        , variable_(fmt::format("model{}", index))
+        , isTwisted_(isTwisted(model_)) {
         if (form_.drawing == Drawing::List || form_.drawing == Drawing::Arrays)
             mesh_ = meshOf(model_);
     }
@@ -297,7 +298,7 @@ private:
     /// Of a mesh those that name a vertex, in its order: the others are left out. Of a shape its triangles.
     [[nodiscard]] std::vector<std::uint32_t> indicesOf() const {
         std::vector<std::uint32_t> indices = mesh_.triangles;
-        if (model_.shape == Shape::Mesh) {
+        if (model_.shape == Shape::Mesh && !isTwisted_) {
             indices.clear();
             for (std::size_t i = 0; i < mesh_.vertices.size() && model_.mesh.indices.empty(); ++i)
                 indices.push_back(static_cast<std::uint32_t>(i));
@@ -475,9 +476,13 @@ private:
             writer_.add(fmt::format("glDrawElements({2}, {0}.indexCount, {1}, {0}.indices);", variable_,
                                     unsignedIntType, rowOf(Primitive::Triangles).name));
         } else if (drawsByIndices()) {
+            if (isTwisted_)
+                writer_.comment(
+                    "the triangles of a strip that covers itself: OpenGL leaves open which come first");
             writer_.add({call("glDrawElements"), plain("("),
-                         model_.shape == Shape::Mesh ? primitivePart()
-                                                     : plain(std::string(rowOf(Primitive::Triangles).name)),
+                         model_.shape == Shape::Mesh && !isTwisted_
+                             ? primitivePart()
+                             : plain(std::string(rowOf(Primitive::Triangles).name)),
                          plain(fmt::format(", {}, {}, {}Indices);", indicesOf().size(), unsignedIntType,
                                            variable_))});
         } else {
@@ -561,6 +566,7 @@ private:
     std::string path_;
     std::string variable_;
     Mesh mesh_; ///< where its numbers are written
+    bool isTwisted_;
 };
 
 } // namespace

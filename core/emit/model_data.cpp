@@ -4,7 +4,10 @@
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace texplorer::emit {
 namespace {
@@ -22,13 +25,22 @@ bool givesRorQ(const Model& model, std::size_t unit) {
            (model.shape == Shape::Mesh && std::ranges::any_of(model.mesh.texCoords, isOdd));
 }
 
-/// Of the two triangles of a quadrilateral Mesa 22.3 draws in a display list the other one first
-/// (core/mesh/mesh_data.cpp).
-bool isQuadStrip(const Model& model) {
-    return model.shape == Shape::Mesh && model.mesh.primitive == Primitive::QuadStrip;
-}
-
 } // namespace
+
+bool isTwisted(const Model& model) {
+    if (model.shape != Shape::Mesh || model.mesh.primitive != Primitive::QuadStrip)
+        return false;
+    constexpr float flat = 1e-5F;
+    const Mesh mesh = makeMesh(model.mesh);
+    const auto at = [&](std::size_t i) { return mesh.vertices[mesh.triangles[i]].position; };
+    for (std::size_t i = 0; i + 5 < mesh.triangles.size(); i += 6) {
+        const glm::vec3 first = glm::cross(at(i + 1) - at(i), at(i + 2) - at(i));
+        const glm::vec3 second = glm::cross(at(i + 4) - at(i + 3), at(i + 5) - at(i + 3));
+        if (std::abs(glm::dot(first, at(i + 3) - at(i))) > flat || glm::dot(first, second) < 0)
+            return true;
+    }
+    return false;
+}
 
 bool isTurned(Shape shape) {
     return shape == Shape::Sphere || shape == Shape::Cylinder || shape == Shape::Disk ||
@@ -79,7 +91,7 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
         hasOwnCoords |= form.coords[u] && !model.texCoords[u].empty();
     if (isTurned(model.shape) && !isEmbossed && !hasOwnCoords && !flips)
         form.drawing = Drawing::Shape;
-    else if (isPlain && isSmall && !hasIndices(model) && !isEmbossed && !isQuadStrip(model))
+    else if (isPlain && isSmall && !hasIndices(model) && !isEmbossed && !isTwisted(model))
         form.drawing = Drawing::List;
     else
         form.drawing = Drawing::Arrays;

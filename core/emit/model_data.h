@@ -41,6 +41,11 @@ struct ModelForm {
 /// indices, GL_TRIANGLES.
 [[nodiscard]] std::string primitiveOf(const Model& model);
 
+/// A strip of quadrilaterals of which some isn't flat and convex: which of its triangles comes first, and
+/// covers the other, OpenGL leaves open, and Mesa has it one way where it clips and the other where it
+/// doesn't. A program draws its triangles.
+[[nodiscard]] bool isTwisted(const Model& model);
+
 /// Whether its vertices are drawn in an order of their own.
 [[nodiscard]] bool hasIndices(const Model& model);
 

@@ -17,6 +17,7 @@ namespace {
 
 using emit::Line;
 using emit::Part;
+using testing::AllOf;
 using testing::AnyOf;
 using testing::Contains;
 using testing::ElementsAre;
@@ -501,6 +502,30 @@ TEST(EmittedModels, ArePushedWhereTheyAreNotWhereTheirVerticesSay) {
     EXPECT_THAT(needed(scene), Not(Contains("glPushMatrix();")));
     scene.models[0].size = 2;
     EXPECT_THAT(needed(scene), IsSupersetOf({"glPushMatrix();", "glPopMatrix();"}));
+}
+
+TEST(EmittedModels, AreTrianglesWhereAStripCoversItself) {
+    Scene scene = defaultScene();
+    Model strip{.shape = Shape::Mesh};
+    strip.mesh = {.primitive = Primitive::QuadStrip,
+                  .positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 1}, {2, 1, 1}}};
+    scene.models = {strip};
+    EXPECT_THAT(needed(scene), Contains("glBegin(GL_QUAD_STRIP);"));
+    scene.models[0].mesh.indices = {0, 1, 2, 3};
+    EXPECT_THAT(needed(scene), Contains("glDrawElements(GL_QUAD_STRIP, 4, GL_UNSIGNED_INT, model0Indices);"));
+    scene.models[0].mesh.indices = {0, 1, 3, 2}; // as a bow tie
+    EXPECT_THAT(needed(scene), Contains("glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, model0Indices);"));
+    scene.models[0] = strip;
+    scene.models[0].mesh.positions[5].z = 2; // no more flat
+    EXPECT_THAT(needed(scene), Contains("glDrawElements(GL_TRIANGLES, 12, GL_UNSIGNED_INT, model0Indices);"));
+}
+
+TEST(EmittedModels, BeginWithTheMaterialOfTheFirst) {
+    Scene scene = defaultScene();
+    scene.material.shininess = 7;
+    scene.models = {{.shape = Shape::Quad, .ownMaterial = true, .material = {.shininess = 9}}};
+    EXPECT_THAT(needed(scene), AllOf(Contains("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 9.0f);"),
+                                     Not(Contains("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 7.0f);"))));
 }
 
 TEST(EmittedTextures, HaveAMaxLevelThatIsNotBelowTheBaseLevelWhichAloneIsRead) {

@@ -16,9 +16,6 @@ from PIL import Image
 from capture import DRIVER, PATIENCE, ProgramError, compile_program, differing
 
 TIMES = ("0", "1.75")  # seconds
-# Of a picture, where a quadrilateral of a strip isn't flat and covers itself: which of its triangles comes first OpenGL leaves open,
-# and Mesa draws the one first where it clips and the other where it doesn't.
-TWISTED = 0.1
 SIZE = (640, 480)  # of a program's window
 AT_ONCE = 25  # scenes that a call of texshot draws
 LAST_BITS = 1e-4  # of a picture, by which the rule last-bit of texshot conform allows two programs of a driver to differ
@@ -140,21 +137,7 @@ class Proof:
 
     def allowed_share(self, scene):
         """Of the pixels of a scene, which may differ."""
-        if self.flavour is FIXED and any(is_twisted(model) for model in scene["models"]):
-            return TWISTED
         return self.last_bits if computes_otherwise(scene, self.flavour) else 0
-
-
-def is_twisted(model):
-    """Whether some quadrilateral of a strip has corners that don't lie in a plane."""
-    mesh = model.get("mesh", {})
-    if model.get("shape") != "mesh" or mesh.get("primitive") != "GL_QUAD_STRIP":
-        return False
-    positions = numpy.array(mesh["positions"])
-    indices = [index for index in mesh.get("indices", []) if 0 <= index < len(positions)]
-    corners = positions[indices] if mesh.get("indices") else positions
-    quads = [corners[i:i + 4] for i in range(0, len(corners) - 3, 2)]
-    return any(abs(numpy.linalg.det(quad[1:] - quad[0])) > 1e-5 for quad in quads)
 
 
 def computes_otherwise(scene, flavour):
