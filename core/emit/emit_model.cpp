@@ -107,8 +107,10 @@ public:
             break;
         case Shape::Torus:
             emission_.use(CFunction::Torus);
-            append(parts, {plain("torus("), floatPart(model_.tubeRadius, keyOf<&Model::tubeRadius>()), comma,
-                           slices, comma, stacks});
+            // Fewer than a triangle around the tube there aren't (core/mesh/mesh.h).
+            append(parts,
+                   {plain("torus("), floatPart(model_.tubeRadius, keyOf<&Model::tubeRadius>()), comma, slices,
+                    comma, model_.stacks < minSlices ? plain(std::to_string(minSlices)) : stacks});
             break;
         default:
             emission_.use(CFunction::Disk);

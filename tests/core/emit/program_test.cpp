@@ -406,6 +406,8 @@ TEST(EmittedModels, AreListsShapesOrArrays) {
         return needed(scene);
     };
     EXPECT_THAT(of({.shape = Shape::Sphere, .slices = 9, .stacks = 7}), Contains("model0 = sphere(9, 7);"));
+    EXPECT_THAT(of({.shape = Shape::Torus, .slices = 9, .stacks = 2}),
+                Contains("model0 = torus(0.4f, 9, 3);"));
     EXPECT_THAT(of({.shape = Shape::Cylinder, .slices = 9, .stacks = 7, .topRadius = 0}),
                 Contains("model0 = cylinder(0.0f, 9, 7);"));
     EXPECT_THAT(of({.shape = Shape::PartialDisk, .innerRadius = 0.5F, .startAngle = 10, .sweepAngle = 90}),
