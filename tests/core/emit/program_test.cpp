@@ -459,7 +459,7 @@ TEST(EmittedModels, SetTheirOwnMaterialAndGiveTheScenesBack) {
         if (line.find("GL_SHININESS") != std::string::npos)
             set.push_back(line);
     }
-    EXPECT_THAT(set, ElementsAre("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 32.0f);",
+    EXPECT_THAT(set, ElementsAre("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 5.0f);", // in init()
                                  "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 5.0f);",
                                  "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 32.0f);"));
 }
