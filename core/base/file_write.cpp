@@ -182,12 +182,21 @@ Result<void> writeFolderAtomically(const fs::path& folder, std::span<const FileC
     const Descriptor directory = openDirectory(folder);
     if (!directory.valid())
         return unwritable(errno, folder.string());
+    std::vector<bool> isNew; // what is there already is the user's, and stays or is replaced
+    isNew.reserve(files.size());
+    for (const FileContent& file : files) {
+        struct stat there {};
+        isNew.push_back(::fstatat(directory.get(), file.name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0);
+        if (!isNew.back() && S_ISDIR(there.st_mode))
+            return unwritable(EISDIR, (folder / file.name).string());
+    }
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (drafts[i].place(directory.get(), files[i].name))
             continue;
         const int error = errno;
         for (std::size_t placed = 0; placed < i; ++placed)
-            ::unlinkat(directory.get(), files[placed].name.c_str(), 0);
+            if (isNew[placed])
+                ::unlinkat(directory.get(), files[placed].name.c_str(), 0);
         return unwritable(error, (folder / files[i].name).string());
     }
     made.keep();

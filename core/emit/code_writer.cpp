@@ -293,6 +293,12 @@ bool CodeWriter::movesAny(const std::vector<Part>& parts) const {
     return std::ranges::any_of(parts, [&](const Part& part) { return moves(part.path); });
 }
 
+void CodeWriter::leave(const std::vector<Part>& parts) {
+    for (const Part& part : parts)
+        if (moves(part.path))
+            keys_->leave(part.path);
+}
+
 bool CodeWriter::resolve(std::vector<Part>& parts) {
     bool found = false;
     for (Part& part : parts) {
@@ -398,8 +404,13 @@ void CodeWriter::row(const Holder& holder, const ParamRow& row, bool matters) {
     parts.insert(parts.begin(), switches ? enabling(std::get<bool>(value), path) : call(name));
     if (parts.front().kind == Part::Kind::Call)
         parts.front().path = path;
-    if (!takes(parts) || (!matters && movesAny(parts)))
+    if (!matters && movesAny(parts))
         return;
+    if (!takes(parts)) {
+        if (taking_ == Taking::Still)
+            leave(parts);
+        return;
+    }
     const bool differs =
         set(fmt::format("{}.{}", holder.state, row.key), valueOf(path, value), row.read(holder.initial));
     bool needed = (differs || isExplained) && matters;

@@ -154,6 +154,8 @@ private:
     [[nodiscard]] bool movesAny(const std::vector<Part>& parts) const;
     /// Puts variables in the place of what moves. Whether there was any.
     bool resolve(std::vector<Part>& parts);
+    /// What moves of a line that is left to the frames.
+    void leave(const std::vector<Part>& parts);
     void addSwitch(std::size_t enabling, const std::vector<Part>& parts, bool needed);
     /// What OpenGL has where a parameter moves.
     [[nodiscard]] Value valueOf(const std::string& path, const Value& still) const;

@@ -137,6 +137,8 @@ void writeShadowMapCalls(Emission& emission);
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene);
 /// The scene's: all of it.
 void writeMaterial(Emission& emission);
+/// How all of them are shaded, where that moves.
+void writeMovingShadeModel(Emission& emission);
 /// A model's: what differs from the one that was written before.
 void writeMaterial(Emission& emission, std::size_t model);
 void writeUnits(Emission& emission, std::size_t pass);

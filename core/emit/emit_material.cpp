@@ -46,6 +46,11 @@ void writeRows(Emission& emission, const Holder& holder, bool all) {
     }
 }
 
+Holder holderOf(const Scene& scene) {
+    const std::string& key = keyOf<&Scene::material>();
+    return {materialTable(), &scene.material, &initialMaterial(), key, key, key};
+}
+
 /// That of a model: the scene's, or its own.
 Holder holderOf(const Scene& scene, std::size_t index) {
     const Model& model = scene.models[index];
@@ -72,9 +77,8 @@ std::optional<std::size_t> firstModel(const Scene& scene) {
 
 void writeMaterial(Emission& emission) {
     const Scene& scene = emission.scene;
-    const std::string& key = keyOf<&Scene::material>();
-    const Holder ofTheScene{materialTable(), &scene.material, &initialMaterial(), key, key, key};
-    emission.writer.heading(key);
+    const Holder ofTheScene = holderOf(scene);
+    emission.writer.heading(ofTheScene.path);
     // That of the first model at once: if the first frame begins with another than it goes on with, Mesa 22.3
     // mixes both up.
     const std::optional<std::size_t> first = firstModel(scene);
@@ -82,6 +86,12 @@ void writeMaterial(Emission& emission) {
         return writeRows(emission, ofTheScene, true);
     writeRows(emission, holderOf(scene, *first), true);
     emission.writer.row(ofTheScene, memberId<&Material::shadeModel>);
+}
+
+void writeMovingShadeModel(Emission& emission) {
+    emission.writer.take(Taking::Moving);
+    emission.writer.row(holderOf(emission.scene), memberId<&Material::shadeModel>);
+    emission.writer.take(Taking::All);
 }
 
 void writeMaterial(Emission& emission, std::size_t index) {

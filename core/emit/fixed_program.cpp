@@ -175,6 +175,7 @@ private:
         writeShadowMapCalls(emission_);
         writeProjection(emission_);
         writeMovingLight(emission_);
+        writeMovingShadeModel(emission_);
         writeMovingTextures(emission_);
         writer_.heading("camera");
         writer_.add("glLoadIdentity();");

@@ -127,6 +127,12 @@ void KeyFrames::replace(Part& part) {
     part.kind = Part::Kind::Plain;
 }
 
+const std::string& KeyFrames::refused() const {
+    const auto isForgotten = [](const auto& each) { return each.second.isLeft && !each.second.isUsed; };
+    const auto forgotten = std::ranges::find_if(params_, isForgotten);
+    return refused_.empty() && forgotten != params_.end() ? forgotten->first : refused_;
+}
+
 void KeyFrames::refuse(std::string_view path) {
     if (refused_.empty())
         refused_ = path;

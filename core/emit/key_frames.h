@@ -27,6 +27,7 @@ struct MovingParam {
     std::vector<Key> keys; ///< in the order of their times
     std::string variable;  ///< "lightPosition"
     bool isUsed = false;   ///< some line of the program has the variable
+    bool isLeft = false;   ///< a line of what is set once was left to the frames
 
     /// 1 for a number, 4 for a colour; 0: it is no number, but a name, a switch or an index, which holds
     /// until the next key comes.
@@ -48,6 +49,8 @@ public:
 
     /// The variable of a parameter that moves.
     [[nodiscard]] const std::string& use(std::string_view path);
+    /// A line with its value is left to the frames.
+    void leave(std::string_view path) { params_.find(path)->second.isLeft = true; }
     /// The scene at the time for which the program is written, which stays there until it is another one.
     void standAt(const Scene& standing) { standing_ = &standing; }
     /// Whether a parameter that is on or off is so then.
@@ -57,8 +60,9 @@ public:
     void replace(Part& part);
     /// Where a line that isn't of a frame has the value of a parameter that moves.
     void refuse(std::string_view path);
-    /// The first parameter that the program couldn't move; empty: it moves all that it mentions.
-    [[nodiscard]] const std::string& refused() const { return refused_; }
+    /// The first parameter that the program couldn't move, or that was left to frames which don't set it;
+    /// empty: it moves all that it mentions.
+    [[nodiscard]] const std::string& refused() const;
 
     using Params = std::map<std::string, MovingParam, std::less<>>;
     [[nodiscard]] const Params& params() const { return params_; }

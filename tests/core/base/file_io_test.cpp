@@ -435,6 +435,10 @@ TEST_F(FileIo, AFolderIsWrittenAsAWholeOrNotAtAll) {
     expectError(writeFolderAtomically(folder_ / "there", blocked), ErrorCode::Unwritable,
                 folder_ / "there" / "b", "Is a directory");
     EXPECT_FALSE(fs::exists(folder_ / "there" / "new"));
+    const std::vector<FileContent> replacing{{"a", viewBytes("1")}, {"b", viewBytes("2")}};
+    expectError(writeFolderAtomically(folder_ / "there", replacing), ErrorCode::Unwritable,
+                folder_ / "there" / "b", "Is a directory");
+    EXPECT_EQ(test::readRawText(folder_ / "there" / "a"), "old");
     const std::vector<FileContent> deeper{{"own/new", viewBytes("1")}, {"a/new", viewBytes("2")}};
     expectError(writeFolderAtomically(folder_ / "there", deeper), ErrorCode::Unwritable,
                 folder_ / "there" / "a" / "new", "Not a directory");

@@ -40,6 +40,8 @@ MOVING = (
     Moving("jumps-between-fractions", {"models[0].rotation": [(0, [0, 0, 0], "hold"), (0.3, [0, 40, 0], "hold"), (0.7, [20, 40, 0])],
                                        "material.color": [(0.1, [1, 1, 1, 1]), (0.3, [1, 0.3, 0.1, 1]), (1.3, [0.2, 0.7, 1, 1])]},
            scene={"models": [{"shape": "cube"}]}),
+    Moving("shade-model", {"material.shadeModel": [(0, "GL_SMOOTH"), (1, "GL_FLAT"), (3, "GL_SMOOTH")]}, scene={"models": [{"shape": "sphere"}]},
+           pass_={"lighting": True}, only_fixed="material.shadeModel"),
     Moving("spins-on", {"view.azimuth": [(0, 0), (2, 90)]}, scene={"models": [{"shape": "cube", "spin": [10, 20, 30]}]}),
     Moving("environment-color", {"passes[0].units[0].envColor": [(0, [1, 0, 0, 1]), (2, [0, 0.5, 1, 1])]}, unit=COLOR),
     Moving("environment-mode", {"passes[0].units[0].envMode": [(0, "GL_MODULATE"), (1, "GL_REPLACE"), (2, "GL_BLEND")]},
