@@ -142,8 +142,9 @@ TEST(ProgramWorker, MakesWhatAUnitShowsThatKeyFramesSwitchOn) {
                            {1, "passes[0].units[0].enabled", "true"}};
     EXPECT_FALSE(ask(worker, scene));
     worker.wait();
+    const std::size_t faces = paused.shares.size();
     expectProgram(ask(worker, scene), scene);
-    EXPECT_EQ(paused.shares.size(), 1U) << "none on the thread that asks";
+    EXPECT_EQ(paused.shares.size(), faces) << "none on the thread that asks";
 }
 
 TEST(ProgramWorker, ForgetsWhatNobodyLooksAt) {
