@@ -20,6 +20,9 @@ struct Settings {
     std::vector<PictureText> texts{}; ///< APNG, in front of the pixels
 };
 
+/// How long a picture can be shown, in units: what GIF and APNG have room for.
+inline constexpr int longestDuration = 65535;
+
 /// Pictures in, one after the other, the file's bytes out. It keeps a picture or two beside what it has
 /// written. Used on one thread at a time.
 class Encoder {
@@ -30,8 +33,8 @@ public:
     virtual ~Encoder() = default;
 
     /// An Rgba8 or Rgb8 image of the animation's size, shown as if it were opaque; `duration` in units, from
-    /// 1 to 65535. Errors: TooLarge where the file would become larger than the format or memory has room
-    /// for.
+    /// 1 to longestDuration. Errors: TooLarge where the file would become larger than the format or memory
+    /// has room for.
     [[nodiscard]] virtual Result<void> add(const Image& picture, int duration) = 0;
 
     /// The whole file, once, behind at least one picture.

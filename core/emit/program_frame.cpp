@@ -12,13 +12,27 @@ namespace {
 
 constexpr std::size_t commentColumns = 100;
 
-/// Where shells and eyes agree: letters, digits and a few others.
+/// Letters, digits and a few others mean themselves to a shell.
+bool isPlainLetter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+}
+
+/// What a comment can't show as it is, or no shell takes within quotes, becomes an underscore.
 std::string fileName(const std::string& name) {
-    std::string text;
-    for (const char c : name)
-        text +=
-            std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ? c : '_';
-    return text.empty() || text.front() == '-' ? "demo.c" : text;
+    if (name.empty())
+        return "demo.c";
+    if (name.find('\'') == std::string::npos && inComment(name) == name)
+        return name;
+    std::string text = name;
+    std::ranges::replace_if(
+        text, [](char c) { return !isPlainLetter(c); }, '_');
+    return text;
+}
+
+/// As a shell has it, and no option of the compiler.
+std::string shellWord(const std::string& name) {
+    const std::string word = name.starts_with('-') ? "./" + name : name;
+    return std::ranges::all_of(name, isPlainLetter) ? word : "'" + word + "'";
 }
 
 std::string stemOf(const std::string& name) {
@@ -113,8 +127,8 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     const ProgramOptions& options = emission.options;
     std::vector<Line> lines;
     const std::string file = fileName(options.source);
-    std::vector<std::string> about{options.title,
-                                   fmt::format("cc {} -o {} -lglfw -lGL -lm", file, stemOf(file))};
+    std::vector<std::string> about{
+        options.title, fmt::format("cc {} -o {} -lglfw -lGL -lm", shellWord(file), shellWord(stemOf(file)))};
     if (!options.about.empty())
         about.insert(about.begin() + 1, options.about);
     addComment(lines, about);

@@ -9,6 +9,7 @@
 #include "app/screenshot/shots/animation_run.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
+#include "core/animation/encoder.h"
 #include "core/animation/frame_times.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/timeline_check.h"
@@ -200,6 +201,13 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
                     fmt::format("expected at most {} a second in a {}, of which viewers show more of them "
                                 "slower; found {}",
                                 format.mostPerSecond, format.name, motion.perSecond),
+                    "--fps");
+    const double shown = std::min(1 / motion.perSecond, motion.seconds);
+    const double longest = static_cast<double>(animation::longestDuration) / format.unitsPerSecond;
+    if (shown > longest)
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected in a {} pictures that are shown for at most {:g} s, found {:g} s",
+                                format.name, longest, shown),
                     "--fps");
     const auto [width, height] = motion.request.size;
     if (std::max(width, height) > format.mostExtent)

@@ -581,8 +581,23 @@ TEST(EmittedPrograms, SayWhatTheyAreAndHowTheyAreCompiled) {
     const std::string text = textOf(*lines, false);
     EXPECT_THAT(
         text,
-        StartsWith("/* Wrap * / \"it\"\n * Two sentences.\n * cc my_wrap.c -o my_wrap -lglfw -lGL -lm */\n"));
+        StartsWith(
+            "/* Wrap * / \"it\"\n * Two sentences.\n * cc 'my wrap.c' -o 'my wrap' -lglfw -lGL -lm */\n"));
     EXPECT_THAT(text, HasSubstr(R"("Wrap */ \"it\"")"));
+}
+
+TEST(EmittedPrograms, AreCompiledByTheirNames) {
+    const auto compiled = [](const std::string& file) {
+        emit::TextureCodes codes;
+        const emit::ProgramOptions options{.source = file};
+        const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {}, options, codes);
+        return textOf(lines->at(1));
+    };
+    EXPECT_EQ(compiled("wrap-1.c"), " * cc wrap-1.c -o wrap-1 -lglfw -lGL -lm */");
+    EXPECT_EQ(compiled("-x.c"), " * cc ./-x.c -o ./-x -lglfw -lGL -lm */");
+    EXPECT_EQ(compiled("$(ls).c"), " * cc '$(ls).c' -o '$(ls)' -lglfw -lGL -lm */");
+    EXPECT_EQ(compiled("it's.c"), " * cc it_s.c -o it_s -lglfw -lGL -lm */");
+    EXPECT_EQ(compiled("a*/b\n.c"), " * cc a__b_.c -o a__b_ -lglfw -lGL -lm */");
 }
 
 TEST(EmittedPrograms, HaveAWordOnWhatALessonIsAbout) {

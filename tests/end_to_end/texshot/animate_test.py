@@ -212,6 +212,8 @@ class Animate(Texshot):
             (2, "found \"1e9\"", *TURN, "--seconds", "1e9", "-o", x),
             (2, "--fps: expected a number above 0 and up to 1000, found \"-1\"", *TURN, *two, "--fps", "-1", "-o", x),
             (2, "at most 10000 pictures, found 1000000: 1000 s with 1000 a second", *TURN, "--seconds", "1000", "--fps", "1000", "-o", self.out / "x.png"),
+            (2, "GIF pictures that are shown for at most 655.35 s, found 1000 s", *TURN, "--seconds", "3600", "--fps", "0.001", "-o", x),
+            (2, "APNG pictures that are shown for at most 65.535 s, found 100 s", *TURN, "--seconds", "200", "--fps", "0.01", "-o", self.out / "x.png"),
             (2, "at most 50 a second in a GIF", *TURN, *two, "--fps", "60", "-o", x),
             (2, "--size: expected at most 16383x16383 for a WebP, found 16384x16", *TURN, *two, "--size", "16384x16", "-o", self.out / "x.webp"),
             (2, "--time: expected a begin from 0 to 3600 s, found -1", *TURN, *two, "--time", "-1", "-o", x),
