@@ -20,9 +20,6 @@ struct Settings {
     std::vector<PictureText> texts{}; ///< APNG, in front of the pixels
 };
 
-/// How long a picture can be shown, in units: what GIF and APNG have room for.
-inline constexpr int longestDuration = 65535;
-
 /// Pictures in, one after the other, the file's bytes out. It keeps a picture or two beside what it has
 /// written. Used on one thread at a time.
 class Encoder {
@@ -33,7 +30,7 @@ public:
     virtual ~Encoder() = default;
 
     /// An Rgba8 or Rgb8 image of the animation's size, shown as if it were opaque; `duration` in units, from
-    /// 1 to longestDuration. Errors: TooLarge where the file would become larger than the format or memory
+    /// 1 to the format's most. Errors: TooLarge where the file would become larger than the format or memory
     /// has room for.
     [[nodiscard]] virtual Result<void> add(const Image& picture, int duration) = 0;
 

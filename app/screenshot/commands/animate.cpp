@@ -9,7 +9,6 @@
 #include "app/screenshot/shots/animation_run.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
-#include "core/animation/encoder.h"
 #include "core/animation/frame_times.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/timeline_check.h"
@@ -203,7 +202,7 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
                                 format.mostPerSecond, format.name, motion.perSecond),
                     "--fps");
     const double shown = std::min(1 / motion.perSecond, motion.seconds);
-    const double longest = static_cast<double>(animation::longestDuration) / format.unitsPerSecond;
+    const double longest = static_cast<double>(format.mostUnits) / format.unitsPerSecond;
     if (shown > longest)
         return fail(ErrorCode::OutOfRange,
                     fmt::format("expected in a {} pictures that are shown for at most {:g} s, found {:g} s",
