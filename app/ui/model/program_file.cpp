@@ -31,7 +31,8 @@ std::string imageNameFrom(const std::filesystem::path& folder, const std::filesy
 /// How far all is, of textures of which each says it of itself.
 std::function<void(float)> reportOfAll(const FileMaking& making, std::size_t textures) {
     return [report = making.report, textures, done = std::size_t{0}, last = 0.0F](float share) mutable {
-        done += share < std::exchange(last, share) ? 1 : 0;
+        if (share < std::exchange(last, share))
+            ++done;
         report(std::min(1.0F, (static_cast<float>(done) + share) / static_cast<float>(textures)));
     };
 }
