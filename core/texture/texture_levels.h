@@ -49,7 +49,7 @@ struct TextureLevels {
 /// blocks, at best quality two seconds a megatexel, and so do many steps of a preparation: a caller that must
 /// not wait calls prepareLevels on a thread of his own, with a `stop` that he can request.
 struct LevelWork {
-    BlockCache cache;    ///< where blocks are looked for and kept
+    BlockCache cache{};  ///< where blocks are looked for and kept
     Progress progress{}; ///< of the compressing, on the thread that calls
     std::stop_token stop{};
     /// Of the base level's first face, where there is a preparation: the image before it and after each step,

@@ -17,9 +17,9 @@ namespace texplorer::ui {
 
 /// What whoever makes a file's bytes is lent.
 struct FileMaking {
-    unsigned threads = 1;                    ///< so many may work at it
-    LevelWork levels;                        ///< how textures are made; its `stop` ends all of the work
-    std::function<void(float share)> report; ///< 0 to 1: how much is done
+    unsigned threads = 1;                      ///< so many may work at it
+    LevelWork levels{};                        ///< how textures are made; its `stop` ends all of the work
+    std::function<void(float share)> report{}; ///< 0 to 1: how much is done
 };
 
 struct MadeFile {

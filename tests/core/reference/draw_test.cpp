@@ -53,8 +53,8 @@ TEST(DrawReference, FillsTheSquareAndNothingElse) {
     }
 }
 
-// A driver of 1 bit of GL_SUBPIXEL_BITS knows half pixels alone: what begins at 1.6 pixels begins at 1.5 there, a
-// pixel's centre.
+// A driver of 1 bit of GL_SUBPIXEL_BITS knows half pixels alone: what begins at 1.6 pixels begins at 1.5
+// there, a pixel's centre.
 TEST(DrawReference, SnapsCornersAsADriverDoes) {
     Scene scene = squareScene();
     scene.view.background = {0, 1, 0, 1};
