@@ -26,11 +26,6 @@ std::vector<Part> braced(std::span<const float> values) {
     return parts;
 }
 
-/// Of triangles, or else of lines or points.
-const std::vector<std::uint32_t>& indicesOf(const Mesh& mesh) {
-    return !mesh.triangles.empty() ? mesh.triangles : !mesh.lines.empty() ? mesh.lines : mesh.points;
-}
-
 std::string_view drawnPrimitive(const Mesh& mesh) {
     return rowOf(!mesh.triangles.empty() ? Primitive::Triangles
                  : !mesh.lines.empty()   ? Primitive::Lines
@@ -52,14 +47,14 @@ public:
         , hasNormals_(looksAtNormals(glsl)) {
         mesh_ = meshOf(model_);
         isSmall_ = mesh_.vertices.size() <= mostWrittenVertices &&
-                   indicesOf(mesh_).size() <= 3 * mostWrittenVertices;
+                   drawnIndices(mesh_).size() <= 3 * mostWrittenVertices;
     }
 
     /// Whether a pass draws it.
     [[nodiscard]] bool isDrawn() const {
-        return !indicesOf(mesh_).empty() && std::ranges::any_of(glsl_.arrays, [&](const VertexArray& array) {
-            return array.model == index_;
-        });
+        return !drawnIndices(mesh_).empty() &&
+               std::ranges::any_of(glsl_.arrays,
+                                   [&](const VertexArray& array) { return array.model == index_; });
     }
 
     void declare() {
@@ -151,7 +146,7 @@ private:
                                 isShape_ ? variable_ + "Count"
                                 : emission_.isWeb && isTurned(model_.shape)
                                     ? variable_ + "Indices.length"
-                                    : std::to_string(indicesOf(mesh_).size()),
+                                    : std::to_string(drawnIndices(mesh_).size()),
                                 unsignedIntType));
     }
 
@@ -285,7 +280,7 @@ private:
 
     void declareIndices() {
         std::string text;
-        const std::vector<std::uint32_t>& indices = indicesOf(mesh_);
+        const std::vector<std::uint32_t>& indices = drawnIndices(mesh_);
         constexpr std::size_t columns = 18;
         for (std::size_t i = 0; i < indices.size(); ++i)
             text += fmt::format("{}{},{}", i % columns == 0 ? "    " : " ", indices[i],

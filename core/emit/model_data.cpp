@@ -42,6 +42,10 @@ bool isTwisted(const Model& model) {
     return false;
 }
 
+const std::vector<std::uint32_t>& drawnIndices(const Mesh& mesh) {
+    return !mesh.triangles.empty() ? mesh.triangles : !mesh.lines.empty() ? mesh.lines : mesh.points;
+}
+
 bool isTurned(Shape shape) {
     return shape == Shape::Sphere || shape == Shape::Cylinder || shape == Shape::Disk ||
            shape == Shape::PartialDisk || shape == Shape::Torus;

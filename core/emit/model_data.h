@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/scene/scene.h"
 
 #include <array>
@@ -33,6 +34,9 @@ struct ModelForm {
 
 /// `flips`: whether t of its coordinates is turned around for some unit.
 [[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model, bool flips);
+
+/// Of its triangles, or else of its lines or points; none: no program draws it.
+[[nodiscard]] const std::vector<std::uint32_t>& drawnIndices(const Mesh& mesh);
 
 /// Turned about an axis: a function of the program makes it.
 [[nodiscard]] bool isTurned(Shape shape);

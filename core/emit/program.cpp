@@ -3,6 +3,8 @@
 #include "core/emit/program.h"
 
 #include "core/emit/emission.h"
+#include "core/emit/model_data.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/scene_at.h"
 
@@ -184,10 +186,21 @@ private:
     TextureCodes& codes_;
 };
 
+/// Of too few vertices for a triangle, a line or a point.
+bool hasNothingToDraw(const Model& model) {
+    return model.visible && model.shape == Shape::Mesh && drawnIndices(meshOf(model)).empty();
+}
+
 } // namespace
 
 Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
                                   const ProgramOptions& options, TextureCodes& codes) {
+    if (std::ranges::any_of(scene.models, hasNothingToDraw)) {
+        Scene drawn = scene;
+        for (Model& model : drawn.models)
+            model.visible &= !hasNothingToDraw(model);
+        return program(flavour, drawn, images, options, codes);
+    }
     const Programs programs(flavour, images, options, codes);
     if (!scene.timeline.keys.empty())
         return programs.ofMoving(scene);

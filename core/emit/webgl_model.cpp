@@ -18,10 +18,6 @@ namespace {
 /// Floats: position, normal and coordinates of a vertex.
 constexpr std::size_t floatsOfVertex = 10;
 
-const std::vector<std::uint32_t>& drawnIndices(const Mesh& mesh) {
-    return !mesh.triangles.empty() ? mesh.triangles : !mesh.lines.empty() ? mesh.lines : mesh.points;
-}
-
 template<class T>
 ByteView bytesOf(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));

@@ -10,6 +10,7 @@
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
 #include "core/animation/frame_times.h"
+#include "core/base/name_pattern.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/timeline_check.h"
 
@@ -18,8 +19,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace texplorer::screenshot {
 namespace {
@@ -147,49 +150,62 @@ std::vector<double> timesOf(const AnimateOptions& options, const Motion& motion)
     return times;
 }
 
-/// "frame-%04d.png" around its place.
-struct NumberedName {
-    std::string before;
-    std::string after;
-    std::size_t digits = 1;
+/// "frame-%04d.png": the name of each picture's file, or of one that holds them all.
+struct FileNames {
+    NamePattern pattern;
+    std::size_t digits = 0; ///< of the number; 0: it has no place
 
     [[nodiscard]] std::string at(std::size_t number) const {
-        return fmt::format("{}{:0{}}{}", before, number, digits, after);
+        return pattern.fill([&](const std::string&) { return fmt::format("{:0{}}", number, digits); });
     }
 };
 
-/// As printf has it, %d or %04d, or {number}; nothing: there is no place for a number.
-Result<std::optional<NumberedName>> numberedName(const std::string& name, std::size_t pictures) {
-    constexpr std::string_view word = "{number}";
-    constexpr std::size_t mostDigits = 9;
-    std::optional<NumberedName> found;
-    for (std::size_t at = 0; at < name.size(); ++at) {
-        std::size_t end = at;
-        std::size_t digits = 1;
-        if (std::string_view(name).substr(at).starts_with(word)) {
-            end = at + word.size();
-            digits = std::to_string(pictures).size();
-        } else if (name[at] == '%') {
-            end = std::min(name.size(), name.find_first_not_of("0123456789", at + 1));
-            const std::string_view width = std::string_view(name).substr(at + 1, end - at - 1);
-            std::from_chars(width.data(), width.data() + width.size(), digits);
-            if (end == name.size() || name[end] != 'd' || digits > mostDigits ||
-                (!width.empty() && width.front() != '0'))
-                return fail(
-                    ErrorCode::OutOfRange,
+constexpr std::string_view numberPlace = "number";
+
+/// As printf has it, "%d" or "%04d", with the place in braces, "{%04d}". Refused: everything else behind a %.
+Result<std::string> withBracedNumbers(std::string_view name) {
+    std::string braced;
+    while (true) {
+        const std::size_t place = name.find('%');
+        braced += name.substr(0, place);
+        if (place == std::string_view::npos)
+            return braced;
+        name.remove_prefix(place);
+        const std::size_t end = name.find_first_not_of("0123456789", 1);
+        const bool isPlain = end == 1 || (end == 3 && name[1] == '0'); // up to 9 digits
+        if (end == std::string_view::npos || name[end] != 'd' || !isPlain)
+            return fail(ErrorCode::Malformed, {});
+        braced.append("{").append(name.substr(0, end + 1)).append("}");
+        name.remove_prefix(end + 1);
+    }
+}
+
+Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
+    const auto wrong = [&] {
+        return fail(ErrorCode::OutOfRange,
                     fmt::format("expected a place for the number as %04d or {{number}}, found \"{}\"", name),
                     "--out");
-            ++end;
-        } else {
-            continue;
-        }
-        if (found)
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected one place for the number, found two in \"{}\"", name), "--out");
-        found = NumberedName{name.substr(0, at), name.substr(end), digits};
-        at = end - 1;
+    };
+    const Result<std::string> braced = withBracedNumbers(name);
+    if (!braced)
+        return wrong();
+    Result<NamePattern> pattern = NamePattern::parse(*braced);
+    if (!pattern)
+        return fail(pattern.error().code, pattern.error().message, "--out");
+    const std::vector<std::string> places = pattern->places();
+    if (places.size() > 1)
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected one place for the number, found two in \"{}\"", name), "--out");
+    FileNames names{*std::move(pattern)};
+    for (const std::string_view place : places) {
+        if (place == numberPlace)
+            names.digits = std::to_string(pictures).size();
+        else if (place.starts_with('%'))
+            names.digits = place.size() == 2 ? 1 : static_cast<std::size_t>(place[2] - '0');
+        else
+            return wrong();
     }
-    return found;
+    return names;
 }
 
 /// What a file of its own can't be: the error is about the line.
@@ -234,7 +250,8 @@ std::vector<int> durationsFor(const Motion& motion, std::size_t pictures, animat
     std::vector<int> durations = animation::durationsOf(pictures, even, seconds, settings.unitsPerSecond);
     const auto [shortest, longest] = std::ranges::minmax(durations);
     const double hundredths = format.unitsPerSecond / even;
-    if (format.format == animation::Format::Gif && hundredths != std::round(hundredths))
+    if (format.format == animation::Format::Gif && hundredths != std::round(hundredths) &&
+        shortest != longest)
         warn({ErrorCode::Unsupported,
               fmt::format(
                   "a GIF counts in hundredths of a second: with {} pictures a second they are shown for "
@@ -244,14 +261,14 @@ std::vector<int> durationsFor(const Motion& motion, std::size_t pictures, animat
     return durations;
 }
 
-ExitCode animateIntoFile(const AnimateOptions& options, Motion motion) {
-    const animation::FormatRow* format = animation::formatOfName(options.out);
+ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, Motion motion) {
+    const animation::FormatRow* format = animation::formatOfName(out);
     if (format == nullptr)
         return complain(
             {ErrorCode::Unsupported,
              fmt::format("expected a name that ends in .gif, .webp or .png, or one with a place for "
                          "the number of each picture, as frame-%04d.tga; found \"{}\"",
-                         options.out),
+                         out),
              "--out"},
             wrongCall);
     if (const Result<void> fits = checkFormat(options, motion, *format); !fits)
@@ -269,9 +286,9 @@ ExitCode animateIntoFile(const AnimateOptions& options, Motion motion) {
                             wrongCall);
         settings.quality = static_cast<float>(*quality);
     }
-    if (const Result<void> apart = checkOutputsApart({{"--out", options.out}}, {options.scene.file}); !apart)
+    if (const Result<void> apart = checkOutputsApart({{"--out", out}}, {options.scene.file}); !apart)
         return complain(apart.error(), wrongCall);
-    Result<Output> output = Output::open(options.out);
+    Result<Output> output = Output::open(out);
     if (!output)
         return complain(output.error());
     const std::vector<double> times = timesOf(options, motion);
@@ -283,7 +300,7 @@ ExitCode animateIntoFile(const AnimateOptions& options, Motion motion) {
                           format->format == animation::Format::Apng && !options.withoutMetadata});
 }
 
-ExitCode animateIntoFiles(const AnimateOptions& options, const Motion& motion, const NumberedName& name) {
+ExitCode animateIntoFiles(const AnimateOptions& options, const Motion& motion, const FileNames& name) {
     if (!options.quality.empty())
         return refuseUnused("--quality", "it is for WebP");
     if (options.playsOption->isGiven())
@@ -312,12 +329,13 @@ ExitCode animate(const AnimateOptions& options) {
     auto motion = motionOf(options);
     if (!motion)
         return complain(motion.error().error, motion.error().code);
-    const Result<std::optional<NumberedName>> name = numberedName(options.out, 2 * motion->pictures);
+    const Result<FileNames> name = fileNames(options.out, 2 * motion->pictures);
     if (!name)
         return complain(name.error(), wrongCall);
     if (!isAnimated(motion->opened.scene))
         warn({ErrorCode::Unsupported, "nothing in the scene moves: all pictures are the same", {}});
-    return *name ? animateIntoFiles(options, *motion, **name) : animateIntoFile(options, *std::move(motion));
+    return name->digits > 0 ? animateIntoFiles(options, *motion, *name)
+                            : animateIntoFile(options, name->at(0), *std::move(motion));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // A scene as a program.
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/reports/program_text.h"
 #include "core/base/file_io.h"
@@ -20,7 +21,9 @@ struct EmitOptions {
 };
 
 /// Whether --files can be had. The error names an option.
-Result<void> checkFilesBeside(const EmitOptions& options) {
+Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour) {
+    if (options.files && flavour == emit::Flavour::WebGl)
+        return unusedOption("--files", "a page of webgl needs no other file");
     if (options.files && options.scene.lesson.empty())
         return fail(ErrorCode::OutOfRange, "only the files of a lesson are written beside a program",
                     "--files");
@@ -54,7 +57,7 @@ ExitCode emitProgram(const EmitOptions& options) {
     const Result<emit::Flavour> flavour = parseChoice<emit::Flavour>(options.flavour, "--as");
     if (!flavour)
         return complain(flavour.error(), wrongCall);
-    if (const Result<void> possible = checkFilesBeside(options); !possible)
+    if (const Result<void> possible = checkFilesBeside(options, *flavour); !possible)
         return complain(possible.error(), wrongCall);
     if (const Result<void> apart = checkOutputsApart({{"--out", options.out}}, {options.scene.file}); !apart)
         return complain(apart.error(), wrongCall);

@@ -175,6 +175,8 @@ ExitCode writePage(const LessonsOptions& options) {
         return complain(folders.error(), wrongCall);
     if (const Result<void> possible = checkFolderWritable(options.page); !possible)
         return complain(possible.error());
+    if (const Result<void> free = checkPageFolder(options.page); !free)
+        return complain(free.error());
     LongWork work("texshot: drawing the lessons");
     const Result<std::vector<PageFile>> files =
         lessonPage({.folders = *std::move(folders),

@@ -20,6 +20,11 @@
 namespace texplorer::screenshot {
 namespace {
 
+constexpr std::string_view indexName = "index.html";
+/// What tells a page of ours from others' files.
+constexpr std::string_view pageMark = R"(<meta name="generator" content="texshot lessons">)";
+constexpr std::size_t markedBytes = 512; ///< of the page's, within which the mark stands
+
 /// What HTML calls a language: "zh-CN".
 std::string tagOf(ui::Language language) {
     std::string tag(rowOf(language).name);
@@ -127,7 +132,7 @@ public:
         }
         const std::string page = whole();
         const ByteView bytes = viewBytes(page);
-        files_.push_back({"index.html", Bytes(bytes.begin(), bytes.end())});
+        files_.push_back({std::string(indexName), Bytes(bytes.begin(), bytes.end())});
         return std::move(files_);
     }
 
@@ -208,10 +213,10 @@ private:
         const std::string answers = words_.wordHtml("The answers are on the last pages.");
         return fmt::format(
             "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
-            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Texplorer: {}</title>\n"
+            "<meta name=\"viewport\" content=\"width=device-width\">\n{}\n<title>Texplorer: {}</title>\n"
             "<style>\n{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p>{}</p>\n{}</header>\n{}"
             "<main>\n{}</main>\n{}</body>\n</html>\n",
-            tagOf(options_.language), title, handoutStyle().front().text, title, programs,
+            tagOf(options_.language), pageMark, title, handoutStyle().front().text, title, programs,
             key_.empty() ? std::string() : fmt::format("<p class=\"paper\">{}</p>\n", answers), contents(),
             sections_, key());
     }
@@ -228,6 +233,20 @@ private:
 };
 
 } // namespace
+
+Result<void> checkPageFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::directory_iterator there(folder, error);
+    if (error || there == std::filesystem::directory_iterator())
+        return {}; // what can't be written is said by who writes
+    const Result<Bytes> page = readFileStart(folder / indexName, markedBytes);
+    if (page && !std::ranges::search(*page, viewBytes(pageMark)).empty())
+        return {};
+    return fail(ErrorCode::Unwritable,
+                "expected a new folder, an empty one or a page of lessons; found other files, which the "
+                "page's might replace",
+                folder.string());
+}
 
 Result<std::vector<PageFile>> lessonPage(const LessonPageOptions& options) {
     const Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(options.language);

@@ -4,6 +4,7 @@
 #include "core/base/bytes.h"
 #include "core/lesson/lesson_files.h"
 
+#include <filesystem>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -22,6 +23,10 @@ struct LessonPageOptions {
     std::function<void(float done)> progress; ///< called from several threads
     std::stop_token stop;
 };
+
+/// Whether a page may be written there: into what isn't there, is empty or holds an earlier page. Others'
+/// files, as a lesson's own, might bear the names of the page's.
+[[nodiscard]] Result<void> checkPageFolder(const std::filesystem::path& folder);
 
 /// Lessons to be read, or to be printed: index.html, beside it the pictures of each step, drawn by the
 /// reference, and its programs, with the image files that they read. Errors: what can't be read or drawn of a

@@ -330,6 +330,10 @@ std::string describeAccepted(const ParamRow& row) {
     case Kind::Enum:
         return fmt::format("one of {}", listNames(row.choices));
     case Kind::Text:
+        if (row.member == memberId<&KeyFrame::value>)
+            return fmt::format(
+                "a finite number, an array of up to 16, true, false or UTF-8 text of at most {} bytes",
+                maxTextBytes);
         return fmt::format("UTF-8 text of at most {} bytes", maxTextBytes);
     case Kind::Matrix:
         return fmt::format("16 numbers, each {}", withUnit(row.range));

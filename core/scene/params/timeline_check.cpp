@@ -55,6 +55,9 @@ Result<void> checkTextures(const Scene& scene) {
 } // namespace
 
 Result<void> checkKey(const Scene& scene, const KeyFrame& key) {
+    if (key.path.empty())
+        return fail(ErrorCode::OutOfRange,
+                    "expected the path of a parameter, as \"view.azimuth\", found none", "/path");
     if (const auto row = rowAt(scene, key.path); !row)
         return fail(row.error().code, fmt::format("{}: {}", row.error().where, row.error().message), "/path");
     if (auto fits = checkMovable(scene, key.path, key.value); !fits)

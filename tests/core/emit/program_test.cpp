@@ -450,6 +450,20 @@ TEST(EmittedModels, AreBounded) {
     EXPECT_EQ(std::ranges::count(positions->data->text(), ','), 196608);
 }
 
+TEST(EmittedModels, AreLeftOutWithoutAPrimitive) {
+    for (const emit::Flavour flavour : {emit::Flavour::Fixed, emit::Flavour::Glsl, emit::Flavour::WebGl}) {
+        Scene scene;
+        scene.models[0].shape = Shape::Mesh;
+        scene.models[0].mesh.positions = {{0, 0, 0}, {1, 0, 0}};
+        emit::TextureCodes codes;
+        const auto tooFew = emit::program(flavour, scene, {}, {}, codes);
+        scene.models[0].visible = false;
+        const auto invisible = emit::program(flavour, scene, {}, {}, codes);
+        ASSERT_TRUE(tooFew && invisible);
+        EXPECT_EQ(textOf(*tooFew, false), textOf(*invisible, false));
+    }
+}
+
 TEST(EmittedModels, SetTheirOwnMaterialAndGiveTheScenesBack) {
     Scene scene = defaultScene();
     scene.models[0].ownMaterial = true;

@@ -97,6 +97,8 @@ MOVING = (
                   "passes": [{"depthTest": True, "units": [{"enabled": True}, {"enabled": True, "texture": 1, **COLOR, "matrix": [{"op": "translate"}]}]}]}),
     Moving("lines", {"models[0].lineWidth": [(0, 1), (2, 7)]},
            scene={"models": [{"shape": "mesh", "mesh": {"primitive": "GL_LINE_STRIP", "positions": [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]}}]}),
+    Moving("nothing-drawn", {"view.background": [(0, [0, 0, 0, 1]), (2, [1, 0.5, 0.25, 1])]},
+           scene={"models": [{"shape": "mesh", "mesh": {"positions": positions}} for positions in ([], [[0, 0, 0], [1, 0, 0]])]}),
     Moving("shadow", {"models[0].position": [(0, [0, 1, 0]), (2, [1, 1.5, 0])], "models[0].rotation": [(0, [0, 0, 0]), (2, [45, 45, 0])]},
            example="shadow-map"),
 )

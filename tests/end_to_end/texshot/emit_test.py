@@ -102,6 +102,7 @@ class Emit(Texshot):
         result = texshot("emit", *step, "--files", "-o", self.path / "uv.bmp")  # which would read itself
         self.assertEqual((result.returncode, (self.path / "uv.bmp").read_bytes()), (1, b"mine"), result.stderr)
         self.assertIn("--files", self.refused("--example", "cube", "--files", code=2))
+        self.assertIn("--files: has no effect here: a page", self.refused(*step, "--as", "webgl", "--files", code=2))
         result = texshot("emit", *step, "--files")
         self.assertEqual((result.returncode, result.stdout), (2, b""))
 

@@ -105,7 +105,8 @@ class LessonPage(Texshot):
             for step in range(1, text.count("<section class=\"step\"") + 1):
                 for flavour, name in ("fixed", f"{lesson}-{step}.c"), ("glsl", f"{lesson}-{step}-glsl.c"), ("webgl", f"{lesson}-{step}.html"):
                     emitted = self.path / "emitted" / name
-                    result = texshot("emit", "--lesson", lesson, "--step", step, "--as", flavour, "--files", "-o", emitted)
+                    files = () if flavour == "webgl" else ("--files",)  # a page reads none
+                    result = texshot("emit", "--lesson", lesson, "--step", step, "--as", flavour, *files, "-o", emitted)
                     written = self.path / "out/programs" / lesson / name
                     self.assertEqual(written.exists(), result.returncode == 0, result.stderr)
                     if result.returncode == 0:
@@ -171,9 +172,23 @@ class LessonPage(Texshot):
         self.complains(1, "/steps/0/scene", "lessons", "--page", out, "--lesson", broken)
         (self.path / "file").write_text("")
         self.complains(1, "file", "lessons", "--page", self.path / "file", "--lesson", "wrap")
-        (self.path / "blocked" / "programs" / "wrap" / "wrap-1.c").mkdir(parents=True)
-        self.complains(1, "wrap-1.c: ", "lessons", "--page", self.path / "blocked", "--lesson", "wrap")
-        self.assertEqual([file.name for file in (self.path / "blocked").rglob("*") if file.is_file()], [])
+        self.page("--lesson", "wrap")
+        before = self.files()
+        (out / "programs" / "wrap" / "wrap-1.c").unlink()
+        (out / "programs" / "wrap" / "wrap-1.c").mkdir()
+        self.complains(1, "wrap-1.c: ", "lessons", "--page", out, "--lesson", "wrap")
+        self.assertEqual(self.files(), before - {"programs/wrap/wrap-1.c"})
+
+    def test_others_files_stay_and_an_earlier_page_is_replaced(self):
+        folder = self.folder_of({**LESSON, "steps": [{"title": "One", "text": "One.", "scene": "cube"}]})
+        Image.new("RGB", (8, 4), (255, 0, 0)).save(folder / "mine-1.png")
+        before = {file: file.read_bytes() for file in folder.iterdir()}
+        self.complains(1, "found other files, which the page's might replace", "lessons", "--page", folder, "--lesson", folder)
+        self.assertEqual({file: file.read_bytes() for file in folder.iterdir()}, before)
+        self.page("--lesson", folder)
+        (self.path / "out" / "mine-1.png").write_bytes(b"old")
+        self.page("--lesson", folder)
+        self.assertEqual((self.path / "out" / "mine-1.png").read_bytes()[:4], b"\x89PNG")
 
     def test_json_has_the_answers_and_the_numbers(self):
         lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
