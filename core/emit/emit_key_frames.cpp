@@ -2,6 +2,7 @@
 // core/scene/params/value_mix.cpp has them, to the last bit.
 
 #include "core/emit/emission.h"
+#include "core/emit/piece_files.h"
 #include "core/gl/argument_names.h"
 #include "core/scene/params/keys.h"
 
@@ -38,52 +39,12 @@ const EasingFunction& functionOf(Easing easing) {
     return *std::ranges::find(easingFunctions, easing, &EasingFunction::easing);
 }
 
-constexpr std::string_view trackInC =
-    R"(/* What a component's keys say at a time: between two of them a mixture, before the first what that says, after
- * the last what that says. */
-static double track(const Key *keys, int count, double seconds, int component)
-{
-    int next = 0;
-    while (next < count && keys[next].seconds <= seconds)
-        ++next;
-    if (next == 0 || next == count)
-        return keys[next == 0 ? 0 : count - 1].value[component];
-    const Key *from = &keys[next - 1], *to = &keys[next];
-    const double share = from->easing((seconds - from->seconds) / ((double)to->seconds - from->seconds));
-    return from->value[component] * (1 - share) + to->value[component] * share;
+/// Below what it includes, which every program does.
+std::string functionFile(std::string_view name) {
+    const std::string& text = std::ranges::find(keyFrameFiles(), name, &PieceFile::name)->text;
+    constexpr std::string_view header = "#include \"gl.h\"\n\n";
+    return text.starts_with(header) ? text.substr(header.size()) : text;
 }
-)";
-constexpr std::string_view trackInJs =
-    R"(/* What a component's keys say at a time: between two of them a mixture, before the first what that says, after
- * the last what that says. */
-function track(keys, seconds, component) {
-    const time = (key) => Math.fround(key.seconds); // floats, as OpenGL has them
-    const value = (key) => Math.fround(key.value[component]);
-    const next = keys.findIndex((key) => time(key) > seconds);
-    if (next <= 0) return value(keys[next === 0 ? 0 : keys.length - 1]);
-    const from = keys[next - 1], to = keys[next];
-    const share = from.easing((seconds - time(from)) / (time(to) - time(from)));
-    return value(from) * (1 - share) + value(to) * share;
-}
-)";
-constexpr std::string_view stepInC =
-    R"(/* Nothing lies between two names or switches: each holds until the next one comes. */
-static GLenum step(const Step *steps, int count, double seconds)
-{
-    int i = 0;
-    while (i + 1 < count && steps[i + 1].seconds <= seconds)
-        ++i;
-    return steps[i].value;
-}
-)";
-constexpr std::string_view stepInJs =
-    R"(/* Nothing lies between two names or switches: each holds until the next one comes. */
-function step(steps, seconds) {
-    let i = 0;
-    while (i + 1 < steps.length && Math.fround(steps[i + 1].seconds) <= seconds) ++i;
-    return steps[i].value;
-}
-)";
 
 std::string_view stepName(const MovingParam& param, const Value& value) {
     if (const auto* on = std::get_if<bool>(&value))
@@ -152,20 +113,15 @@ private:
                 text(fmt::format("\nstatic double {}(double share) /* {} */\n{{\n    {}\n}}\n", each.name,
                                  each.what, each.c));
         }
-        if (!isWeb_)
-            text(fmt::format(
-                "/* When something that moves is what, and how it goes on from there. */\ntypedef struct "
-                "{{\n    GLfloat seconds;\n    double (*easing)(double share);\n    GLfloat value[{}];\n}} Key;\n",
-                most_));
-        text(isWeb_ ? trackInJs : trackInC);
+        if (isWeb_)
+            return text(functionFile("track.js"));
+        std::string track = functionFile("track.c");
+        constexpr std::string_view most = "value[4]";
+        track.replace(track.find(most), most.size(), fmt::format("value[{}]", most_));
+        text(track);
     }
 
-    void writeStep() {
-        if (!isWeb_)
-            text(
-                "/* When a name or a switch is what. */\ntypedef struct {\n    GLfloat seconds;\n    GLenum value;\n} Step;\n");
-        text(isWeb_ ? stepInJs : stepInC);
-    }
+    void writeStep() { text(functionFile(isWeb_ ? "step.js" : "step.c")); }
 
     [[nodiscard]] static std::string tableOf(const MovingParam& param) {
         return param.variable + (param.components() == 0 ? "Steps" : "Keys");

@@ -17,6 +17,8 @@ struct PieceFile {
 [[nodiscard]] const std::vector<PieceFile>& cFunctionFiles();
 /// Functions in JavaScript, each of which calls only those before it.
 [[nodiscard]] const std::vector<PieceFile>& scriptFunctionFiles();
+/// What finds out what key frames say, in both.
+[[nodiscard]] const std::vector<PieceFile>& keyFrameFiles();
 /// What else a page is made of.
 [[nodiscard]] const std::vector<PieceFile>& pageFiles();
 

@@ -29,6 +29,9 @@ TEST(Pieces, AreTheFilesOfTheFolder) {
     std::vector<std::string> names;
     for (const PieceFile& each : cFunctionFiles())
         names.push_back(each.name);
+    for (const PieceFile& each : keyFrameFiles())
+        if (each.name.ends_with(".c"))
+            names.push_back(each.name);
     EXPECT_THAT(names, testing::UnorderedElementsAreArray(expected));
 }
 
