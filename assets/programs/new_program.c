@@ -23,20 +23,20 @@ static GLuint compile(GLenum stage, const char *source)
 /* Links both stages. */
 static GLuint newProgram(const char *vertexShader, const char *fragmentShader)
 {
-    const GLuint program = glCreateProgram();
+    const GLuint object = glCreateProgram();
     const GLuint stages[] = {compile(GL_VERTEX_SHADER, vertexShader), compile(GL_FRAGMENT_SHADER, fragmentShader)};
     GLint done = GL_FALSE;
     for (int i = 0; i < 2; ++i) {
-        glAttachShader(program, stages[i]);
+        glAttachShader(object, stages[i]);
         glDeleteShader(stages[i]); /* when the program doesn't need it any more */
     }
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &done);
+    glLinkProgram(object);
+    glGetProgramiv(object, GL_LINK_STATUS, &done);
     if (!done) {
         char log[4096];
-        glGetProgramInfoLog(program, sizeof log, NULL, log);
+        glGetProgramInfoLog(object, sizeof log, NULL, log);
         fprintf(stderr, "The shaders can't be linked:\n%s\n", log);
         exit(EXIT_FAILURE);
     }
-    return program;
+    return object;
 }

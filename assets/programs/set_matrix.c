@@ -2,10 +2,10 @@
 #include "matrix.c"
 
 /* Shaders take floats. */
-static void setMatrix(GLuint program, const char *name, Matrix matrix)
+static void setMatrix(GLuint object, const char *name, Matrix matrix)
 {
     GLfloat floats[16];
     for (int i = 0; i < 16; ++i)
         floats[i] = (GLfloat)matrix.at[i];
-    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, floats);
+    glUniformMatrix4fv(glGetUniformLocation(object, name), 1, GL_FALSE, floats);
 }

@@ -2,7 +2,7 @@
 #include "matrix.c"
 
 /* What normals are multiplied by: the inverse of the rotation and scale, transposed, by Cramer's rule. */
-static void setNormalMatrix(GLuint program, const char *name, Matrix modelView)
+static void setNormalMatrix(GLuint object, const char *name, Matrix modelView)
 {
     GLfloat m[3][3], normal[9];
     for (int i = 0; i < 9; ++i)
@@ -15,5 +15,5 @@ static void setNormalMatrix(GLuint program, const char *name, Matrix modelView)
     const GLfloat determinant = m[0][0] * normal[0] + m[1][0] * normal[3] + m[2][0] * normal[6];
     for (int i = 0; i < 9; ++i)
         normal[i] *= 1 / determinant;
-    glUniformMatrix3fv(glGetUniformLocation(program, name), 1, GL_FALSE, normal);
+    glUniformMatrix3fv(glGetUniformLocation(object, name), 1, GL_FALSE, normal);
 }

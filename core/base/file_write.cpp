@@ -5,6 +5,7 @@
 #include "core/base/draft.h"
 #include "core/base/file_io.h"
 #include "core/base/file_kind.h"
+#include "core/base/new_folders.h"
 #include "core/base/open_directory.h"
 
 #include <fmt/core.h>
@@ -86,34 +87,6 @@ Result<fs::path> existingFolder(const fs::path& folder) {
                 folder.string());
 }
 
-/// Removes again what was made, unless it is kept: folders that are not empty stay by themselves.
-class MadeFolders {
-public:
-    [[nodiscard]] bool make(const fs::path& folder) {
-        std::error_code error;
-        if (folder.has_parent_path() && !fs::exists(folder, error) && folder != folder.parent_path() &&
-            !make(folder.parent_path()))
-            return false;
-        if (::mkdir(folder.c_str(), 0777) == 0)
-            made_.push_back(folder);
-        else if (errno != EEXIST)
-            return false;
-        return true;
-    }
-    void keep() { made_.clear(); }
-
-    MadeFolders() = default;
-    MadeFolders(const MadeFolders&) = delete;
-    MadeFolders& operator=(const MadeFolders&) = delete;
-    ~MadeFolders() {
-        for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
-            ::rmdir(folder->c_str());
-    }
-
-private:
-    std::vector<fs::path> made_;
-};
-
 } // namespace
 
 bool writeFully(int file, ByteView bytes) {
@@ -171,7 +144,7 @@ Result<void> writeFolderAtomically(const fs::path& folder, std::span<const FileC
     if (beforePlacing)
         beforePlacing();
 
-    MadeFolders made;
+    NewFolders made;
     if (!made.make(fs::absolute(folder)))
         return unwritable("can't make the folder", errno, folder.string());
     for (const FileContent& file : files) {

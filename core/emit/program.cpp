@@ -47,10 +47,11 @@ public:
     /// it is: that is refused.
     [[nodiscard]] Result<Lines> ofMoving(const Scene& scene) const {
         const auto refusing = [&](const std::string& path) {
-            return fail(ErrorCode::Unsupported,
-                        fmt::format("a program ({}) can't move this by key frames; texshot animate draws it",
-                                    rowOf(flavour_).label),
-                        path);
+            return fail(
+                ErrorCode::Unsupported,
+                fmt::format("a program ({}) can't move this as its key frames do; texshot animate draws it",
+                            rowOf(flavour_).label),
+                path);
         };
         if (const std::string path = ofTexels(scene); !path.empty())
             return refusing(path);

@@ -17,11 +17,11 @@ bool isPlainLetter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
 }
 
-/// What a comment can't show as it is, or no shell takes within quotes, becomes an underscore.
+/// What a comment can't show as it is becomes an underscore.
 std::string fileName(const std::string& name) {
     if (name.empty())
         return "demo.c";
-    if (name.find('\'') == std::string::npos && inComment(name) == name)
+    if (inComment(name) == name)
         return name;
     std::string text = name;
     std::ranges::replace_if(
@@ -32,11 +32,21 @@ std::string fileName(const std::string& name) {
 /// As a shell has it, and no option of the compiler.
 std::string shellWord(const std::string& name) {
     const std::string word = name.starts_with('-') ? "./" + name : name;
-    return std::ranges::all_of(name, isPlainLetter) ? word : "'" + word + "'";
+    if (std::ranges::all_of(name, isPlainLetter))
+        return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
 }
 
-std::string stemOf(const std::string& name) {
-    return name.ends_with(".c") ? name.substr(0, name.size() - 2) : name + ".out";
+/// What compiles the file, into one of its name without an ending.
+std::string compilerLine(const std::string& file) {
+    constexpr std::string_view ending = ".c";
+    if (file.ends_with(ending))
+        return fmt::format("cc {} -o {} -lglfw -lGL -lm", shellWord(file),
+                           shellWord(file.substr(0, file.size() - ending.size())));
+    return fmt::format("cc -x c {} -x none -o {} -lglfw -lGL -lm", shellWord(file), shellWord(file + ".out"));
 }
 
 /// "/*" and lines of words that begin with " * ".
@@ -127,8 +137,7 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     const ProgramOptions& options = emission.options;
     std::vector<Line> lines;
     const std::string file = fileName(options.source);
-    std::vector<std::string> about{
-        options.title, fmt::format("cc {} -o {} -lglfw -lGL -lm", shellWord(file), shellWord(stemOf(file)))};
+    std::vector<std::string> about{options.title, compilerLine(file)};
     if (!options.about.empty())
         about.insert(about.begin() + 1, options.about);
     addComment(lines, about);

@@ -213,6 +213,37 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
     return opened;
 }
 
+std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened,
+                                      std::span<const SweepAxis> axes) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& file) {
+        if (!file.empty())
+            files.push_back((opened.images.directory() / file).string());
+    };
+    for (const FileName& named : fileNamesOf(opened.scene)) {
+        add(named.file);
+        for (const KeyFrame& key : opened.scene.timeline.keys)
+            if (key.path == named.path)
+                add(key.value);
+        for (const SweepAxis& axis : axes)
+            if (axis.path == named.path)
+                std::ranges::for_each(axis.values, add);
+    }
+    std::error_code ignored; // what is no folder is a lesson of the program's own
+    if (!argument.lesson.empty())
+        for (const auto& file : std::filesystem::directory_iterator(argument.lesson, ignored))
+            files.push_back(file.path().string());
+    return files;
+}
+
+std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened,
+                                 std::span<const SweepAxis> axes) {
+    std::vector<std::string> files = imageFilesOf(argument, opened, axes);
+    if (!argument.file.empty())
+        files.push_back(isStandardInput(argument.file) ? "/dev/stdin" : argument.file);
+    return files;
+}
+
 std::filesystem::path SceneArgument::path() const {
     return isStandardInput(file) ? std::filesystem::path() : std::filesystem::path(file);
 }

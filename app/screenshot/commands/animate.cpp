@@ -212,22 +212,24 @@ Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
 Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
                          const animation::FormatRow& format) {
     if (motion.perSecond > format.mostPerSecond)
-        return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected at most {} a second in a {}, of which viewers show more of them "
-                                "slower; found {}",
-                                format.mostPerSecond, format.name, motion.perSecond),
-                    "--fps");
+        return fail(
+            ErrorCode::OutOfRange,
+            fmt::format("expected at most {} a second in {} files, of which viewers show more of them "
+                        "slower; found {}",
+                        format.mostPerSecond, format.name, motion.perSecond),
+            "--fps");
     const double shown = std::min(1 / motion.perSecond, motion.seconds);
     const double longest = static_cast<double>(format.mostUnits) / format.unitsPerSecond;
     if (shown > longest)
-        return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected in a {} pictures that are shown for at most {:g} s, found {:g} s",
-                                format.name, longest, shown),
-                    "--fps");
+        return fail(
+            ErrorCode::OutOfRange,
+            fmt::format("expected in {} files pictures that are shown for at most {:g} s, found {:g} s",
+                        format.name, longest, shown),
+            "--fps");
     const auto [width, height] = motion.request.size;
     if (std::max(width, height) > format.mostExtent)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {0}x{0} for a {1}, found {2}x{3}", format.mostExtent,
+                    fmt::format("expected at most {0}x{0} for {1} files, found {2}x{3}", format.mostExtent,
                                 format.name, width, height),
                     "--size");
     if (!options.quality.empty() && format.format != animation::Format::WebP)
@@ -286,7 +288,8 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
                             wrongCall);
         settings.quality = static_cast<float>(*quality);
     }
-    if (const Result<void> apart = checkOutputsApart({{"--out", out}}, {options.scene.file}); !apart)
+    if (const Result<void> apart = checkNotRead("--out", {&out, 1}, filesOf(options.scene, motion.opened));
+        !apart)
         return complain(apart.error(), wrongCall);
     Result<Output> output = Output::open(out);
     if (!output)
@@ -314,13 +317,13 @@ ExitCode animateIntoFiles(const AnimateOptions& options, const Motion& motion, c
     const ShotList list({{nameOf(options.scene), options.scene.file, motion.opened, {}}},
                         {motion.request.size}, times);
     std::vector<std::string> names;
-    for (std::size_t i = 1; i <= times.size(); ++i) {
+    for (std::size_t i = 1; i <= times.size(); ++i)
         names.push_back(name.at(i));
-        if (const Result<void> apart = checkOutputsApart({{"--out", names.back()}}, {options.scene.file});
-            !apart)
-            return complain(apart.error(), wrongCall);
-    }
-    if (const Result<void> writable = checkPlaces(names, true); !writable)
+    if (const Result<void> apart = checkNotRead("--out", names, filesOf(options.scene, motion.opened));
+        !apart)
+        return complain(apart.error(), wrongCall);
+    NewFolders made;
+    if (const Result<void> writable = checkPlaces(names, &made); !writable)
         return complain(writable.error());
     return drawAll({list, std::move(names), *format, motion.request, !options.withoutMetadata});
 }

@@ -30,27 +30,38 @@ Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour)
     if (options.files && isStandardOutput(options.out))
         return fail(ErrorCode::OutOfRange, "expected a file's name, beside which there may be others",
                     "--out");
+    std::error_code ignored;
+    const std::filesystem::file_status there = std::filesystem::status(options.out, ignored);
+    if (options.files && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        return fail(
+            ErrorCode::OutOfRange,
+            fmt::format("expected a file, beside which there may be others, found \"{}\"", options.out),
+            "--out");
     return {};
 }
 
-/// Files that are there already stay, if they are what they should be.
-Result<void> writeBeside(const std::string& program, const std::vector<ReadFile>& files) {
-    const std::filesystem::path folder = std::filesystem::path(program).parent_path();
+/// The program with the files that it reads, all or none. Those that are there already stay, if they are what
+/// they should be.
+Result<void> writeBeside(const std::string& program, const std::string& text,
+                         const std::vector<ReadFile>& files) {
+    const std::filesystem::path path(program);
+    const std::filesystem::path folder = path.parent_path();
     std::vector<FileContent> missing;
     for (const ReadFile& each : files) {
-        const std::filesystem::path path = folder / each.name;
-        if (path == std::filesystem::path(program))
+        const std::filesystem::path place = folder / each.name;
+        if (place == path)
             return fail(ErrorCode::Unwritable, "is the name of a file that the program would read", program);
-        const Result<Bytes> there = readFile(path, each.bytes.size());
+        const Result<Bytes> there = readFile(place, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)
             missing.push_back({each.name, each.bytes});
         else if (!there && there.error().code != ErrorCode::TooLarge)
             return fail(there.error());
         else if (!there || *there != each.bytes)
             return fail(ErrorCode::Unwritable,
-                        "is there already, and is not the file that the program would read", path.string());
+                        "is there already, and is not the file that the program would read", place.string());
     }
-    return missing.empty() ? Result<void>() : writeFolderAtomically(folder.empty() ? "." : folder, missing);
+    missing.push_back({path.filename().string(), viewBytes(text)});
+    return writeFolderAtomically(folder.empty() ? "." : folder, missing);
 }
 
 ExitCode emitProgram(const EmitOptions& options) {
@@ -59,8 +70,6 @@ ExitCode emitProgram(const EmitOptions& options) {
         return complain(flavour.error(), wrongCall);
     if (const Result<void> possible = checkFilesBeside(options, *flavour); !possible)
         return complain(possible.error(), wrongCall);
-    if (const Result<void> apart = checkOutputsApart({{"--out", options.out}}, {options.scene.file}); !apart)
-        return complain(apart.error(), wrongCall);
     const Result<Output> out = Output::open(options.out);
     if (!out)
         return complain(out.error());
@@ -72,10 +81,11 @@ ExitCode emitProgram(const EmitOptions& options) {
                                    options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
     if (!program)
         return complain(program.error().error, program.error().code);
-    if (const Result<void> beside = writeBeside(options.out, program->files); !beside)
-        return complain(beside.error());
+    if (const Result<void> apart = checkNotRead("--out", {&options.out, 1}, program->madeFrom); !apart)
+        return complain(apart.error(), wrongCall);
     const std::string text = textOf(program->lines, false);
-    const Result<void> written = out->write(viewBytes(text));
+    const Result<void> written =
+        options.files ? writeBeside(options.out, text, program->files) : out->write(viewBytes(text));
     return written ? success : complain(written.error());
 }
 

@@ -91,6 +91,8 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
     auto opened = openScene(argument);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
+    if (const Result<void> apart = checkNotRead("--out", {&name, 1}, imageFilesOf(argument, *opened)); !apart)
+        return complain(apart.error(), wrongCall);
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
     request.file = argument.path();
@@ -162,7 +164,14 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     Result<std::vector<std::string>> names = list.names(pattern, std::string(rowOf(request.renderer).name));
     if (!names)
         return complain(names.error(), wrongCall);
-    if (const Result<void> writable = checkPlaces(*names, !pattern.places().empty()); !writable)
+    for (const ShotList::Entry& entry : list.entries()) {
+        const std::vector<std::string> read = imageFilesOf(options.scene, entry.opened, entry.axes);
+        if (const Result<void> apart = checkNotRead("--out", *names, read); !apart)
+            return complain(apart.error(), wrongCall);
+    }
+    NewFolders made;
+    if (const Result<void> writable = checkPlaces(*names, pattern.places().empty() ? nullptr : &made);
+        !writable)
         return complain(writable.error());
     return drawAll(
         {list, *std::move(names), *format, std::move(request), !options.withoutMetadata, report, incomplete});

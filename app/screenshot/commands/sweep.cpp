@@ -177,7 +177,8 @@ std::string nameOfPage(const SweepOptions& options, const Sweep& sweep, std::siz
 }
 
 /// The error is the exit status; it has been said.
-tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& options, const Sweep& sweep) {
+tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& options, const Sweep& sweep,
+                                                           NewFolders& made) {
     std::vector<std::string> names;
     for (std::size_t page = 0; page < sweep.pageCount(); ++page) {
         std::string name = nameOfPage(options, sweep, page);
@@ -191,12 +192,12 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
                          wrongCall));
         names.push_back(std::move(name));
     }
-    for (const std::string& name : names) {
-        if (const Result<void> apart = checkOutputsApart({{"--out", name}}, {options.scene.file}); !apart)
-            return tl::unexpected(complain(apart.error(), wrongCall));
-    }
+    if (const Result<void> apart =
+            checkNotRead("--out", names, filesOf(options.scene, sweep.opened, sweep.axes));
+        !apart)
+        return tl::unexpected(complain(apart.error(), wrongCall));
     if (!sweep.pattern.places().empty()) {
-        if (const Result<void> writable = checkPlaces(names, true); !writable)
+        if (const Result<void> writable = checkPlaces(names, &made); !writable)
             return tl::unexpected(complain(writable.error()));
     }
     std::vector<ImageOutput> outputs;
@@ -243,7 +244,8 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
             return complain({layout.error().code, layout.error().message, "--size"}, wrongCall);
         layouts.push_back(*std::move(layout));
     }
-    auto outputs = outputsOf(options, sweep);
+    NewFolders made;
+    auto outputs = outputsOf(options, sweep, made);
     if (!outputs)
         return outputs.error();
     std::vector<SheetRun::Page> pages;
@@ -285,7 +287,12 @@ ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotRep
         list.names(sweep.pattern, std::string(rowOf(sweep.request.renderer).name));
     if (!names)
         return complain(names.error(), wrongCall);
-    if (const Result<void> writable = checkPlaces(*names, true); !writable)
+    if (const Result<void> apart =
+            checkNotRead("--out", *names, filesOf(options.scene, sweep.opened, sweep.axes));
+        !apart)
+        return complain(apart.error(), wrongCall);
+    NewFolders made;
+    if (const Result<void> writable = checkPlaces(*names, &made); !writable)
         return complain(writable.error());
     return drawAll({list, *std::move(names), *format, sweep.request, !options.withoutMetadata, report});
 }

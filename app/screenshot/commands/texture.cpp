@@ -89,6 +89,10 @@ ExitCode writeTexture(const TextureOptions& options) {
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
+    if (const Result<void> apart =
+            checkNotRead("--out", {&options.out, 1}, imageFilesOf(options.scene, *opened));
+        !apart)
+        return complain(apart.error(), wrongCall);
     Result<Image> picture = pictureOf(options, *opened);
     if (!picture)
         return complain(inScene(options.scene, picture.error()));

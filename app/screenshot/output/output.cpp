@@ -36,33 +36,49 @@ bool isTerminal(const std::string& path) {
     return device.valid() && ::isatty(device.get()) == 1;
 }
 
+bool isFile(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+}
+
+/// Under whatever names.
+bool areTheSame(const std::string& file, const std::string& other) {
+    std::error_code ignored;
+    return isFile(file) && std::filesystem::equivalent(file, other, ignored);
+}
+
 } // namespace
 
 bool isStandardOutput(const std::string& path) {
     return path == "-" || path == "/dev/stdout";
 }
 
+Result<void> checkNotRead(const char* option, std::span<const std::string> outputs,
+                          const std::vector<std::string>& inputs) {
+    for (const std::string& output : outputs) {
+        if (!isFile(output))
+            continue;
+        const auto read =
+            std::ranges::find_if(inputs, [&](const std::string& input) { return areTheSame(output, input); });
+        if (read != inputs.end())
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected another file than {}, which is read", inQuotes(*read)), option);
+    }
+    return {};
+}
+
 Result<void> checkOutputsApart(const std::vector<NamedOutput>& outputs,
                                const std::vector<std::string>& inputs) {
-    const auto areTheSame = [](const std::string& a, const std::string& b) {
-        std::error_code ignored;
-        return !a.empty() && !b.empty() && std::filesystem::is_regular_file(a, ignored) &&
-               std::filesystem::equivalent(a, b, ignored);
-    };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (const std::string& input : inputs) {
-            if (areTheSame(outputs[i].path, input))
-                return fail(ErrorCode::OutOfRange,
-                            fmt::format("expected another file than {}, which is read", inQuotes(input)),
-                            outputs[i].option);
-        }
+        if (const Result<void> apart = checkNotRead(outputs[i].option, {&outputs[i].path, 1}, inputs); !apart)
+            return apart;
         for (std::size_t k = 0; k < i; ++k) {
             const std::string& other = outputs[k].path;
             if (isStandardOutput(outputs[i].path) && isStandardOutput(other))
                 return fail(ErrorCode::OutOfRange, "expected one text on standard output, found two",
                             fmt::format("{} and {}", outputs[k].option, outputs[i].option));
             const std::filesystem::path own = outputs[i].path;
-            if (!other.empty() && (areTheSame(own, other) ||
+            if (!other.empty() && (areTheSame(outputs[i].path, other) ||
                                    own.lexically_normal() == std::filesystem::path(other).lexically_normal()))
                 return fail(ErrorCode::OutOfRange,
                             fmt::format("expected another file than that of {}", outputs[k].option),
@@ -119,18 +135,15 @@ Result<void> Output::put(ByteView bytes) const {
     return writeFileAtomically(path_, bytes, [&placing] { placing.emplace(); });
 }
 
-Result<void> checkPlaces(const std::vector<std::string>& names, bool makes) {
+Result<void> checkPlaces(const std::vector<std::string>& names, NewFolders* made) {
     std::set<std::filesystem::path> folders;
     for (const std::string& name : names) {
         const std::filesystem::path folder = std::filesystem::path(name).parent_path();
         if (!folders.insert(folder).second)
             continue;
-        if (std::error_code error; makes && !folder.empty()) {
-            std::filesystem::create_directories(folder, error);
-            if (error)
-                return fail(ErrorCode::Unwritable, "can't make the folder: " + error.message(),
-                            folder.string());
-        }
+        if (made != nullptr && !folder.empty() && !made->make(folder))
+            return fail(ErrorCode::Unwritable, "can't make the folder: " + systemText(errno),
+                        folder.string());
         if (const Result<void> writable = checkPlace(name); !writable)
             return fail(writable.error());
     }

@@ -2,8 +2,10 @@
 
 #include "app/screenshot/command.h"
 #include "core/base/descriptor.h"
+#include "core/base/new_folders.h"
 #include "core/codec/registry.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +33,9 @@ private:
 /// Whether a file can be written there. The error names the path, and the folder that isn't there.
 [[nodiscard]] Result<void> checkPlace(const std::string& path);
 
-/// The same of many files, each folder once: what else a name may be is seen when it is written. `makes`: the
-/// folders that aren't there.
-[[nodiscard]] Result<void> checkPlaces(const std::vector<std::string>& paths, bool makes);
+/// The same of many files, each folder once: what else a name may be is seen when it is written. `made` makes
+/// the folders that aren't there; nullptr: they have to be.
+[[nodiscard]] Result<void> checkPlaces(const std::vector<std::string>& paths, NewFolders* made);
 
 /// Whether a path names the program's standard output.
 [[nodiscard]] bool isStandardOutput(const std::string& path);
@@ -43,6 +45,10 @@ struct NamedOutput {
     const char* option;
     std::string path;
 };
+
+/// No output may take the place of an input, under whatever name. The error names the option.
+[[nodiscard]] Result<void> checkNotRead(const char* option, std::span<const std::string> outputs,
+                                        const std::vector<std::string>& inputs);
 
 /// No output may take the place of an input or of another output. The error names the option.
 [[nodiscard]] Result<void> checkOutputsApart(const std::vector<NamedOutput>& outputs,

@@ -102,6 +102,7 @@ tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument,
             programBesideFiles(flavour, opened->scene, opened->images, std::move(options), codes);
         if (!program)
             return problem(program.error());
+        program->madeFrom = filesOf(argument, *opened);
         return *std::move(program);
     }
     options.fileName = [&](const std::string& file) {
@@ -115,7 +116,7 @@ tl::expected<ProgramText, SceneProblem> programOf(const SceneArgument& argument,
     auto lines = emit::program(flavour, opened->scene, opened->images, options, codes);
     if (!lines)
         return problem(lines.error());
-    return ProgramText{*std::move(lines)};
+    return ProgramText{*std::move(lines), {}, filesOf(argument, *opened)};
 }
 
 } // namespace texplorer::screenshot

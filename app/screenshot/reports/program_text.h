@@ -17,7 +17,8 @@ struct ReadFile {
 
 struct ProgramText {
     std::vector<emit::Line> lines;
-    std::vector<ReadFile> files{}; ///< which are to be written beside the program
+    std::vector<ReadFile> files{};       ///< which are to be written beside the program
+    std::vector<std::string> madeFrom{}; ///< the scene's files, the place of which no program may take
 };
 
 /// Where a program looks for the image files that it reads.

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] std::size_t count() const { return count_; }
     /// Scenes in their order, of each the sizes, the times and then the axes, the last of which goes fastest.
     [[nodiscard]] Case at(std::size_t index) const;
+    [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
     [[nodiscard]] const Entry& entryOf(const Case& shot) const { return entries_[shot.entry]; }
     /// With the values of the axes.
     [[nodiscard]] Result<Scene> sceneOf(const Case& shot) const;

@@ -170,7 +170,7 @@ std::string Reader::expected() const {
     case Frame::Kind::List:
         return "an object";
     case Frame::Kind::Numbers:
-        return "a number";
+        return "a number between -3.4e38 and 3.4e38";
     case Frame::Kind::Elements: {
         const ElementNumbers numbers = *elementNumbers(frame.row->kind);
         return numbers.least == numbers.most

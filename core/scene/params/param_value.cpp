@@ -332,7 +332,7 @@ std::string describeAccepted(const ParamRow& row) {
     case Kind::Text:
         if (row.member == memberId<&KeyFrame::value>)
             return fmt::format(
-                "a finite number, an array of up to 16, true, false or UTF-8 text of at most {} bytes",
+                "a number between -3.4e38 and 3.4e38, an array of up to 16, true, false or UTF-8 text of at most {} bytes",
                 maxTextBytes);
         return fmt::format("UTF-8 text of at most {} bytes", maxTextBytes);
     case Kind::Matrix:

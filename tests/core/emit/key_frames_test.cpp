@@ -201,7 +201,7 @@ TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
         ASSERT_FALSE(lines) << each.name;
         EXPECT_EQ(lines.error().where, each.path) << each.name;
         EXPECT_THAT(lines.error().message,
-                    HasSubstr("can't move this by key frames; texshot animate draws it"));
+                    HasSubstr("can't move this as its key frames do; texshot animate draws it"));
     }
     EXPECT_TRUE(programOf(sceneWith(mode)));
 }

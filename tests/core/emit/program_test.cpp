@@ -610,7 +610,9 @@ TEST(EmittedPrograms, AreCompiledByTheirNames) {
     EXPECT_EQ(compiled("wrap-1.c"), " * cc wrap-1.c -o wrap-1 -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("-x.c"), " * cc ./-x.c -o ./-x -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("$(ls).c"), " * cc '$(ls).c' -o '$(ls)' -lglfw -lGL -lm */");
-    EXPECT_EQ(compiled("it's.c"), " * cc it_s.c -o it_s -lglfw -lGL -lm */");
+    EXPECT_EQ(compiled("it's.c"), R"( * cc 'it'\''s.c' -o 'it'\''s' -lglfw -lGL -lm */)");
+    EXPECT_EQ(compiled("demo"), " * cc -x c demo -x none -o demo.out -lglfw -lGL -lm */");
+    EXPECT_EQ(compiled("a.html"), " * cc -x c a.html -x none -o a.html.out -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("a*/b\n.c"), " * cc a__b_.c -o a__b_ -lglfw -lGL -lm */");
 }
 

@@ -148,7 +148,7 @@ class LessonPage(Texshot):
         (folder / "photo.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "photo.png", "minFilter": "GL_LINEAR"}],
                                                        "models": [{}], "passes": [{"units": [{"enabled": True}]}]}))
         text = html.unescape(self.page("--lesson", folder))
-        self.assertEqual(text.count("can't move this by key frames; texshot animate draws it"), 3)
+        self.assertEqual(text.count("can't move this as its key frames do; texshot animate draws it"), 3)
         self.assertIn("Page with WebGL 2: textures[0].wrapS: WebGL 2 has no GL_CLAMP_TO_BORDER", text)
         self.assertRegex(text, r"C with OpenGL 2\.1: the program holds \d+ MB of texels")
         self.assertEqual({name for name in self.files() if name.startswith("programs/")},

@@ -234,13 +234,14 @@ TEST(Timeline, SaysWhatIsWrongWithAKey) {
                  "expected a number from 0 to 3600 s, found -1"},
          Refused{R"({"path": "view.azimuth", "value": 1, "time": "1"})", "/timeline/0/time",
                  "expected a number from 0 to 3600 s, found \"1\""},
-         Refused{R"({"path": "view.azimuth", "value": {}})", "/timeline/0/value",
-                 "expected a finite number, an array of up to 16, true, false or UTF-8 text of at most 4096 "
-                 "bytes, found an object"},
+         Refused{
+             R"({"path": "view.azimuth", "value": {}})", "/timeline/0/value",
+             "expected a number between -3.4e38 and 3.4e38, an array of up to 16, true, false or UTF-8 text of at most 4096 "
+             "bytes, found an object"},
          Refused{R"({"path": "view.azimuth", "value": null})", "/timeline/0/value",
-                 "expected a finite number, an array"},
+                 "expected a number between"},
          Refused{R"({"path": "view.azimuth", "value": 1e300})", "/timeline/0/value",
-                 "expected a finite number, an array"},
+                 "expected a number between"},
          Refused{R"({"path": "view.azimuth", "value": [[1]]})", "/timeline/0/value/0", "expected a number"},
          Refused{R"({"path": "view.azimuth", "value": 1, "easing": "bounce"})", "/timeline/0/easing",
                  "expected one of hold, linear"},
