@@ -1,6 +1,7 @@
 #include "core/emit/program_frame.h"
 
 #include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
@@ -87,6 +88,16 @@ static void onScroll(GLFWwindow *window, double x, double y)
 }
 )";
 
+/// A word on how key frames begin again, which they don't by themselves.
+std::string repetition(const KeyFrames& keys) {
+    float last = 0;
+    for (const auto& [path, param] : keys.params())
+        if (param.isUsed)
+            last = std::max(last, param.keys.back().seconds);
+    return last > 0 ? fmt::format(" /* fmod(glfwGetTime(), {}): again and again */", formatNumber(last))
+                    : std::string();
+}
+
 std::string mainFunction(const Emission& emission, const CProgram& program) {
     std::string hints;
     for (const std::string& hint : program.hints)
@@ -114,7 +125,7 @@ int main(void)
         int width, height;
         glfwGetFramebufferSize(window, &width, &height);
         if (height > 0)
-            draw(width, height{});
+            draw(width, height{});{}
         glfwSwapBuffers(window);
         {}
     }}
@@ -124,6 +135,7 @@ int main(void)
 )",
                        hints, emission.options.width, emission.options.height,
                        stringLiteral(emission.options.title), moves ? ", glfwGetTime()" : "",
+                       repetition(emission.keys),
                        moves ? "glfwPollEvents();" : "glfwWaitEvents(); /* nothing moves by itself */");
 }
 

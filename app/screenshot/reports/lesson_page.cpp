@@ -209,7 +209,8 @@ private:
         const std::string title = isBook() ? words_.wordHtml("Lessons") : titleOf(lessons_.front());
         const std::string programs = words_.wordHtml(
             "Each step has its programs in the folder \"programs\"; the first lines of each say how it is "
-            "compiled.");
+            "compiled. A ring on a picture marks the pixel that a question is about. What is to be tried is "
+            "done in Texplorer's window: \"texplorer --lesson NAME\" opens a lesson.");
         const std::string answers = words_.wordHtml("The answers are on the last pages.");
         return fmt::format(
             "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"

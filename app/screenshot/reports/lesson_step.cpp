@@ -147,10 +147,17 @@ Result<void> StepWriter::writeTask(const lesson::Match& match) {
     if (!shown)
         return fail(shown.error());
     section() += fmt::format("<figure>{}</figure>\n", *shown);
-    std::string edits;
+    std::string edits = withEdits(start_, match.edits)
+                            .map([this](const LessonScene& reached) {
+                                return newCallsHtml(lesson_, index_, start_, reached);
+                            })
+                            .value_or(std::string());
+    if (!edits.empty())
+        edits += words().wordHtml("As parameters of the scene:") + " ";
+    bool isFirst = true;
     for (const lesson::Edit& edit : match.edits)
         edits +=
-            fmt::format("{}<code>{}</code>", edits.empty() ? "" : ", ",
+            fmt::format("{}<code>{}</code>", std::exchange(isFirst, false) ? "" : ", ",
                         htmlOf(edit.path.empty() ? "preset:" + edit.value : edit.path + "=" + edit.value));
     writeHidden("What leads there", edits);
     return {};

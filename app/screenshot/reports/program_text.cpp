@@ -2,6 +2,7 @@
 
 #include "core/base/file_io.h"
 #include "core/lesson/lesson.h"
+#include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
 
@@ -63,8 +64,9 @@ std::set<std::string, std::less<>> subjectsOf(const lesson::Step& step) {
     std::set<std::string, std::less<>> paths;
     if (!step.look.param.empty())
         paths.insert(step.look.param);
+    const std::string camera = keyOf<&Scene::view>() + "."; // a background is no subject
     for (const lesson::Edit& edit : step.edits) {
-        if (!edit.path.empty())
+        if (!edit.path.empty() && !edit.path.starts_with(camera))
             paths.insert(edit.path);
     }
     return paths;

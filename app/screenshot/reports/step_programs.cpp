@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
 
 namespace texplorer::screenshot {
@@ -52,7 +53,7 @@ std::string excerptHtml(const PageWords& words, const emit::Excerpt& excerpt) {
         code += fmt::format("<span><i>/* {} */</i>\n</span>",
                             words.wordHtml(fmt::format("and {} more lines", excerpt.left)));
     return fmt::format("<div class=\"excerpt\"><p class=\"source\">{}</p><pre><code>{}</code></pre></div>\n",
-                       words.wordHtml("In the program:"), code);
+                       words.wordHtml("Where the program sets it:"), code);
 }
 
 /// All of it but the numbers of long arrays. What the step is about is marked.
@@ -180,6 +181,25 @@ private:
 };
 
 } // namespace
+
+std::string newCallsHtml(const PageLesson& lesson, std::size_t index, const lesson::LessonScene& before,
+                         const lesson::LessonScene& after) {
+    emit::TextureCodes codes;
+    const auto linesOf = [&](const lesson::LessonScene& scene) {
+        return programOfStep(lesson.lesson, index, scene, emit::Flavour::Fixed, "demo.c", codes)
+            .map([](ProgramText&& program) { return std::move(program.lines); })
+            .value_or(std::vector<emit::Line>{});
+    };
+    const auto isCode = [](const emit::Part& part) {
+        return part.kind != emit::Part::Kind::Comment &&
+               part.text.find_first_not_of(' ') != std::string::npos;
+    };
+    std::string html;
+    for (const emit::Line& line : newIn(linesOf(after), linesOf(before), mostExcerptLines).lines)
+        if (!line.heading && std::ranges::any_of(line.parts, isCode))
+            html += fmt::format("<code>{}</code><br>", codeHtml(line));
+    return html;
+}
 
 Result<StepPrograms> stepPrograms(const PageLesson& lesson, std::size_t index,
                                   const lesson::LessonScene& scene, const std::string& place) {

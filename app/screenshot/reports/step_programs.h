@@ -18,4 +18,9 @@ struct StepPrograms {
 [[nodiscard]] Result<StepPrograms> stepPrograms(const PageLesson& lesson, std::size_t index,
                                                 const lesson::LessonScene& scene, const std::string& place);
 
+/// The calls and values of a step's program that it has only after a change of its scene, each on a line;
+/// empty: none, or the one scene or the other has no program.
+[[nodiscard]] std::string newCallsHtml(const PageLesson& lesson, std::size_t index,
+                                       const lesson::LessonScene& before, const lesson::LessonScene& after);
+
 } // namespace texplorer::screenshot

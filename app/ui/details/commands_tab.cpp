@@ -2,12 +2,13 @@
 
 #include "app/ui/details/code_controls.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/program_file.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/program_menu.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 
@@ -28,7 +29,7 @@ void toolRow(Session& session, CommandsTabState& state) {
     const char* hint = session.services.programs.isMaking() ? makingHint : commandsHint;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(copy) + inner + buttonWidth(save);
-    ImGui::Checkbox(label("All calls"), &state.showsAll);
+    ImGui::Checkbox(label("All calls"), &session.window.allCalls);
     noteItem("all commands");
     helpTip("Off: only the calls that change what OpenGL starts with");
     ImGui::SameLine(0, ImGui::GetFontSize());
@@ -39,8 +40,11 @@ void toolRow(Session& session, CommandsTabState& state) {
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::Button(label(copy)))
-        ImGui::SetClipboardText(emit::textOf(state.lines, state.showsAll).c_str());
+    if (ImGui::Button(label(copy))) {
+        const std::string program = emit::textOf(state.lines, session.window.allCalls);
+        ImGui::SetClipboardText(program.c_str());
+        tell(session, fmt::format("Copied: {} lines", std::ranges::count(program, '\n')));
+    }
     noteItem("copy commands");
     helpTip("Copies the program that is listed, as C");
     ImGui::SameLine(0, inner);
@@ -61,11 +65,11 @@ void toolRow(Session& session, CommandsTabState& state) {
 }
 
 /// The lines that are listed, broken into rows of so many letters.
-void makeRows(CommandsTabState& state) {
+void makeRows(CommandsTabState& state, bool showsAll) {
     state.rows.clear();
     for (std::size_t i = 0; i < state.lines.size(); ++i) {
         const emit::Line& line = state.lines[i];
-        if (!state.showsAll && !line.needed && !mentionsAny(line, state.changed))
+        if (!showsAll && !line.needed && !mentionsAny(line, state.changed))
             continue;
         const bool begins = line.depth > (state.rows.empty() ? 0 : state.lines[state.rows.back().line].depth);
         if (line.heading && !state.rows.empty() && !state.rows.back().parts.empty() && !begins)
@@ -76,16 +80,6 @@ void makeRows(CommandsTabState& state) {
     }
 }
 
-/// The scene without what the present time makes of it, where that is something: a program has all key
-/// frames.
-std::optional<Scene> withoutTime(const Document& document) {
-    if (!document.standing)
-        return std::nullopt;
-    Scene scene = document.scene;
-    putUnkeyed(scene, document.standing->base);
-    return scene;
-}
-
 /// Makes the lines anew where the scene is another one. Until its program is there, the last one's stay.
 void renewLines(const Session& session, CommandsTabState& state) {
     const Document& document = session.document;
@@ -94,10 +88,7 @@ void renewLines(const Session& session, CommandsTabState& state) {
     const bool isSame = state.scene && *state.scene == scene && state.images == document.images;
     if (isSame && !session.services.programs.isMaking()) // what is made is of another scene: it is given up
         return;
-    const emit::ProgramOptions options{.title = "Texplorer",
-                                       .fileName = [](const std::string& file) { return file; }};
-    const std::optional<emit::ProgramWorker::Program> made =
-        session.services.programs.program(emit::Flavour::Fixed, scene, document.images, options);
+    const std::optional<emit::ProgramWorker::Program> made = programNow(session, emit::Flavour::Fixed);
     if (!made)
         return;
     state.changed = changedPaths(document);
@@ -120,15 +111,15 @@ void renewLines(const Session& session, CommandsTabState& state) {
 void renewRows(const Session& session, CommandsTabState& state, std::size_t columns) {
     const Document& document = session.document;
     // The numbers of a list are compared with those before only where something changed.
-    if (!state.rowsAreOld && state.columns == columns && state.rowsShowAll == state.showsAll &&
+    if (!state.rowsAreOld && state.columns == columns && state.rowsShowAll == session.window.allCalls &&
         state.lastChanged == document.lastChanged)
         return;
     state.changed = changedPaths(document);
     state.columns = columns;
     state.rowsAreOld = false;
-    state.rowsShowAll = state.showsAll;
+    state.rowsShowAll = session.window.allCalls;
     state.lastChanged = document.lastChanged;
-    makeRows(state);
+    makeRows(state, session.window.allCalls);
 }
 
 /// Scrolls to where the scene's own calls begin, once: what is before them is the same in most programs.

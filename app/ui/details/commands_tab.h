@@ -19,7 +19,6 @@ struct CodeRow {
 
 /// What the tab remembers.
 struct CommandsTabState {
-    bool showsAll = false;      ///< calls that set what OpenGL has anyway, too
     bool hasShownCalls = false; ///< the list was scrolled to the scene's own calls
     ChangedPaths revealed;      ///< the values that the list was scrolled to already
 

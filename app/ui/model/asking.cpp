@@ -90,11 +90,6 @@ void askExample(Session& session, std::string_view file) {
     askAboutChanges(session, Pending::Example);
 }
 
-void askSaveProgram(Session& session, emit::Flavour flavour) {
-    session.window.flavour = flavour;
-    session.window.dialog = Dialog::SaveProgram;
-}
-
 void askSaveAnswers(Session& session) {
     session.window.dialog = Dialog::SaveAnswers;
 }

@@ -18,8 +18,6 @@ void askOpenImage(Session& session, std::string param = {});
 void askNewScene(Session& session);
 void askExample(Session& session, std::string_view file); ///< see examples.h
 void askLesson(Session& session, std::string nameOrFolder);
-/// The scene as a program, as a file.
-void askSaveProgram(Session& session, emit::Flavour flavour);
 void askSaveAnswers(Session& session); ///< what was done in which lesson, as a file
 void save(Session& session);           ///< asks for a name where there is none
 void askSaveAs(Session& session);

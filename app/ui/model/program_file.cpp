@@ -3,6 +3,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "core/base/file_io.h"
 #include "core/emit/program.h"
+#include "core/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 
@@ -11,6 +12,8 @@
 
 namespace texplorer::ui {
 namespace {
+
+constexpr std::string_view programFailure = "The program can't be written: {}.";
 
 std::string stemOf(const Document& document) {
     const std::filesystem::path& named = document.file.empty() ? document.suggested : document.file;
@@ -43,12 +46,30 @@ std::string programFileName(const Document& document, emit::Flavour flavour) {
     return stemOf(document) + std::string(emit::extensionOf(flavour));
 }
 
+std::optional<Scene> withoutTime(const Document& document) {
+    if (!document.standing)
+        return std::nullopt;
+    Scene scene = document.scene;
+    putUnkeyed(scene, document.standing->base);
+    return scene;
+}
+
+std::optional<emit::ProgramWorker::Program> programNow(const Session& session, emit::Flavour flavour) {
+    const Document& document = session.document;
+    const emit::ProgramOptions options{.title = "Texplorer",
+                                       .fileName = [](const std::string& file) { return file; }};
+    const std::optional<Scene> timeless = withoutTime(document);
+    return session.services.programs.program(flavour, timeless ? *timeless : document.scene, document.images,
+                                             options);
+}
+
 FileOrder programOrder(const Session& session, std::filesystem::path file) {
     const Document& document = session.document;
     emit::ProgramOptions options{.title = stemOf(document), .source = file.filename().string()};
     options.fileName = [folder = file.parent_path(), scenes = document.images.directory()](
                            const std::string& image) { return imageNameFrom(folder, scenes, image); };
-    auto make = [options = std::move(options), flavour = session.window.flavour, scene = document.scene,
+    auto make = [options = std::move(options), flavour = session.window.flavour,
+                 all = session.window.allCalls, scene = document.scene,
                  images = document.images](const FileMaking& making) -> Result<MadeFile> {
         LevelWork levels = making.levels;
         const auto compressed =
@@ -58,11 +79,21 @@ FileOrder programOrder(const Session& session, std::filesystem::path file) {
         const Result<std::vector<emit::Line>> lines = emit::program(flavour, scene, images, options, codes);
         if (!lines)
             return fail(lines.error());
-        const std::string text = textOf(*lines, false);
+        const std::string text = textOf(*lines, all);
         const ByteView bytes = viewBytes(text);
         return MadeFile{Bytes(bytes.begin(), bytes.end())};
     };
-    return {std::move(file), "The program can't be written: {}.", 0, std::move(make)};
+    return {std::move(file), programFailure, 0, std::move(make)};
+}
+
+void askSaveProgram(Session& session, emit::Flavour flavour) {
+    const std::optional<emit::ProgramWorker::Program> program = programNow(session, flavour);
+    if (program && !*program) {
+        session.window.notice = {fmt::format(fmt::runtime(programFailure), describe(program->error())), {}};
+        return;
+    }
+    session.window.flavour = flavour;
+    session.window.dialog = Dialog::SaveProgram;
 }
 
 Result<void> saveProgram(Session& session, const std::filesystem::path& file) {

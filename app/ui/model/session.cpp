@@ -133,6 +133,8 @@ void recordEdit(Session& session, std::string_view what, std::string_view path) 
 
 void recordScene(Session& session, std::string_view what, std::string_view path) {
     Document& document = session.document;
+    if (session.window.notice.isGood)
+        session.window.notice = {}; // what was done before is no news any more
     if (document.standing) {
         Standing& standing = *document.standing;
         standing.shown = document.scene;

@@ -114,6 +114,7 @@ struct WindowState {
 
     Dialog dialog = Dialog::None;
     emit::Flavour flavour = emit::Flavour::Fixed; ///< of Dialog::SaveProgram
+    bool allCalls = false;  ///< programs set what OpenGL has anyway, too: as listed, copied and exported
     std::string imageParam; ///< OpenImage: what shall name it; empty: the texture that is bound
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;

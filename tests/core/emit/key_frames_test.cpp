@@ -69,6 +69,18 @@ TEST(EmittedKeyFrames, AreATableAndAVariable) {
 }
 
 // The mouse goes on turning what the keys turn.
+// A scene stays as its last keys leave it, and so does its program.
+TEST(EmittedKeyFrames, SayHowTheyBeginAgain) {
+    const std::string text = textOf(sceneWith(
+        {{0, "view.fieldOfView", "40", Easing::Linear}, {2.5F, "view.fieldOfView", "70", Easing::Linear}}));
+    EXPECT_THAT(
+        text,
+        HasSubstr("draw(width, height, glfwGetTime()); /* fmod(glfwGetTime(), 2.5): again and again */"));
+    Scene spins = defaultScene();
+    spins.models[0].spin = {0, 30, 0};
+    EXPECT_THAT(textOf(spins), HasSubstr("draw(width, height, glfwGetTime());\n"));
+}
+
 TEST(EmittedKeyFrames, OfTheCameraLeaveTheMouseItsPart) {
     const std::string text = textOf(sceneWith({{0, "view.distance", "8"},
                                                {2, "view.distance", "3"},

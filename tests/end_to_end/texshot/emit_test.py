@@ -101,6 +101,12 @@ class Emit(Texshot):
         self.assertEqual((self.path / "uv.bmp").read_bytes(), b"mine")
         result = texshot("emit", *step, "--files", "-o", self.path / "uv.bmp")  # which would read itself
         self.assertEqual((result.returncode, (self.path / "uv.bmp").read_bytes()), (1, b"mine"), result.stderr)
+        (self.path / "uv.bmp").unlink()
+        for device in "/dev/full", "/dev/null":  # beside which nothing is left
+            result = texshot("emit", *step, "--files", "-o", device)
+            self.assertEqual((result.returncode, result.stderr.count(b"\n")), (2, 1), result.stderr)
+            self.assertIn(b"expected a file, beside which there may be others", result.stderr)
+            self.assertFalse(Path("/dev/uv.bmp").exists())
         self.assertIn("--files", self.refused("--example", "cube", "--files", code=2))
         self.assertIn("--files: has no effect here: a page", self.refused(*step, "--as", "webgl", "--files", code=2))
         result = texshot("emit", *step, "--files")

@@ -126,6 +126,53 @@ class Outputs(Texshot):
         self.assertIn(b"can't be written: File too large", result.stderr)
         self.assertFalse((self.path / "new").exists())
 
+    def test_no_output_takes_the_place_of_what_its_scene_reads(self):
+        """Under whatever name, and the files that key frames or axes name; of a lesson's folder every file."""
+        red = Image.new("RGB", (8, 8), (255, 0, 0))
+        files = [self.path / name for name in ("image.png", "2.png", "3.png")]
+        for file in files:
+            red.save(file)
+        link, scene, keyed = self.path / "link.png", self.path / "scene.json", self.path / "keyed.json"
+        link.symlink_to(files[0])
+        texture = {"source": "file", "file": "image.png", "mipmaps": "none", "minFilter": "GL_LINEAR"}
+        scene.write_text(json.dumps({"version": 1, "textures": [texture]}))
+        keyed.write_text(json.dumps({"version": 1, "textures": [texture], "timeline": [
+            {"time": time, "path": "textures[0].file", "value": value} for time, value in ((0, "image.png"), (1, "2.png"))]}))
+        lesson = self.path / "lesson"
+        lesson.mkdir()
+        (lesson / "lesson.json").write_text(json.dumps({"version": 1, "title": "T", "source": "S", "about": "A.", "steps": [
+            {"title": "One", "text": "Text.", "scene": "cube"}]}))
+        files += [scene, keyed, lesson / "lesson.json"]
+        before = {file: file.read_bytes() for file in files}
+        small = ("--size", "16x16")
+        for call, out, lost in (
+                (("emit", scene), files[0], files[0]), (("emit", scene, "--as", "webgl"), link, files[0]),
+                (("emit", scene), scene, scene), (("emit", "--lesson", lesson), lesson / "lesson.json", lesson / "lesson.json"),
+                (("shot", scene, *small), files[0], files[0]),
+                (("shot", keyed, *small, "--time", "2,3"), self.path / "{time}.png", files[1]),
+                (("texture", scene), files[0], files[0]),
+                (("sweep", scene, *small, "--axis", "view.azimuth=1,2"), files[0], files[0]),
+                (("sweep", scene, *small, "--axis", "view.azimuth=1,2", "--axis", "textures[0].file=image.png,2.png"), files[1], files[1]),
+                (("sweep", keyed, *small, "--axis", "view.azimuth=1,2"), self.path / "{azimuth}.png", files[1]),
+                (("animate", keyed, *small, "--fps", "2"), files[1], files[1]),
+                (("animate", keyed, *small, "--fps", "4"), self.path / "%d.png", files[1])):
+            with self.subTest((call, out)):
+                self.complains(2, f'--out: expected another file than "{lost}", which is read', *call, "-o", out)
+                self.assertEqual({file: file.read_bytes() for file in files}, before)
+        with open(scene, "rb") as text:
+            self.assertEqual(texshot("emit", "-", "-o", scene, stdin=text).returncode, 2)
+        self.succeeds("shot", scene, *small, "-o", self.path / "1.png")
+        self.assertEqual({file: file.read_bytes() for file in files}, before)
+
+    def test_a_folder_that_gets_nothing_is_not_made(self):
+        call = ("--example", "cube", "--size", "64x64", "--set", "view.azimuth=0..9", "--seconds", "1", "--fps", "3")
+        result = texshot("animate", *call, "-o", self.path / "new" / "folder" / "%d.png",
+                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (64, 64)))
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertFalse((self.path / "new").exists())
+        self.succeeds("animate", *call, "-o", self.path / "new" / "folder" / "%d.png")
+        self.assertEqual(len(list((self.path / "new" / "folder").iterdir())), 3)
+
     def test_options_without_effect_are_refused(self):
         out = self.path / "out"
         for expected, *call in [

@@ -251,6 +251,15 @@ TEST_F(CommandsTab, AColorOpensThePicker) {
     EXPECT_EQ(scene().material.specular, glm::vec4(0.5F, 0.5F, 0.5F, 1));
 }
 
+TEST_F(CommandsTab, SaysThatItWasCopiedUntilTheNextEdit) {
+    const std::string text = copied();
+    EXPECT_EQ(session->window.notice.text,
+              "Copied: " + std::to_string(std::ranges::count(text, '\n')) + " lines");
+    scene().textures[0].wrapS = Wrap::Clamp;
+    recordEdit(*session, "Wrap s", "textures[0].wrapS");
+    EXPECT_EQ(session->window.notice.text, "");
+}
+
 TEST_F(CommandsTab, AllCallsAreListedOnDemand) {
     const char* same = "GL_TEXTURE_WRAP_S, GL_REPEAT";
     EXPECT_THAT(copied(), Not(HasSubstr(same)));

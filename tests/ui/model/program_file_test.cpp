@@ -76,6 +76,24 @@ TEST_F(ProgramFile, WhatAFlavourCantSayIsOneSentence) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
 }
 
+// What is known at once is said before anybody chooses a file.
+TEST_F(ProgramFile, IsNotAskedForWhereThereCanBeNone) {
+    session.document.scene.textures[0].border = 1;
+    askSaveProgram(session, emit::Flavour::WebGl);
+    EXPECT_EQ(session.window.dialog, Dialog::None);
+    EXPECT_EQ(session.window.notice.text,
+              "The program can't be written: textures[0].border: WebGL 2 has no textures with a border.");
+    askSaveProgram(session, emit::Flavour::Fixed);
+    EXPECT_EQ(session.window.dialog, Dialog::SaveProgram);
+}
+
+TEST_F(ProgramFile, HasTheCallsThatAreListed) {
+    constexpr const char* same = "GL_TEXTURE_WRAP_S, GL_REPEAT";
+    EXPECT_THAT(saved(emit::Flavour::Fixed, folder / "a.c"), Not(HasSubstr(same)));
+    session.window.allCalls = true;
+    EXPECT_THAT(saved(emit::Flavour::Fixed, folder / "a.c"), HasSubstr(same));
+}
+
 // The window goes on, says how far it is, and gives it up.
 TEST_F(ProgramFile, IsMadeBesideTheWindow) {
     session.document.scene.textures[0].compression = Compression::Cached;
