@@ -213,8 +213,7 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
     return opened;
 }
 
-std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened,
-                                      std::span<const SweepAxis> axes) {
+std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened) {
     std::vector<std::string> files;
     const auto add = [&](const std::string& file) {
         if (!file.empty())
@@ -225,9 +224,6 @@ std::vector<std::string> imageFilesOf(const SceneArgument& argument, const Opene
         for (const KeyFrame& key : opened.scene.timeline.keys)
             if (key.path == named.path)
                 add(key.value);
-        for (const SweepAxis& axis : axes)
-            if (axis.path == named.path)
-                std::ranges::for_each(axis.values, add);
     }
     std::error_code ignored; // what is no folder is a lesson of the program's own
     if (!argument.lesson.empty())
@@ -236,9 +232,8 @@ std::vector<std::string> imageFilesOf(const SceneArgument& argument, const Opene
     return files;
 }
 
-std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened,
-                                 std::span<const SweepAxis> axes) {
-    std::vector<std::string> files = imageFilesOf(argument, opened, axes);
+std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened) {
+    std::vector<std::string> files = imageFilesOf(argument, opened);
     if (!argument.file.empty())
         files.push_back(isStandardInput(argument.file) ? "/dev/stdin" : argument.file);
     return files;

@@ -2,12 +2,10 @@
 
 #include "app/screenshot/command.h"
 #include "core/lesson/lesson_files.h"
-#include "core/scene/params/sweep_axis.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -60,13 +58,11 @@ struct SceneProblem {
 
 [[nodiscard]] tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument);
 
-/// The image files that an opened scene names, used or not, also those that its key frames or `axes` name; of
-/// a lesson's folder every file. No picture or program may take their place.
-[[nodiscard]] std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened,
-                                                    std::span<const SweepAxis> axes = {});
+/// The image files that an opened scene names, used or not, also those that its key frames name; of a
+/// lesson's folder every file. No picture or program may take their place.
+[[nodiscard]] std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened);
 /// With the scene's own file, or what standard input comes from.
-[[nodiscard]] std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened,
-                                               std::span<const SweepAxis> axes = {});
+[[nodiscard]] std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened);
 
 /// What it is called in names of files, "{scene}": the example's, the lesson's with its step, the file's
 /// without folder and extension.

@@ -165,7 +165,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     if (!names)
         return complain(names.error(), wrongCall);
     for (const ShotList::Entry& entry : list.entries()) {
-        const std::vector<std::string> read = imageFilesOf(options.scene, entry.opened, entry.axes);
+        const std::vector<std::string> read = imageFilesOf(options.scene, entry.opened);
         if (const Result<void> apart = checkNotRead("--out", *names, read); !apart)
             return complain(apart.error(), wrongCall);
     }

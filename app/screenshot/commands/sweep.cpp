@@ -192,9 +192,7 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
                          wrongCall));
         names.push_back(std::move(name));
     }
-    if (const Result<void> apart =
-            checkNotRead("--out", names, filesOf(options.scene, sweep.opened, sweep.axes));
-        !apart)
+    if (const Result<void> apart = checkNotRead("--out", names, filesOf(options.scene, sweep.opened)); !apart)
         return tl::unexpected(complain(apart.error(), wrongCall));
     if (!sweep.pattern.places().empty()) {
         if (const Result<void> writable = checkPlaces(names, &made); !writable)
@@ -287,8 +285,7 @@ ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotRep
         list.names(sweep.pattern, std::string(rowOf(sweep.request.renderer).name));
     if (!names)
         return complain(names.error(), wrongCall);
-    if (const Result<void> apart =
-            checkNotRead("--out", *names, filesOf(options.scene, sweep.opened, sweep.axes));
+    if (const Result<void> apart = checkNotRead("--out", *names, filesOf(options.scene, sweep.opened));
         !apart)
         return complain(apart.error(), wrongCall);
     NewFolders made;
