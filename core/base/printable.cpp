@@ -33,7 +33,7 @@ bool steers(char32_t character, LineBreaks lines) {
 } // namespace
 
 std::string printable(std::string_view text, LineBreaks lines) {
-    constexpr char digits[] = "0123456789abcdef";
+    constexpr char hexDigits[] = "0123456789abcdef";
     std::string shown;
     shown.reserve(text.size());
     while (!text.empty()) {
@@ -46,7 +46,7 @@ std::string printable(std::string_view text, LineBreaks lines) {
         if (steers(next.character, lines)) {
             shown += "\\u";
             for (int shift = 12; shift >= 0; shift -= 4)
-                shown += digits[next.character >> shift & 15];
+                shown += hexDigits[next.character >> shift & 15];
         } else {
             shown += text.substr(0, next.bytes);
         }
