@@ -54,13 +54,53 @@ std::vector<std::size_t> linesAbout(const std::vector<Line>& lines,
     return found;
 }
 
+std::vector<std::string> textsOf(const std::vector<Line>& lines) {
+    std::vector<std::string> texts;
+    for (const Line& line : lines)
+        texts.push_back(textOf(line));
+    return texts;
+}
+
+/// Which of `texts` have no equal among `before`, in the order of both: those that are not in their longest
+/// common subsequence, so that a call of the second unit is new though the first has the same.
+std::vector<bool> areNew(const std::vector<std::string>& texts, const std::vector<std::string>& before) {
+    const std::size_t columns = before.size() + 1;
+    std::vector<std::uint16_t> longest((texts.size() + 1) * columns); // from a line of each to the end
+    for (std::size_t i = texts.size(); i-- > 0;)
+        for (std::size_t k = before.size(); k-- > 0;) {
+            const std::size_t at = i * columns + k;
+            longest[at] = texts[i] == before[k] ? static_cast<std::uint16_t>(longest[at + columns + 1] + 1)
+                                                : std::max(longest[at + columns], longest[at + 1]);
+        }
+    std::vector<bool> found(texts.size(), true);
+    for (std::size_t i = 0, k = 0; i < texts.size() && k < before.size();) {
+        const std::size_t at = i * columns + k;
+        if (texts[i] == before[k]) {
+            found[i++] = false;
+            ++k;
+        } else if (longest[at + columns] >= longest[at + 1])
+            ++i;
+        else
+            ++k;
+    }
+    return found;
+}
+
 std::vector<std::size_t> newLines(const std::vector<Line>& lines, const std::vector<Line>& before) {
-    std::set<std::string> known;
-    for (const Line& line : shownLines(before, false))
-        known.insert(textOf(line));
+    constexpr std::size_t most = 2000; // of longer programs a line that stood anywhere is known
+    const std::vector<std::string> texts = textsOf(lines);
+    const std::vector<std::string> others = textsOf(shownLines(before, false));
+    std::vector<bool> isNew;
+    if (std::max(texts.size(), others.size()) <= most)
+        isNew = areNew(texts, others);
+    else {
+        const std::set<std::string> known(others.begin(), others.end());
+        for (const std::string& text : texts)
+            isNew.push_back(!known.contains(text));
+    }
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (doesSomething(lines[i]) && !known.contains(textOf(lines[i])))
+        if (doesSomething(lines[i]) && isNew[i])
             found.push_back(i);
     }
     return found;

@@ -5,6 +5,7 @@
 #include "core/emit/emission.h"
 #include "core/emit/model_data.h"
 #include "core/scene/model_mesh.h"
+#include "core/scene/params/key_edits.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/scene_at.h"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 namespace texplorer::emit {
@@ -187,21 +189,30 @@ private:
     TextureCodes& codes_;
 };
 
-/// Of too few vertices for a triangle, a line or a point.
-bool hasNothingToDraw(const Model& model) {
-    return model.visible && model.shape == Shape::Mesh && drawnIndices(meshOf(model)).empty();
+/// With the models of too few vertices for a triangle, a line or a point invisible; nothing: there are none.
+std::optional<Scene> withoutEmptyModels(const Scene& scene) {
+    std::optional<Scene> drawn;
+    for (std::size_t i = 0; i < scene.models.size(); ++i) {
+        const Model& model = scene.models[i];
+        const std::string path = fmt::format("{}.{}", elementOf<&Scene::models>(i), keyOf<&Model::visible>());
+        const bool isShown = model.visible || std::ranges::find(scene.timeline.keys, path, &KeyFrame::path) !=
+                                                  scene.timeline.keys.end();
+        if (!isShown || model.shape != Shape::Mesh || !drawnIndices(meshOf(model)).empty())
+            continue;
+        if (!drawn)
+            drawn = scene;
+        drawn->models[i].visible = false;
+        dropKeys(drawn->timeline, path);
+    }
+    return drawn;
 }
 
 } // namespace
 
 Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
                                   const ProgramOptions& options, TextureCodes& codes) {
-    if (std::ranges::any_of(scene.models, hasNothingToDraw)) {
-        Scene drawn = scene;
-        for (Model& model : drawn.models)
-            model.visible &= !hasNothingToDraw(model);
-        return program(flavour, drawn, images, options, codes);
-    }
+    if (const std::optional<Scene> drawn = withoutEmptyModels(scene))
+        return program(flavour, *drawn, images, options, codes);
     const Programs programs(flavour, images, options, codes);
     if (!scene.timeline.keys.empty())
         return programs.ofMoving(scene);

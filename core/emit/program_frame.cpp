@@ -44,20 +44,21 @@ std::string shellWord(const std::string& name) {
 /// What compiles the file, into one of its name without an ending.
 std::string compilerLine(const std::string& file) {
     constexpr std::string_view ending = ".c";
-    if (file.ends_with(ending))
+    if (file.size() > ending.size() && file.ends_with(ending))
         return fmt::format("cc {} -o {} -lglfw -lGL -lm", shellWord(file),
                            shellWord(file.substr(0, file.size() - ending.size())));
     return fmt::format("cc -x c {} -x none -o {} -lglfw -lGL -lm", shellWord(file), shellWord(file + ".out"));
 }
 
-/// "/*" and lines of words that begin with " * ".
+/// "/*" and lines of words that begin with " * ". The last paragraph is one line, however long it is.
 void addComment(std::vector<Line>& lines, const std::vector<std::string>& paragraphs) {
     std::string text;
     for (const std::string& paragraph : paragraphs) {
         std::string rest = inComment(paragraph);
+        const bool isBroken = &paragraph != &paragraphs.back();
         do {
             std::size_t cut = rest.size();
-            if (rest.size() > commentColumns)
+            if (isBroken && rest.size() > commentColumns)
                 cut = std::min(rest.rfind(' ', commentColumns), rest.size());
             text += (text.empty() ? "/* " : " * ") + rest.substr(0, cut) + "\n";
             rest.erase(0, std::min(cut + 1, rest.size()));

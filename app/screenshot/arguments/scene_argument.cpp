@@ -4,6 +4,7 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/shot_list.h"
+#include "app/ui/language/lesson_catalogue.h"
 #include "core/base/file_io.h"
 #include "core/example/example.h"
 #include "core/lesson/lesson_scene.h"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace texplorer::screenshot {
 namespace {
@@ -105,6 +107,42 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
     if (!scene)
         return problem(scene.error(), wrongCall);
     return OpenedScene{std::move(scene->scene), std::move(scene->images)};
+}
+
+} // namespace
+
+namespace {
+
+std::vector<std::string> imageFilesIn(const Scene& scene, const ImageSource& images) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& file) {
+        if (!file.empty() && !images.fileInMemory(file))
+            files.push_back((images.directory() / file).string());
+    };
+    for (const FileName& named : fileNamesOf(scene)) {
+        add(named.file);
+        for (const KeyFrame& key : scene.timeline.keys)
+            if (key.path == named.path)
+                add(key.value);
+    }
+    return files;
+}
+
+/// What any of its steps reads.
+std::vector<std::string> filesOfLesson(const lesson::LessonFolder& folder) {
+    std::vector<std::string> files{(folder.path() / lesson::lessonFileName).string()};
+    for (const ui::LanguageRow& row : ui::languageRows)
+        files.push_back((folder.path() / ui::catalogueFileOf(row.language)).string());
+    const Result<lesson::Lesson> lesson = readLesson(folder);
+    for (std::size_t i = 0; lesson && i < lesson->steps.size(); ++i) {
+        if (!lesson->steps[i].scene.empty())
+            files.push_back((folder.path() / lesson->steps[i].scene).string());
+        if (const Result<lesson::LessonScene> start = startOf(folder, *lesson, i))
+            for (const FileName& named : fileNamesOf(start->scene))
+                if (!named.file.empty())
+                    files.push_back((folder.path() / named.file).string());
+    }
+    return files;
 }
 
 } // namespace
@@ -214,21 +252,11 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
 }
 
 std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened) {
-    std::vector<std::string> files;
-    const auto add = [&](const std::string& file) {
-        if (!file.empty())
-            files.push_back((opened.images.directory() / file).string());
-    };
-    for (const FileName& named : fileNamesOf(opened.scene)) {
-        add(named.file);
-        for (const KeyFrame& key : opened.scene.timeline.keys)
-            if (key.path == named.path)
-                add(key.value);
-    }
-    std::error_code ignored; // what is no folder is a lesson of the program's own
+    std::vector<std::string> files = imageFilesIn(opened.scene, opened.images);
     if (!argument.lesson.empty())
-        for (const auto& file : std::filesystem::directory_iterator(argument.lesson, ignored))
-            files.push_back(file.path().string());
+        if (const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson);
+            folder && !folder->path().empty())
+            std::ranges::move(filesOfLesson(*folder), std::back_inserter(files));
     return files;
 }
 

@@ -59,7 +59,7 @@ struct SceneProblem {
 [[nodiscard]] tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument);
 
 /// The image files that an opened scene names, used or not, also those that its key frames name; of a
-/// lesson's folder every file. No picture or program may take their place.
+/// lesson's folder all that its steps read. No picture or program may take their place.
 [[nodiscard]] std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened);
 /// With the scene's own file, or what standard input comes from.
 [[nodiscard]] std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened);

@@ -173,7 +173,7 @@ Result<std::string> withBracedNumbers(std::string_view name) {
         name.remove_prefix(place);
         const std::size_t end = name.find_first_not_of("0123456789", 1);
         const bool isPlain = end == 1 || (end == 3 && name[1] == '0'); // up to 9 digits
-        if (end == std::string_view::npos || name[end] != 'd' || !isPlain)
+        if (end == std::string_view::npos || name[end] != 'd' || !isPlain || braced.ends_with('{'))
             return fail(ErrorCode::Malformed, {});
         braced.append("{").append(name.substr(0, end + 1)).append("}");
         name.remove_prefix(end + 1);
@@ -201,7 +201,8 @@ Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
         if (place == numberPlace)
             names.digits = std::to_string(pictures).size();
         else if (place.starts_with('%'))
-            names.digits = place.size() == 2 ? 1 : static_cast<std::size_t>(place[2] - '0');
+            names.digits =
+                place.size() == 2 ? 1 : std::max<std::size_t>(1, static_cast<std::size_t>(place[2] - '0'));
         else
             return wrong();
     }

@@ -2,6 +2,7 @@
 
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/reports/program_text.h"
 #include "core/base/file_io.h"
@@ -9,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace texplorer::screenshot {
 namespace {
@@ -42,14 +44,13 @@ Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour)
 
 /// The program with the files that it reads, all or none. Those that are there already stay, if they are what
 /// they should be.
-Result<void> writeBeside(const std::string& program, const std::string& text,
+Result<void> writeBeside(const std::string& program, const Output& out, const std::string& text,
                          const std::vector<ReadFile>& files) {
-    const std::filesystem::path path(program);
-    const std::filesystem::path folder = path.parent_path();
+    const std::filesystem::path folder = std::filesystem::path(program).parent_path();
     std::vector<FileContent> missing;
     for (const ReadFile& each : files) {
         const std::filesystem::path place = folder / each.name;
-        if (place == path)
+        if (place == std::filesystem::path(program))
             return fail(ErrorCode::Unwritable, "is the name of a file that the program would read", program);
         const Result<Bytes> there = readFile(place, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)
@@ -60,8 +61,19 @@ Result<void> writeBeside(const std::string& program, const std::string& text,
             return fail(ErrorCode::Unwritable,
                         "is there already, and is not the file that the program would read", place.string());
     }
-    missing.push_back({path.filename().string(), viewBytes(text)});
-    return writeFolderAtomically(folder.empty() ? "." : folder, missing);
+    if (!missing.empty()) {
+        std::optional<Uninterrupted> placing;
+        if (Result<void> placed = writeFolderAtomically(folder.empty() ? "." : folder, missing,
+                                                        [&placing] { placing.emplace(); });
+            !placed)
+            return placed;
+    }
+    Result<void> written = out.write(viewBytes(text));
+    std::error_code ignored;
+    for (const FileContent& each : missing)
+        if (!written)
+            std::filesystem::remove(folder / each.name, ignored);
+    return written;
 }
 
 ExitCode emitProgram(const EmitOptions& options) {
@@ -85,7 +97,7 @@ ExitCode emitProgram(const EmitOptions& options) {
         return complain(apart.error(), wrongCall);
     const std::string text = textOf(program->lines, false);
     const Result<void> written =
-        options.files ? writeBeside(options.out, text, program->files) : out->write(viewBytes(text));
+        options.files ? writeBeside(options.out, *out, text, program->files) : out->write(viewBytes(text));
     return written ? success : complain(written.error());
 }
 

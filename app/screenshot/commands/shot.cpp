@@ -78,6 +78,12 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request) {
     return {};
 }
 
+/// A picture with its texts may take the place of the one that the scene was in: it holds the scene again.
+std::vector<std::string> filesRead(const ShotOptions& options, const SceneArgument& argument,
+                                   const OpenedScene& opened) {
+    return options.withoutMetadata ? filesOf(argument, opened) : imageFilesOf(argument, opened);
+}
+
 ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,
                   ShotReport* report) {
     const auto output = openImageOutput(name, "PNG");
@@ -91,7 +97,8 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
     auto opened = openScene(argument);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    if (const Result<void> apart = checkNotRead("--out", {&name, 1}, imageFilesOf(argument, *opened)); !apart)
+    if (const Result<void> apart = checkNotRead("--out", {&name, 1}, filesRead(options, argument, *opened));
+        !apart)
         return complain(apart.error(), wrongCall);
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
@@ -165,7 +172,9 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     if (!names)
         return complain(names.error(), wrongCall);
     for (const ShotList::Entry& entry : list.entries()) {
-        const std::vector<std::string> read = imageFilesOf(options.scene, entry.opened);
+        SceneArgument argument = options.scene;
+        argument.file = entry.file;
+        const std::vector<std::string> read = filesRead(options, argument, entry.opened);
         if (const Result<void> apart = checkNotRead("--out", *names, read); !apart)
             return complain(apart.error(), wrongCall);
     }

@@ -89,8 +89,7 @@ ExitCode writeTexture(const TextureOptions& options) {
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    if (const Result<void> apart =
-            checkNotRead("--out", {&options.out, 1}, imageFilesOf(options.scene, *opened));
+    if (const Result<void> apart = checkNotRead("--out", {&options.out, 1}, filesOf(options.scene, *opened));
         !apart)
         return complain(apart.error(), wrongCall);
     Result<Image> picture = pictureOf(options, *opened);

@@ -194,10 +194,13 @@ std::string newCallsHtml(const PageLesson& lesson, std::size_t index, const less
         return part.kind != emit::Part::Kind::Comment &&
                part.text.find_first_not_of(' ') != std::string::npos;
     };
+    const emit::Excerpt excerpt = newIn(linesOf(after), linesOf(before), mostExcerptLines);
     std::string html;
-    for (const emit::Line& line : newIn(linesOf(after), linesOf(before), mostExcerptLines).lines)
+    for (const emit::Line& line : excerpt.lines)
         if (!line.heading && std::ranges::any_of(line.parts, isCode))
             html += fmt::format("<code>{}</code><br>", codeHtml(line));
+    if (excerpt.left > 0)
+        html += lesson.words.wordHtml(fmt::format("and {} more lines", excerpt.left)) + "<br>";
     return html;
 }
 

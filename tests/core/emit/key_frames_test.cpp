@@ -68,7 +68,6 @@ TEST(EmittedKeyFrames, AreATableAndAVariable) {
         EXPECT_THAT(text, Not(HasSubstr(unused)));
 }
 
-// The mouse goes on turning what the keys turn.
 // A scene stays as its last keys leave it, and so does its program.
 TEST(EmittedKeyFrames, SayHowTheyBeginAgain) {
     const std::string text = textOf(sceneWith(
@@ -81,6 +80,7 @@ TEST(EmittedKeyFrames, SayHowTheyBeginAgain) {
     EXPECT_THAT(textOf(spins), HasSubstr("draw(width, height, glfwGetTime());\n"));
 }
 
+// The mouse goes on turning what the keys turn.
 TEST(EmittedKeyFrames, OfTheCameraLeaveTheMouseItsPart) {
     const std::string text = textOf(sceneWith({{0, "view.distance", "8"},
                                                {2, "view.distance", "3"},

@@ -461,6 +461,10 @@ TEST(EmittedModels, AreLeftOutWithoutAPrimitive) {
         const auto invisible = emit::program(flavour, scene, {}, {}, codes);
         ASSERT_TRUE(tooFew && invisible);
         EXPECT_EQ(textOf(*tooFew, false), textOf(*invisible, false));
+        scene.timeline.keys = {{0, "models[0].visible", "true", Easing::Hold}};
+        const auto keyed = emit::program(flavour, scene, {}, {}, codes);
+        ASSERT_TRUE(keyed);
+        EXPECT_EQ(textOf(*keyed, false), textOf(*invisible, false));
     }
 }
 
@@ -611,6 +615,10 @@ TEST(EmittedPrograms, AreCompiledByTheirNames) {
     EXPECT_EQ(compiled("-x.c"), " * cc ./-x.c -o ./-x -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("$(ls).c"), " * cc '$(ls).c' -o '$(ls)' -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("it's.c"), R"( * cc 'it'\''s.c' -o 'it'\''s' -lglfw -lGL -lm */)");
+    EXPECT_EQ(compiled(".c"), " * cc -x c .c -x none -o .c.out -lglfw -lGL -lm */");
+    const std::string name(60, 'n');
+    EXPECT_EQ(compiled(name + " " + name + ".c"),
+              " * cc '" + name + " " + name + ".c' -o '" + name + " " + name + "' -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("demo"), " * cc -x c demo -x none -o demo.out -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("a.html"), " * cc -x c a.html -x none -o a.html.out -lglfw -lGL -lm */");
     EXPECT_EQ(compiled("a*/b\n.c"), " * cc a__b_.c -o a__b_ -lglfw -lGL -lm */");

@@ -226,6 +226,7 @@ class Animate(Texshot):
             (2, "found two in", *TURN, *two, "-o", self.out / "x-%d-%04d.png"),
             (2, "a place for the number as %04d or {number}, found", *TURN, *two, "-o", self.out / "x-{nope}.png"),
             (2, "found two in", *TURN, *two, "-o", self.out / "x-{number}-{time}.png"),
+            (2, "a place for the number as %04d or {number}, found", *TURN, *two, "-o", self.out / "x-{%04d}.png"),
             (2, "expected a name and } behind each {", *TURN, *two, "-o", self.out / "x-{number.png"),
             (2, "--quality: has no effect here", *TURN, *two, "--quality", "50", "-o", x),
             (2, "--quality: expected a number from 0 to 100", *TURN, *two, "--quality", "101", "-o", self.out / "x.webp"),

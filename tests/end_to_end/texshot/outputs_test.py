@@ -158,6 +158,17 @@ class Outputs(Texshot):
             with self.subTest((call, out)):
                 self.complains(2, f'--out: expected another file than "{lost}", which is read', *call, "-o", out)
                 self.assertEqual({file: file.read_bytes() for file in files}, before)
+        drawn = self.path / "drawn.png"  # which holds its scene
+        self.succeeds("shot", "--example", "cube", *small, "-o", drawn)
+        for call in (("texture", drawn), ("shot", drawn, *small, "--no-metadata")):
+            self.complains(2, f'expected another file than "{drawn}", which is read', *call, "-o", drawn)
+        self.succeeds("shot", drawn, *small, "-o", drawn)
+        self.succeeds("check", drawn)
+        for _ in range(2):  # what was written is no file of the lesson's
+            self.succeeds("emit", "--lesson", lesson, "-o", lesson / "one.c")
+        self.succeeds("emit", "--lesson", "dds", "--step", "8", "--files", "-o", self.path / "dds.c")
+        result = texshot("shot", "--lesson", "dds", "--step", "8", *small, "-o", "dxt1.dds", cwd=self.path)  # the program's own is no file
+        self.assertEqual(result.returncode, 0, result.stderr)
         with open(scene, "rb") as text:
             self.assertEqual(texshot("emit", "-", "-o", scene, stdin=text, cwd=self.path).returncode, 2)
         self.succeeds("shot", scene, *small, "-o", self.path / "1.png")
