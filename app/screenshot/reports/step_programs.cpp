@@ -17,6 +17,7 @@ namespace {
 using Paths = std::set<std::string, std::less<>>;
 
 constexpr std::size_t mostExcerptLines = 12;
+constexpr std::size_t mostNewCalls = 20; // of an answer
 /// Of a photograph the texels alone would be tens of megabytes.
 constexpr std::size_t mostProgramBytes = std::size_t{4} << 20;
 
@@ -194,7 +195,7 @@ std::string newCallsHtml(const PageLesson& lesson, std::size_t index, const less
         return part.kind != emit::Part::Kind::Comment &&
                part.text.find_first_not_of(' ') != std::string::npos;
     };
-    const emit::Excerpt excerpt = newIn(linesOf(after), linesOf(before), mostExcerptLines);
+    const emit::Excerpt excerpt = newIn(linesOf(after), linesOf(before), mostNewCalls);
     std::string html;
     for (const emit::Line& line : excerpt.lines)
         if (!line.heading && std::ranges::any_of(line.parts, isCode))
