@@ -318,14 +318,14 @@ private:
         writer_.add(fmt::format("glGenVertexArrays(1, &{});", array.name));
         writer_.add(fmt::format("glBindVertexArray({});", array.name));
         if (isEmbossed()) {
-            fill("GL_ARRAY_BUFFER", "Positions");
+            fill(arrayBuffer, "Positions");
             attribute(glsl::positionAttribute, 3, "0", "0", "position");
             if (hasNormals_) {
-                fill("GL_ARRAY_BUFFER", "Normals");
+                fill(arrayBuffer, "Normals");
                 attribute(glsl::normalAttribute, 3, "0", "0", "normal");
             }
         } else {
-            fill("GL_ARRAY_BUFFER", isShape_ ? "vertices" : "Vertices", isShape_);
+            fill(arrayBuffer, isShape_ ? "vertices" : "Vertices", isShape_);
             attribute(glsl::positionAttribute, 3, "sizeof(Vertex)", "offsetof(Vertex, position)", "position");
             if (hasNormals_)
                 attribute(glsl::normalAttribute, 3, "sizeof(Vertex)", "offsetof(Vertex, normal)", "normal");
@@ -336,7 +336,7 @@ private:
             }
         }
         if (isColored()) {
-            fill("GL_ARRAY_BUFFER", "Colors");
+            fill(arrayBuffer, "Colors");
             attribute(glsl::colorAttribute, 4, "0", "0", "colour");
         }
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
@@ -352,10 +352,10 @@ private:
                 writer_.add(
                     fmt::format("glBindBuffer(GL_ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));
             else
-                fill("GL_ARRAY_BUFFER", coordsName(unit, form));
+                fill(arrayBuffer, coordsName(unit, form));
             attribute(glsl::firstCoordAttribute + static_cast<unsigned>(unit), 4, "0", "0", unitWords(unit));
         }
-        fill("GL_ELEMENT_ARRAY_BUFFER", isShape_ ? "indices" : "Indices", isShape_);
+        fill(elementArrayBuffer, isShape_ ? "indices" : "Indices", isShape_);
     }
 
     /// Whether it isn't where the camera looks, as it is.

@@ -30,6 +30,10 @@ inline constexpr std::string_view unsignedIntType = "GL_UNSIGNED_INT";
 inline constexpr std::string_view floatType = "GL_FLOAT";
 inline constexpr std::string_view depthPixels = "GL_DEPTH_COMPONENT";
 
+/// Of glBindBuffer: section 2.9.
+inline constexpr std::string_view arrayBuffer = "GL_ARRAY_BUFFER";
+inline constexpr std::string_view elementArrayBuffer = "GL_ELEMENT_ARRAY_BUFFER";
+
 /// Of glEnableClientState: section 2.8.
 inline constexpr std::string_view vertexArray = "GL_VERTEX_ARRAY";
 inline constexpr std::string_view normalArray = "GL_NORMAL_ARRAY";
