@@ -94,11 +94,5 @@ void pictureSsimScikit(benchmark::State& state) {
 }
 BENCHMARK(pictureSsimScikit)->UseManualTime()->Unit(benchmark::kMillisecond);
 
-void pictureLimit(benchmark::State& state) {
-    for (auto _ : state)
-        state.SetIterationTime(1);
-}
-BENCHMARK(pictureLimit)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
-
 } // namespace
 } // namespace texplorer

@@ -1,14 +1,17 @@
 // Google Benchmark's table, and below it every ratio that has a target. Each benchmark runs several times,
 // all of them interleaved, and the median counts: what else the machine does then slows both sides of a
-// ratio.
+// ratio. Fails where a benchmark fails, and, unless a filter is given, where a row of the table has no
+// result. With --once each benchmark runs once: that all of them work, and that peers draw the same pictures.
 
 #include "tests/bench/comparisons.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
+#include <cstring>
 #include <malloc.h>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +21,9 @@ namespace {
 
 class RatioReporter : public benchmark::ConsoleReporter {
 public:
-    RatioReporter()
-        : ConsoleReporter(OO_None) {}
+    explicit RatioReporter(bool filtered)
+        : ConsoleReporter(OO_None)
+        , filtered_(filtered) {}
 
     void ReportRuns(const std::vector<Run>& runs) override {
         std::vector<Run> shown;
@@ -27,6 +31,8 @@ public:
             const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
             if (run.error_occurred || median || run.repetitions == 1)
                 shown.push_back(run);
+            if (run.error_occurred)
+                failures_.insert(run.run_name.str() + ": " + run.error_message);
             if (!run.error_occurred && (median || run.repetitions == 1))
                 seconds_[run.run_name.str()] = timeOf(run) / benchmark::GetTimeUnitMultiplier(run.time_unit);
         }
@@ -44,11 +50,20 @@ public:
 #endif
         for (const Comparison& row : rows) {
             const auto ours = seconds_.find(row.ours);
-            const auto peer = seconds_.find(row.peer);
+            const auto peer = row.peer ? seconds_.find(row.peer) : ours;
             if (ours != seconds_.end() && peer != seconds_.end())
                 print(row, ours->second, peer->second);
+            else if (!filtered_)
+                failures_.insert(std::string(row.name) + ", " + row.peerName + ": there is no result");
         }
         printSlowestLesson();
+        std::printf("%zu targets missed.\n", missed_);
+        for (const std::string& failure : failures_)
+            std::printf("FAILED %s\n", failure.c_str());
+    }
+
+    [[nodiscard]] bool failed() const {
+        return !failures_.empty();
     }
 
 private:
@@ -59,16 +74,25 @@ private:
         return realTime ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
     }
 
-    static void print(const Comparison& row, double ours, double peer) {
+    void print(const Comparison& row, double ours, double peer) {
+        if (row.goal == Goal::TakesUpTo) {
+            std::printf("%s: %.3g ms (target %s, at most %.3g ms)%s\n", row.name, ours * 1000, row.peerName,
+                        row.target * 1000, verdict(ours <= row.target));
+            return;
+        }
         const bool faster = row.goal == Goal::FasterBy;
         const double ratio = faster ? peer / ours : ours / peer;
-        const bool reached = faster ? ratio >= row.target : ratio <= row.target;
         std::printf("%s: %.2fx %s %s (target %s %gx)%s\n", row.name, ratio,
                     faster ? "as fast as" : "the time of", row.peerName, faster ? "at least" : "at most",
-                    row.target, reached ? "" : "  MISSED");
+                    row.target, verdict(faster ? ratio >= row.target : ratio <= row.target));
     }
 
-    void printSlowestLesson() const {
+    const char* verdict(bool reached) {
+        missed_ += reached ? 0 : 1;
+        return reached ? "" : "  MISSED";
+    }
+
+    void printSlowestLesson() {
         constexpr std::string_view prefix = "lessonOpens/";
         constexpr double goal = 0.3;
         std::string slowest;
@@ -81,10 +105,13 @@ private:
         }
         if (longest > 0)
             std::printf("Slowest lesson to open: %s, %.0f ms (target at most %.0f ms)%s\n", slowest.c_str(),
-                        longest * 1000, goal * 1000, longest <= goal ? "" : "  MISSED");
+                        longest * 1000, goal * 1000, verdict(longest <= goal));
     }
 
+    bool filtered_;
+    std::size_t missed_ = 0;
     std::map<std::string, double> seconds_;
+    std::set<std::string> failures_; // a set: each repetition fails anew
 };
 
 } // namespace
@@ -95,19 +122,21 @@ int main(int argc, char** argv) {
     // which cost more than the decoding, would depend on what ran before.
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
+    const bool once = argc > 1 && std::strcmp(argv[1], "--once") == 0;
     // Defaults first: the same flags on the command line come later and win.
-    std::string defaults[] = {"--benchmark_repetitions=5", "--benchmark_enable_random_interleaving=true",
-                              "--benchmark_min_time=0.1"};
+    std::string defaults[] = {once ? "--benchmark_repetitions=1" : "--benchmark_repetitions=5",
+                              once ? "--benchmark_min_time=0" : "--benchmark_min_time=0.1",
+                              "--benchmark_enable_random_interleaving=true"};
     std::vector<char*> arguments{argv[0]};
     for (std::string& each : defaults)
         arguments.push_back(each.data());
-    arguments.insert(arguments.end(), argv + 1, argv + argc);
+    arguments.insert(arguments.end(), argv + (once ? 2 : 1), argv + argc);
     int count = static_cast<int>(arguments.size());
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
         return 2;
-    texplorer::bench::RatioReporter reporter;
+    texplorer::bench::RatioReporter reporter(!benchmark::GetBenchmarkFilter().empty());
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();
-    return 0;
+    return reporter.failed() ? 1 : 0;
 }

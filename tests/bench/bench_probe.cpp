@@ -1,5 +1,5 @@
 // Why a pixel has its colour, for a mouse that moves over the picture: the textures are ready, every probe is
-// at another place. The peer is the time that it may take.
+// at another place.
 
 #include "core/reference/probe.h"
 
@@ -27,13 +27,7 @@ void probePixel(benchmark::State& state) {
         state.SkipWithError("nothing was hit");
 }
 
-void probeLimit(benchmark::State& state) {
-    for (auto _ : state)
-        state.SetIterationTime(0.001);
-}
-
 BENCHMARK(probePixel)->Unit(benchmark::kMicrosecond);
-BENCHMARK(probeLimit)->UseManualTime()->Unit(benchmark::kMicrosecond);
 
 } // namespace
 } // namespace texplorer::reference

@@ -11,6 +11,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -156,20 +157,32 @@ void sheet(benchmark::State& state, Call call, bool cold) {
     timed(state, call, cold, sheetPictures);
 }
 
-void declare(benchmark::internal::Benchmark* declared) {
-    declared->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
-}
+struct Row {
+    const char* name;
+    void (*work)(benchmark::State&, Call, bool cold);
+    Call call;
+};
 
-BENCHMARK_CAPTURE(shots, inOneCall / cold, inOneCall, true)->Apply(declare);
-BENCHMARK_CAPTURE(shots, oneByOne / cold, oneByOne, true)->Apply(declare);
-BENCHMARK_CAPTURE(shots, bare / cold, bare, true)->Apply(declare);
-BENCHMARK_CAPTURE(shots, inOneCall / warm, inOneCall, false)->Apply(declare);
-BENCHMARK_CAPTURE(shots, oneByOne / warm, oneByOne, false)->Apply(declare);
-BENCHMARK_CAPTURE(shots, bare / warm, bare, false)->Apply(declare);
-BENCHMARK_CAPTURE(sheet, inOneCall / cold, sheetInOneCall, true)->Apply(declare);
-BENCHMARK_CAPTURE(sheet, oneByOne / cold, sheetOneByOne, true)->Apply(declare);
-BENCHMARK_CAPTURE(sheet, inOneCall / warm, sheetInOneCall, false)->Apply(declare);
-BENCHMARK_CAPTURE(sheet, oneByOne / warm, sheetOneByOne, false)->Apply(declare);
+constexpr std::array rows{
+    Row{"shots/inOneCall", shots, inOneCall},
+    Row{"shots/oneByOne", shots, oneByOne},
+    Row{"shots/bare", shots, bare},
+    Row{"sheet/inOneCall", sheet, sheetInOneCall},
+    Row{"sheet/oneByOne", sheet, sheetOneByOne},
+};
+
+const bool shotsRegistered = [] {
+    for (const Row& row : rows) {
+        for (const bool cold : {true, false})
+            benchmark::RegisterBenchmark(
+                fmt::format("{}/{}", row.name, cold ? "cold" : "warm").c_str(),
+                [&row, cold](benchmark::State& state) { row.work(state, row.call, cold); })
+                ->UseManualTime()
+                ->Iterations(1)
+                ->Unit(benchmark::kMillisecond);
+    }
+    return true;
+}();
 
 } // namespace
 } // namespace texplorer::bench

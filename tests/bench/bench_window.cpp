@@ -113,12 +113,6 @@ void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Move
         draw();
 }
 
-/// A display's time for a picture.
-void windowLimit(benchmark::State& state) {
-    for (auto _ : state)
-        state.SetIterationTime(1.0 / 60);
-}
-
 BENCHMARK(windowFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(windowDrag)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(figureFrame, none, std::nullopt, Moves::No)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -137,7 +131,6 @@ BENCHMARK_CAPTURE(figureFrame, environmentsMoving, ui::Figure::Environments, Mov
 BENCHMARK_CAPTURE(figureFrame, sheetMoving, ui::Figure::Sheet, Moves::Yes)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK(windowLimit)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace texplorer::bench
