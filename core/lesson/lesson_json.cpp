@@ -1,3 +1,4 @@
+#include "core/base/json_end.h"
 #include "core/lesson/lesson.h"
 #include "core/scene/params/json_problem.h"
 
@@ -262,6 +263,8 @@ Result<Json> parseJson(std::string_view text) {
     if (text.size() > maxLessonBytes)
         return fail(ErrorCode::TooLarge,
                     fmt::format("expected at most {} bytes, found {}", maxLessonBytes, text.size()));
+    if (const Result<void> whole = checkNoNul(text); !whole)
+        return fail(whole.error());
     bool isTooDeep = false;
     const auto shallow = [&isTooDeep](int depth, Json::parse_event_t, const Json&) {
         isTooDeep = isTooDeep || depth > deepest;

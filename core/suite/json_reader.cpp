@@ -1,5 +1,6 @@
 #include "core/suite/json_reader.h"
 
+#include "core/base/json_end.h"
 #include "core/base/printable.h"
 #include "core/scene/params/json_problem.h"
 #include "core/scene/params/param_text.h"
@@ -91,6 +92,8 @@ Result<Json> parseJson(std::string_view text, std::size_t maxBytes) {
     if (text.size() > maxBytes)
         return fail(ErrorCode::TooLarge,
                     fmt::format("expected at most {} bytes, found {}", maxBytes, text.size()));
+    if (const Result<void> whole = checkNoNul(text); !whole)
+        return fail(whole.error());
     Checker checker(text);
     if (!Json::sax_parse(text, &checker))
         return fail(*checker.problem());

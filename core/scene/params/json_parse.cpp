@@ -2,6 +2,7 @@
 // tables at once. What the tables don't foresee ends the reading there, so that neither deep nesting nor long
 // lists can cost more memory than a scene may have.
 
+#include "core/base/json_end.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/json_problem.h"
 #include "core/scene/params/keys.h"
@@ -404,6 +405,9 @@ Result<Scene> parseScene(std::string_view json) {
                                                      maxSceneBytes, json.size()));
     if (json.empty())
         return fail(ErrorCode::Malformed, "expected an object, found an empty file");
+
+    if (const Result<void> whole = checkNoNul(json); !whole)
+        return fail(whole.error());
 
     Scene scene = defaultScene();
     Reader reader(scene);

@@ -73,6 +73,7 @@ TEST(LessonJson, IsRefusedByPlace) {
         {"", malformed, "line 1", "the file ends"},
         {"{\n\"lesson\": 1,\n\"title\" 3}", malformed, "line 3", "expected ':' after the key"},
         {"[1]", malformed, "", "expected an object"},
+        {std::string("{}\0{}", 5), malformed, "line 1", "a NUL character"},
         {"\xff", malformed, "line 1", ""},
         {R"({"lesson": 1e400})", malformed, "", "a number that isn't as large"},
         {std::string(100'000, '['), ErrorCode::TooLarge, "", "levels of brackets"},

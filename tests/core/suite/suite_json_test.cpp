@@ -75,6 +75,8 @@ TEST(SuiteJson, WhatIsWrongIsSaidWithItsPlace) {
     const std::array wrongs{
         Wrong{"", "line 1", "the file ends; expected a value"},
         Wrong{"[]", "", "expected an object, found a list"},
+        Wrong{std::string("{\"suite\": 1, \"cases\": [{}]}\0, {", 31), "line 1",
+              "expected JSON, found a NUL character"},
         Wrong{"{}", "", "expected the key \"suite\""},
         Wrong{R"({"suite": 2, "cases": [{}]})", "/suite", "expected version 1, found 2"},
         Wrong{R"({"suite": 1})", "", "expected the key \"cases\""},

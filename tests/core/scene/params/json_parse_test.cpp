@@ -342,6 +342,15 @@ TEST(ParseScene, AFileLargerThanTheLimitIsNotLookedAt) {
     EXPECT_EQ(scene.error().message, "expected a scene of at most 16777216 bytes, found 16777217");
 }
 
+TEST(ParseScene, NothingMayFollowANul) {
+    for (const std::string_view text : {std::string_view("{\"version\": 1}\n\0{\"version\": 2}", 29),
+                                        std::string_view("{\"version\": 1}\n\0", 16)}) {
+        const auto scene = parseScene(text);
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(describe(scene.error()), "line 2: expected JSON, found a NUL character");
+    }
+}
+
 TEST(ParseScene, WhatAFileLeavesOutKeepsItsDefault) {
     EXPECT_EQ(parseScene("{}").value(), defaultScene());
     EXPECT_EQ(parseScene("\xEF\xBB\xBF{\"version\": 1}").value(), defaultScene()) << "with a byte order mark";
