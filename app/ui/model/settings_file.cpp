@@ -5,7 +5,7 @@
 #include "core/base/folder_lock.h"
 #include "core/base/user_folder.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,15 +26,25 @@ std::string settingsProblem(const Error& error) {
     return fmt::format("Settings can't be kept: {}.", describe(error));
 }
 
-/// A file that is there and can't be understood gets another name, so that nothing writes over it.
+/// A file that is there and can't be understood gets another name, so that nothing writes over it, nor over
+/// one that was set aside before.
 std::string setAside(const fs::path& file, const Error& error) {
+    std::error_code failed;
     fs::path broken = file;
     broken += ".broken";
-    std::error_code failed;
+    for (int number = 2; fs::exists(fs::symlink_status(broken, failed)); ++number)
+        broken = fmt::format("{}.broken-{}", file.string(), number);
     fs::rename(file, broken, failed);
     return failed ? fmt::format("{} can't be read ({}).", file.string(), describe(error))
                   : fmt::format("{} can't be read ({}). It was set aside as {}.", file.string(),
                                 describe(error), broken.filename().string());
+}
+
+std::string leftOutText(const fs::path& file, const std::vector<std::string>& leftOut) {
+    if (leftOut.empty())
+        return {};
+    return fmt::format("{} has values that aren't known, which are left out: {}.", file.string(),
+                       fmt::join(leftOut, ", "));
 }
 
 /// Empty where there is none, or it can't be understood and was set aside: then `problem` says so.
@@ -73,7 +83,10 @@ std::string writeChanges(const SettingsPlaces& places, const Settings& before, c
     if (writeSettings(before) != writeSettings(now))
         problem = mergeInto(
             places.settings,
-            [](const std::string& text) { return parseSettings(text).map([](const Settings&) {}); },
+            [](const std::string& text) {
+                std::vector<std::string> ignored; // they stay as they are in the file
+                return parseKnownSettings(text, ignored).map([](const Settings&) {});
+            },
             [&](const std::string& there) { return mergeSettings(there, before, now); });
     if (before.recentFiles == now.recentFiles)
         return problem;
@@ -82,7 +95,10 @@ std::string writeChanges(const SettingsPlaces& places, const Settings& before, c
     std::string other = mergeInto(
         places.recent,
         [&](const std::string& text) {
-            return parseRecentFiles(text).map([&](std::vector<fs::path> found) { files = std::move(found); });
+            std::vector<std::string> ignored;
+            return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> found) {
+                files = std::move(found);
+            });
         },
         [&](const std::string&) {
             merged.recentFiles = mergeRecentFiles(files, before.recentFiles, now.recentFiles);
@@ -134,14 +150,20 @@ Settings SettingsFile::read() {
     (void)readWhole(
         places_.settings,
         [&](const std::string& text) {
-            return parseSettings(text).map([&](Settings settings) { told_ = std::move(settings); });
+            std::vector<std::string> leftOut;
+            return parseKnownSettings(text, leftOut).map([&](Settings settings) {
+                told_ = std::move(settings);
+                problem = leftOutText(places_.settings, leftOut);
+            });
         },
         problem);
     (void)readWhole(
         places_.recent,
         [&](const std::string& text) {
-            return parseRecentFiles(text).map(
-                [&](std::vector<fs::path> files) { told_.recentFiles = std::move(files); });
+            std::vector<std::string> ignored; // what was opened once is no great loss
+            return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> files) {
+                told_.recentFiles = std::move(files);
+            });
         },
         problem);
     if (!problem.empty())

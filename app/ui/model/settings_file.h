@@ -24,6 +24,12 @@ namespace texplorer::ui {
 [[nodiscard]] Result<Settings> parseSettings(std::string_view json);
 [[nodiscard]] Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json);
 
+/// The same, but a value that can't be understood is left out, and its JSON pointer goes into `leftOut`: it
+/// may be one of a later version. What is no JSON, or another document, is refused.
+[[nodiscard]] Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut);
+[[nodiscard]] Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
+                                                                         std::vector<std::string>& leftOut);
+
 inline constexpr std::size_t mostRecentFiles = 12;
 
 /// To be called when a file was opened or saved: it comes first.
@@ -54,8 +60,8 @@ public:
     /// Writes what waits.
     ~SettingsFile();
 
-    /// To be called once, at the start. A file that can't be understood is set aside, as
-    /// "settings.json.broken".
+    /// To be called once, at the start. A value that can't be understood is left out. A file that is no JSON
+    /// is set aside, as "settings.json.broken", or where that is taken "settings.json.broken-2", and so on.
     [[nodiscard]] Settings read();
 
     /// These are the settings now. Costs a comparison where they are those of before.

@@ -1,10 +1,13 @@
 #include "app/ui/model/settings_file.h"
+#include "core/base/json_end.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
 
 namespace texplorer::ui {
 namespace {
@@ -130,6 +133,8 @@ constexpr std::array settingRows{
 };
 
 Result<SettingsJson> parseText(std::string_view json) {
+    if (const Result<void> whole = checkNoNul(json); !whole)
+        return fail(whole.error());
     constexpr int deepest = 32; // nlohmann-json writes by recursion
     bool isTooDeep = false;
     SettingsJson value = SettingsJson::parse(
@@ -144,6 +149,47 @@ Result<SettingsJson> parseText(std::string_view json) {
     if (value.is_discarded())
         return fail(ErrorCode::Malformed, "expected JSON");
     return value;
+}
+
+Result<SettingsJson> parseObject(std::string_view json) {
+    Result<SettingsJson> object = parseText(json);
+    if (object && !object->is_object())
+        return fail(ErrorCode::Malformed, "expected an object");
+    return object;
+}
+
+/// A value without the members that aren't known; none: nothing of it is. A list within an object is known as
+/// a whole or not at all, since its places mean something.
+std::optional<SettingsJson> knownPart(const SettingsJson& value,
+                                      const std::function<bool(const SettingsJson&)>& isKnown,
+                                      const SettingsJson::json_pointer& where,
+                                      std::vector<std::string>& leftOut, bool isMember = false) {
+    if (isKnown(value))
+        return value;
+    if (value.is_object()) {
+        SettingsJson known = SettingsJson::object();
+        for (const auto& [key, member] : value.items()) {
+            const auto isKnownMember = [&isKnown, &name = key](const SettingsJson& part) {
+                return isKnown(SettingsJson::object({{name, part}}));
+            };
+            if (auto part = knownPart(member, isKnownMember, where / key, leftOut, true))
+                known[key] = *std::move(part);
+        }
+        if (isKnown(known))
+            return known;
+    } else if (value.is_array() && !isMember) {
+        SettingsJson known = SettingsJson::array();
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (isKnown(SettingsJson::array({value[i]})))
+                known.push_back(value[i]);
+            else
+                leftOut.push_back((where / i).to_string());
+        }
+        if (isKnown(known))
+            return known;
+    }
+    leftOut.push_back(where.to_string());
+    return std::nullopt;
 }
 
 std::string settingsText(const SettingsJson& value) {
@@ -161,11 +207,9 @@ std::string writeSettings(const Settings& settings, std::string_view before) {
 }
 
 Result<Settings> parseSettings(std::string_view json) {
-    const Result<SettingsJson> object = parseText(json);
+    const Result<SettingsJson> object = parseObject(json);
     if (!object)
         return fail(object.error());
-    if (!object->is_object())
-        return fail(ErrorCode::Malformed, "expected an object");
     Settings settings;
     for (const SettingRow& row : settingRows) {
         const auto value = object->find(row.key);
@@ -178,6 +222,26 @@ Result<Settings> parseSettings(std::string_view json) {
     return settings;
 }
 
+Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut) {
+    const Result<SettingsJson> object = parseObject(json);
+    if (!object)
+        return fail(object.error());
+    Settings settings;
+    for (const SettingRow& row : settingRows) {
+        const auto value = object->find(row.key);
+        if (value == object->end())
+            continue;
+        const auto isKnown = [&row](const SettingsJson& part) {
+            Settings ignored;
+            return row.read(part, ignored) == nullptr;
+        };
+        if (const std::optional<SettingsJson> known =
+                knownPart(*value, isKnown, SettingsJson::json_pointer() / row.key, leftOut))
+            row.read(*known, settings);
+    }
+    return settings;
+}
+
 std::string writeRecentFiles(const Settings& settings) {
     SettingsJson list = SettingsJson::array();
     for (const std::filesystem::path& file : settings.recentFiles)
@@ -186,16 +250,26 @@ std::string writeRecentFiles(const Settings& settings) {
 }
 
 Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json) {
+    std::vector<std::string> leftOut;
+    Result<std::vector<std::filesystem::path>> files = parseKnownFiles(json, leftOut);
+    if (files && !leftOut.empty())
+        return fail(ErrorCode::Malformed, "expected a list of files", leftOut.front());
+    return files;
+}
+
+Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
+                                                           std::vector<std::string>& leftOut) {
     const Result<SettingsJson> list = parseText(json);
     if (!list)
         return fail(list.error());
     if (!list->is_array())
         return fail(ErrorCode::Malformed, "expected a list of files");
     std::vector<std::filesystem::path> files;
-    for (const SettingsJson& each : *list) {
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const SettingsJson& each = (*list)[i];
         if (!each.is_string())
-            return fail(ErrorCode::Malformed, "expected a list of files", fmt::format("/{}", files.size()));
-        if (files.size() < mostRecentFiles)
+            leftOut.push_back(fmt::format("/{}", i));
+        else if (files.size() < mostRecentFiles)
             files.emplace_back(each.get<std::string>());
     }
     return files;

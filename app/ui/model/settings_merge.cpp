@@ -45,7 +45,9 @@ std::size_t countOfOpened(const std::vector<std::filesystem::path>& before,
 } // namespace
 
 std::string mergeSettings(std::string_view file, const Settings& before, const Settings& now) {
-    const Result<Settings> there = file.empty() ? Result<Settings>(before) : parseSettings(file);
+    std::vector<std::string> ignored; // what isn't known stays in the file
+    const Result<Settings> there =
+        file.empty() ? Result<Settings>(before) : parseKnownSettings(file, ignored);
     Settings mine = now;
     if (there)
         mine.pinned = mergeLists(there->pinned, before.pinned, now.pinned);

@@ -42,7 +42,7 @@ TEST(Settings, KeepWhatALaterVersionWrote) {
 }
 
 struct Refused {
-    const char* text;
+    std::string_view text;
     const char* where;
 };
 
@@ -55,6 +55,7 @@ TEST(Settings, SayWhereTheyAreWrong) {
                                Refused{R"({"textPercent": 74})", "/textPercent"},
                                Refused{R"({"textPercent": 251})", "/textPercent"},
                                Refused{R"({"textPercent": 1e400})", ""},
+                               Refused{{"{}\0{}", 5}, "line 1"},
                                Refused{R"({"textPercent": "big"})", "/textPercent"},
                                Refused{R"({"glNames": 1})", "/glNames"},
                                Refused{R"({"pinned": [1]})", "/pinned"},
@@ -73,6 +74,26 @@ TEST(Settings, SayWhereTheyAreWrong) {
         EXPECT_EQ(read.error().where, row.where) << row.text;
     }
     EXPECT_FALSE(parseSettings(std::string(100'000, '[')));
+}
+
+TEST(Settings, OneThatIsNotKnownIsLeftOutAlone) {
+    std::vector<std::string> leftOut;
+    const Settings settings = parseKnownSettings(R"({"theme": "pink", "textPercent": 150, "glNames": 1,
+        "pinned": ["a", 3, "b"],
+        "lessons": {"wrap": [[true, 3, 1]], "odd": [[true, 1, 1], [2]]},
+        "workspace": {"tabs": {"vertices": {"open": true}, "commands": {"dock": "moon"}}, "seams": 7}})",
+                                                 leftOut)
+                                  .value();
+    Settings expected;
+    expected.textPercent = 150;
+    expected.pinned = {"a", "b"};
+    expected.lessons = {{"wrap", {{true, 3, 1}}}};
+    expected.workspace.tabs[static_cast<std::size_t>(Tab::Vertices)].open = true;
+    EXPECT_EQ(settings, expected);
+    EXPECT_THAT(leftOut, ElementsAre("/theme", "/glNames", "/pinned/1", "/lessons/odd",
+                                     "/workspace/tabs/commands/dock", "/workspace/seams"));
+    EXPECT_FALSE(parseKnownSettings("[]", leftOut));
+    EXPECT_FALSE(parseKnownSettings("{", leftOut));
 }
 
 TEST(RecentFiles, ComeFirstWhenTheyAreOpened) {
@@ -144,17 +165,40 @@ TEST_F(KeptSettings, NothingIsWrittenWhereNothingChanged) {
     EXPECT_FALSE(std::filesystem::exists(places().settings));
 }
 
-TEST_F(KeptSettings, AFileThatCannotBeReadIsSetAside) {
+TEST_F(KeptSettings, AFileThatCannotBeReadIsSetAsideBesideThoseOfBefore) {
     std::filesystem::create_directories(places().settings.parent_path());
-    const std::string wrong = R"({"theme": "pink"})";
-    ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(wrong)));
-    SettingsFile file = open();
-    EXPECT_EQ(file.read(), Settings{});
-    const std::optional<std::string> problem = file.takeProblem();
-    ASSERT_TRUE(problem);
-    EXPECT_THAT(*problem, HasSubstr("settings.json.broken"));
-    EXPECT_FALSE(file.takeProblem());
-    EXPECT_EQ(readText(places().settings.string() + ".broken").value(), wrong);
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"{\"theme\": \"light\"", ".broken"}, {"[1]", ".broken-2"}, {std::string("{}\0{}", 5), ".broken-3"}};
+    for (const auto& [wrong, name] : files) {
+        ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(wrong)));
+        SettingsFile file = open();
+        EXPECT_EQ(file.read(), Settings{});
+        const std::optional<std::string> problem = file.takeProblem();
+        ASSERT_TRUE(problem);
+        EXPECT_THAT(*problem, HasSubstr("settings.json" + name + "."));
+        EXPECT_FALSE(file.takeProblem());
+        EXPECT_EQ(readText(places().settings.string() + name).value(), wrong);
+    }
+    EXPECT_EQ(readText(places().settings.string() + ".broken").value(), "{\"theme\": \"light\"");
+}
+
+TEST_F(KeptSettings, AValueThatIsNotKnownIsLeftOutAndStaysInTheFile) {
+    std::filesystem::create_directories(places().settings.parent_path());
+    ASSERT_TRUE(
+        writeFileAtomically(places().settings, viewBytes(R"({"theme": "pink", "textPercent": 150})")));
+    {
+        SettingsFile file = open();
+        Settings settings = file.read();
+        EXPECT_EQ(settings.textPercent, 150);
+        EXPECT_EQ(settings.theme, Settings{}.theme);
+        EXPECT_THAT(file.takeProblem().value_or(""), HasSubstr("/theme"));
+        settings.glNames = !settings.glNames;
+        file.keep(settings);
+    }
+    const std::string text = readText(places().settings).value();
+    EXPECT_THAT(text, HasSubstr("pink"));
+    EXPECT_THAT(text, HasSubstr("150"));
+    EXPECT_FALSE(std::filesystem::exists(places().settings.string() + ".broken"));
 }
 
 TEST_F(KeptSettings, UnknownKeysSurviveAWindow) {
