@@ -62,8 +62,9 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     const int exclusive = make == Make::New ? O_EXCL : 0;
     Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | exclusive | O_CLOEXEC | O_NOFOLLOW, 0600));
     const auto refuse = [&](int error) {
-        return fail(ErrorCode::Unwritable, fmt::format("can't be locked: {}", systemText(error)),
-                    path.string());
+        const bool isTaken = error == EWOULDBLOCK || error == ENOENT;
+        return fail(isTaken ? ErrorCode::NotFound : ErrorCode::Unwritable,
+                    fmt::format("can't be locked: {}", systemText(error)), path.string());
     };
     if (!file.valid())
         return refuse(errno);
@@ -155,9 +156,10 @@ std::vector<Orphan> claimOrphans(const fs::path& folder) {
     for (const Found& each : found) {
         if (orphans.size() == mostOrphans)
             break;
-        if (Result<UnsavedPlace> place = UnsavedPlace::lock(each.draft, UnsavedPlace::Make::Any);
-            place && isThere(each.draft)) // its window may have removed it meanwhile
-            orphans.push_back({std::move(*place), each.written});
+        Result<UnsavedPlace> place = UnsavedPlace::lock(each.draft, UnsavedPlace::Make::Any);
+        const bool isTaken = !place && place.error().code == ErrorCode::NotFound;
+        if (!isTaken && isThere(each.draft)) // its window may have removed it meanwhile
+            orphans.push_back({std::move(place), each.written});
     }
     return orphans;
 }

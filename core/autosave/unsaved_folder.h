@@ -40,6 +40,7 @@ public:
 private:
     friend std::vector<struct Orphan> claimOrphans(const std::filesystem::path& folder);
     enum class Make { New, Any };
+    /// NotFound: another process holds it, or has swept it away.
     [[nodiscard]] static Result<UnsavedPlace> lock(const std::filesystem::path& draft, Make make);
     void release();
 
@@ -49,7 +50,7 @@ private:
 
 /// A draft whose window has died.
 struct Orphan {
-    UnsavedPlace place;
+    Result<UnsavedPlace> place; ///< the error: its lock can't be opened or taken, and nobody else holds it
     std::filesystem::file_time_type written;
 };
 

@@ -22,8 +22,10 @@ Recovery::Recovery(const std::filesystem::path& folder, std::function<void()> wa
               return Picture{draft.number, nullptr};
           }) {
     for (Orphan& orphan : claimOrphans(folder)) {
-        Result<UnsavedScene> draft = orphan.place.read();
-        offers_.push_back({std::move(orphan.place), orphan.written, std::move(draft)});
+        Result<UnsavedScene> draft =
+            orphan.place ? orphan.place->read() : Result<UnsavedScene>(fail(orphan.place.error()));
+        offers_.push_back(
+            {std::move(orphan.place).value_or(UnsavedPlace()), orphan.written, std::move(draft)});
     }
     for (std::size_t i = 0; i < offers_.size(); ++i) {
         if (offers_[i].draft)

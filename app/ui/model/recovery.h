@@ -22,7 +22,7 @@ public:
     ~Recovery();
 
     struct Offer {
-        UnsavedPlace place;
+        UnsavedPlace place; ///< not open where its lock can't be had: the draft can't be discarded then
         std::filesystem::file_time_type written;
         Result<UnsavedScene> draft;
     };

@@ -88,10 +88,13 @@ void drawRestore(Session& session, const Pictures& pictures) {
         noteItem("restore:restore");
         ImGui::SameLine();
     }
-    const bool discard = dialogButton("Discard");
-    noteItem("restore:discard");
-    helpTip("It is lost for good.");
-    ImGui::SameLine();
+    bool discard = false;
+    if (offer.place.isOpen()) {
+        discard = dialogButton("Discard");
+        noteItem("restore:discard");
+        helpTip("It is lost for good.");
+        ImGui::SameLine();
+    }
     const bool later = dialogButton("Later") || ImGui::IsKeyPressed(key::escape, false);
     noteItem("restore:later");
     helpTip("It is offered again at the next start.");

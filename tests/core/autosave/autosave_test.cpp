@@ -149,7 +149,7 @@ TEST_F(Autosaving, WhatIsNotForgottenStaysForTheNextStart) {
     }
     const std::vector<Orphan> orphans = claimOrphans(folder);
     ASSERT_EQ(orphans.size(), 1U);
-    const UnsavedScene draft = orphans[0].place.read().value();
+    const UnsavedScene draft = orphans[0].place->read().value();
     EXPECT_EQ(draft.file, "/a/b.json");
     EXPECT_EQ(draft.folder, "/a");
     EXPECT_EQ(draft.scene, sceneOf(4));
@@ -166,8 +166,8 @@ TEST_F(Autosaving, GoesOnWithADraftThatItAdopts) {
     ASSERT_TRUE(autosave.flush());
     std::vector<Orphan> orphans = claimOrphans(folder);
     ASSERT_EQ(orphans.size(), 1U);
-    const UnsavedScene draft = orphans[0].place.read().value();
-    autosave.adopt(std::move(orphans[0].place), draft);
+    const UnsavedScene draft = orphans[0].place->read().value();
+    autosave.adopt(*std::move(orphans[0].place), draft);
     EXPECT_EQ(written(), 5);
     EXPECT_TRUE(claimOrphans(folder).empty());
     autosave.keep({}, {}, sceneOf(6));

@@ -69,11 +69,11 @@ TEST_F(UnsavedFolder, ADraftWithoutItsWindowIsGivenToOneOnly) {
     {
         const std::vector<Orphan> orphans = claimOrphans(folder);
         ASSERT_EQ(orphans.size(), 1U);
-        EXPECT_EQ(orphans[0].place.read().value(), draftOf(1));
+        EXPECT_EQ(orphans[0].place->read().value(), draftOf(1));
         EXPECT_TRUE(claimOrphans(folder).empty());
     }
     EXPECT_EQ(claimOrphans(folder).size(), 1U) << "what nobody wanted is there again";
-    claimOrphans(folder).front().place.remove();
+    claimOrphans(folder).front().place->remove();
     EXPECT_TRUE(claimOrphans(folder).empty());
     EXPECT_THAT(names(), testing::IsEmpty()) << "no lock stays without its draft";
 }
@@ -100,11 +100,11 @@ TEST_F(UnsavedFolder, ADraftOfAKilledProcessIsAnOrphan) {
     ::close(ready[1]);
     const std::vector<Orphan> orphans = claimOrphans(folder);
     ASSERT_EQ(orphans.size(), 1U);
-    EXPECT_EQ(orphans[0].place.read().value(), draftOf(3));
+    EXPECT_EQ(orphans[0].place->read().value(), draftOf(3));
     // The same number again: a new process doesn't write over what the old one left.
     const auto mine = UnsavedPlace::create(folder);
     ASSERT_TRUE(mine);
-    EXPECT_NE(mine->draft(), orphans[0].place.draft());
+    EXPECT_NE(mine->draft(), orphans[0].place->draft());
 }
 
 TEST_F(UnsavedFolder, TheYoungestComesFirst) {
@@ -115,7 +115,7 @@ TEST_F(UnsavedFolder, TheYoungestComesFirst) {
     }
     const std::vector<Orphan> orphans = claimOrphans(folder);
     ASSERT_EQ(orphans.size(), 3U);
-    EXPECT_EQ(orphans[0].place.read().value(), draftOf(1));
+    EXPECT_EQ(orphans[0].place->read().value(), draftOf(1));
 }
 
 TEST_F(UnsavedFolder, SweepsLocksAndTakesNothingElse) {
@@ -128,6 +128,22 @@ TEST_F(UnsavedFolder, SweepsLocksAndTakesNothingElse) {
     EXPECT_EQ(claimOrphans(folder).size(), 1U);
     EXPECT_THAT(names(), testing::IsSupersetOf({"notes.txt", "18-0.scene", "19-0.scene", "20-0.lock"}));
     EXPECT_THAT(names(), testing::Not(testing::Contains("17-0.lock")));
+}
+
+TEST_F(UnsavedFolder, ADraftWhoseLockCannotBeOpenedIsReported) {
+    fs::path lock;
+    {
+        const UnsavedPlace place = UnsavedPlace::create(folder).value();
+        ASSERT_TRUE(place.write(draftOf(1)));
+        lock = fs::path(place.draft()).replace_extension(".lock");
+    }
+    fs::remove(lock);
+    fs::create_symlink(parent / "nowhere", lock);
+    const std::vector<Orphan> orphans = claimOrphans(folder);
+    ASSERT_EQ(orphans.size(), 1U);
+    ASSERT_FALSE(orphans[0].place);
+    EXPECT_EQ(orphans[0].place.error().where, lock.string());
+    EXPECT_THAT(orphans[0].place.error().message, HasSubstr("can't be locked: "));
 }
 
 TEST_F(UnsavedFolder, ADamagedDraftIsASentence) {

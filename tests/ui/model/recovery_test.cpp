@@ -9,6 +9,8 @@
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
+#include <gmock/gmock.h>
+
 #include <fstream>
 #include <mutex>
 
@@ -61,6 +63,29 @@ TEST_F(Restoring, WithoutAThreadThePictureIsThereAtOnce) {
     ASSERT_EQ(recovery.offers().size(), 1U);
     ASSERT_TRUE(recovery.picture());
     EXPECT_EQ(recovery.picture()->width, 320);
+}
+
+TEST_F(Restoring, ADraftWhoseLockCannotBeOpenedIsSaidAndStays) {
+    window();
+    edit(77);
+    ASSERT_TRUE(flush());
+    session.reset();
+    unsaved.reset();
+    std::vector<fs::path> locks;
+    for (const fs::directory_entry& each : fs::directory_iterator(folder))
+        if (each.path().extension() == ".lock")
+            locks.push_back(each.path());
+    for (const fs::path& lock : locks) {
+        fs::remove(lock);
+        fs::create_symlink(parent / "nowhere", lock);
+    }
+    window();
+    ASSERT_EQ(unsaved->recovery.offers().size(), 1U);
+    const Recovery::Offer& offer = unsaved->recovery.offers().front();
+    ASSERT_FALSE(offer.draft);
+    EXPECT_THAT(offer.draft.error().message, testing::HasSubstr("can't be locked: "));
+    unsaved->recovery.discard(); // it isn't this window's to remove
+    EXPECT_EQ(drafts(), 1U);
 }
 
 TEST_F(Restoring, NothingIsOfferedWhereNothingWasLost) {
