@@ -4,6 +4,7 @@
 #include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/unsaved_work.h"
+#include "core/base/printable.h"
 
 #include <algorithm>
 #include <utility>
@@ -38,7 +39,8 @@ Loop::Loop(Graphics& graphics, ui::Session& session, const Surface& surface, Cli
         return loop.pasted_.c_str();
     };
     io.SetClipboardTextFn = [](void* self, const char* text) {
-        static_cast<Loop*>(self)->clipboard_.write(text);
+        // A terminal that it is pasted into obeys no control character from outside.
+        static_cast<Loop*>(self)->clipboard_.write(printable(text, LineBreaks::Keep));
     };
 }
 

@@ -1,12 +1,14 @@
 #include "core/suite/accept_list.h"
 
 #include "core/base/nearest_name.h"
+#include "core/base/printable.h"
 #include "core/base/utf8.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace texplorer::suite {
@@ -42,6 +44,10 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) // as some editors write it
         text.remove_prefix(mark.size());
     const std::unordered_set<std::string_view> names(known.begin(), known.end());
+    std::unordered_map<std::string, std::string_view> shown; // as the page writes what would steer a terminal
+    for (const std::string& each : known)
+        if (std::string written = printable(each); written != each && isUtf8(each))
+            shown.emplace(std::move(written), each);
     std::unordered_set<std::string_view> taken;
     std::vector<std::string> accepted;
     for (std::size_t at = 0, number = 1; at < text.size(); ++number) {
@@ -53,6 +59,8 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
             if (name.empty() || name.starts_with('#'))
                 continue;
         }
+        if (const auto real = shown.find(std::string(name)); real != shown.end() && !names.contains(name))
+            name = real->second;
         if (!names.contains(name))
             return fail(ErrorCode::NotFound, unknownText(name, known), fmt::format("line {}", number));
         if (taken.insert(name).second)

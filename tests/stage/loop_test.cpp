@@ -331,6 +331,8 @@ TEST_F(LoopTest, TheClipboardIsTheHosts) {
     EXPECT_STREQ(ImGui::GetClipboardText(), "from elsewhere");
     ImGui::SetClipboardText("from here");
     EXPECT_EQ(kept, "from here");
+    ImGui::SetClipboardText("two\n\tlines\x1b[201~\u202e");
+    EXPECT_EQ(kept, "two\n\tlines\\u001b[201~\\u202e") << "a terminal obeys nothing of it";
     start();
     EXPECT_EQ(ImGui::GetClipboardText(), nullptr) << "without a host's it is the window's own";
 }

@@ -25,6 +25,11 @@ TEST(AcceptList, MayBeginWithAByteOrderMark) {
                 ElementsAre("a/fixed@1x1"));
 }
 
+TEST(AcceptList, WhatWouldSteerATerminalStandsAsThePageWritesIt) {
+    const std::vector<std::string> odd{"a\x1b[31m\nb.png", "a.png"};
+    EXPECT_THAT(*parseAcceptList("a\\u001b[31m\\u000ab.png\n", odd), ElementsAre(odd.front()));
+}
+
 TEST(AcceptList, NamesThatAreNoTextAreRefused) {
     EXPECT_THAT(describe(parseAcceptList("inv\xFF.png", {"inv\xFE.png"}).error()),
                 testing::HasSubstr("isn't UTF-8"));
