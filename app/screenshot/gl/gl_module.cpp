@@ -63,33 +63,44 @@ Result<Shot> drawWindow(const ShotRequest& request) {
 
     ui::ServicesAtOnce services(request.levels);
     ui::Session session(services.lend(), {request.scene, request.images, request.file});
-    if (request.compared.empty())
-        showOne(session.window.view, request.renderer);
-    else
-        showComparison(session.window.view, request.compared);
-    session.window.view.anisotropy = request.anisotropy;
-    session.window.view.shown = request.shown;
-    session.window.selection.pass = request.shownUnit.pass;
-    session.window.selection.unit = request.shownUnit.unit;
     ui::Workspace& workspace = session.window.settings.workspace;
     workspace = workspaceOf(request.layout);
-    if (request.tab)
-        showTab(workspace, *request.tab);
     session.window.settings.theme = request.theme;
     session.window.settings.language = request.language;
     session.window.systemLanguage = ui::languageOfSystem();
-    if (!request.lesson.empty()) {
+    const bool hasLesson = !request.lesson.empty();
+    if (hasLesson) {
         if (const Result<void> opened = ui::openLessonNamed(session, request.lesson, request.lessonStep);
             !opened)
             return fail(opened.error());
+        ui::Document changed(request.scene, request.images); // by the call: the step begins with its own
+        changed.isLessons = true;
+        changed.needsFit = false;
+        ui::replaceDocument(session, std::move(changed));
     }
-    if (request.figure) { // even where the lesson would show another one
+    // What the call says goes before what the lesson's step wants to be looked at.
+    if (!request.compared.empty())
+        showComparison(session.window.view, request.compared);
+    else if (!hasLesson || request.rendererIsGiven)
+        showOne(session.window.view, request.renderer);
+    session.window.view.anisotropy = request.anisotropy;
+    if (!hasLesson || request.shownIsGiven) {
+        session.window.view.shown = request.shown;
+        session.window.selection.pass = request.shownUnit.pass;
+        session.window.selection.unit = request.shownUnit.unit;
+    }
+    if (request.tab) {
+        showTab(workspace, *request.tab);
+        session.window.wantedTab = request.tab;
+    }
+    if (request.figure) {
         session.window.figure = *request.figure;
         session.window.wantedTab = ui::Tab::Figures;
     }
     if (request.tour > 0)
         session.window.tour = request.tour - 1;
     if (request.probed) {
+        session.window.wantedProbe.reset();
         const ui::Rect picture = ui::layoutFor(request.size.width, request.size.height, request.scale,
                                                workspace, ui::gridOf(session.window.view))
                                      .picture;

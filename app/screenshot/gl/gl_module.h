@@ -58,9 +58,11 @@ struct ShotRequest {
     ui::Language language = ui::Language::English; ///< of the window
     std::string lesson{};                          ///< which is open in the window; empty: none
     std::size_t lessonStep = 0;                    ///< from 0
-    int tour = 0;                                  ///< the step of the tour over the window, from 1; 0: none
-    float scale = 1;                               ///< of the window's text and lengths
-    view::ContextChoice context{};                 ///< where OpenGL draws
+    bool rendererIsGiven = false;  ///< else the window of a lesson has the renderer that its step asks for
+    bool shownIsGiven = false;     ///< likewise of `shown` and `shownUnit`
+    int tour = 0;                  ///< the step of the tour over the window, from 1; 0: none
+    float scale = 1;               ///< of the window's text and lengths
+    view::ContextChoice context{}; ///< where OpenGL draws
 
     /// Of the reference.
     [[nodiscard]] reference::DrawRequest drawRequest() const {

@@ -77,6 +77,21 @@ class Window(Texshot):
                 self.complains(2, expected, "shot", "--ui", "--compare", value, "-o", self.path / "out.png")
         self.complains(2, "--compare", "shot", "--compare", "fixed,shader", "-o", self.path / "out.png")
 
+    def test_a_lessons_window_has_what_the_call_changes(self):
+        step = ("--ui", "--size", "1280x800", "--lesson", "filters", "--step", "2")
+        plain = self.shot(*step)
+        parameters, picture = (0, 60, 315, 770), (330, 110, 900, 450)
+        nearest = self.shot(*step, "--set", "textures[0].magFilter=GL_NEAREST", "--set", "textures[0].minFilter=GL_NEAREST",
+                            "--set", "view.azimuth=77")
+        self.assertIsNotNone(self.difference(nearest.crop(picture), plain.crop(picture)))
+        for change in (["--renderer", "reference"], ["--tab", "memory"], ["--probe", "120,180"], ["--preset", "alpha-test"],
+                       ["--show", "lambda"]):
+            with self.subTest(change):
+                self.assertIsNotNone(self.difference(self.shot(*step, *change), plain))
+        reached = ("--ui", "--size", "1280x800", "--lesson", "wrap", "--step", "5")
+        self.assertIsNotNone(self.difference(self.shot(*reached, "--answer", "1").crop(picture),
+                                             self.shot(*reached, "--answer", "2").crop(picture)))
+
     def test_the_window_explains_the_pixel_that_it_is_asked_for(self):
         window = ("--ui", "--size", "1280x800", "--tab", "explain")
         without = self.shot(*window)
