@@ -72,6 +72,76 @@ if "$work/consumer/consumer" "$work/nowhere.dds" "$work/out.dds" "$work/out.png"
 fi
 grep -q "consumer: $work/nowhere.dds: " "$work/said" || complain "the error names no file: $(cat "$work/said")"
 
+# The README's blocks of C++ and CMake, as they stand: one project, its program, its tests.
+mkdir -p "$work/readme/golden"
+"$python" - "$source/README.md" "$work/readme" <<'EOF'
+import re
+import sys
+from pathlib import Path
+
+text, folder = Path(sys.argv[1]).read_text(), Path(sys.argv[2])
+
+
+def block(language, word):
+    [found] = [each for each in re.findall(rf"^```{language}\n(.*?)^```", text, re.M | re.S) if word in each]
+    return found
+
+
+assert len(re.findall("^```(cpp|cmake)$", text, re.M)) == 4, "a block that isn't tried"
+(folder / "mine.cpp").write_text(block("cpp", "int main()"))
+(folder / "start.cpp").write_text(block("cpp", "TEST("))
+(folder / "framebuffer.cpp").write_text("""#include <GL/gl.h>
+#include <cstdlib>
+void glReadPixels(GLint, GLint, GLsizei width, GLsizei height, GLenum, GLenum, void* pixels) {
+    const char* blue = std::getenv("BLUE");
+    for (int i = 0; i < width * height; ++i)
+        for (int c = 0; c < 4; ++c)
+            static_cast<unsigned char*>(pixels)[4 * i + c] = c == 3 ? 255 : c == 2 && blue ? 90 : i % 200;
+}
+""")
+(folder / "CMakeLists.txt").write_text("""cmake_minimum_required(VERSION 3.25)
+project(readme CXX)
+set(CMAKE_CXX_STANDARD 20)
+enable_testing()
+add_executable(mine mine.cpp)
+""" + block("cmake", "target_link_libraries(mine") + """
+find_package(GTest REQUIRED)
+add_executable(start start.cpp framebuffer.cpp)
+target_link_libraries(start PRIVATE texplorer::core GTest::gtest_main)
+""" + block("cmake", "texplorer_add_screenshot_test"))
+EOF
+cp "$work/in.dds" "$work/readme/brick.dds"
+"$prefix/bin/texshot" scene --example cube -o "$work/readme/brick.json"
+"$prefix/bin/texshot" shot "$work/readme/brick.json" --size 320x240 -o "$work/readme/golden/brick.png"
+cmake -S "$work/readme" -B "$work/readme/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
+cmake --build "$work/readme/build" >/dev/null
+ctest --test-dir "$work/readme/build" -R brick >"$work/said" || complain "the README's screenshot test: $(cat "$work/said")"
+grep -q '100% tests passed, 0 tests failed out of 1' "$work/said" || complain "the README has no screenshot test"
+[ "$(cd "$work/readme" && ./build/mine 2>&1)" = "640 x 480" ] || complain "the README's program says something else"
+"$python" - "$work/readme" <<'EOF' || complain "the README's program is wrong"
+import struct
+import sys
+from PIL import Image
+
+folder = sys.argv[1]
+brick = Image.open(f"{folder}/brick.dds").convert("RGB").transpose(Image.Transpose.FLIP_TOP_BOTTOM)
+assert Image.open(f"{folder}/flipped.dds").convert("RGB").tobytes() == brick.tobytes(), "it isn't turned around"
+with open(f"{folder}/flipped.dds", "rb") as file:
+    assert struct.unpack_from("<I", file.read(), 28)[0] == 7, "it has no mip levels"
+EOF
+start() { # STATUS, in an environment: README's test of a framebuffer
+    local status=0
+    (cd "$work/readme" && ./build/start) >"$work/said" 2>&1 || status=$?
+    [ $status = "$1" ] || complain "the README's test ended with $status: $(cat "$work/said")"
+}
+start 1
+TEXPLORER_UPDATE_GOLDENS=1 start 0
+start 0
+BLUE=1 start 1
+for picture in actual expected difference; do
+    [ -e "$work/readme/start-$picture.png" ] || complain "the README's test leaves no start-$picture.png"
+done
+
 # Its screenshot tests. One golden is right where the mask lets it count, another is of another time, and one isn't there.
 goldens=$work/consumer/goldens
 scene=$source/tests/end_to_end/consumer/scene.json

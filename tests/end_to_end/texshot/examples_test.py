@@ -1,16 +1,22 @@
-"""The examples of help: each can be made as it stands, and so can the manual's and the README's."""
+"""The examples of help, of the manual and of the README: each can be made as it stands, and shows what it is there for:
+pictures of something, which differ where a parameter goes through its values; a pixel of a model; scenes that are valid."""
 
+import itertools
 import json
 import os
 import re
+import shlex
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from texshot import TEXSHOT, Texshot
+from PIL import Image, ImageChops, ImageSequence
 
-README = Path(__file__).resolve().parents[3] / "README.md"
+from texshot import TEXSHOT, Texshot, texshot
+
+ROOT = Path(__file__).resolve().parents[3]
+README = ROOT / "README.md"
 
 
 def examples_of(text):
@@ -19,14 +25,61 @@ def examples_of(text):
     return [line[2:] for line in found[1].splitlines()] if found else []
 
 
+def shows_something(picture):
+    """Whether a picture, or each of an animation, has more than one colour."""
+    return all(any(low != high for low, high in frame.convert("RGBA").getextrema()) for frame in ImageSequence.Iterator(picture))
+
+
+def blocks_of(file, language):
+    """The code blocks of a text, with the line before each."""
+    return re.findall(rf"^(.*)\n```{language}\n(.*?)^```", file.read_text(), re.MULTILINE | re.DOTALL)
+
+
 class Examples(Texshot):
     def made(self, lines, folder):
-        """Makes them, one after the other, as a shell does."""
+        """Makes them, one after the other, as a shell does, and looks at what each leaves."""
         path = f"{Path(TEXSHOT).parent}:{os.environ['PATH']}"
         for line in lines:
+            before = {each: each.stat().st_mtime_ns for each in Path(folder).rglob("*")}
             result = subprocess.run(["bash", "-ec", "set -o pipefail; " + line], cwd=folder, capture_output=True, text=True,
                                     timeout=300, env={**os.environ, "PATH": path})
             self.assertEqual((result.returncode, result.stderr), (0, ""), f"{line}\n{result.stdout[-500:]}")
+            self.looked_at(line, folder, result.stdout,
+                           [each for each in Path(folder).rglob("*") if before.get(each) != each.stat().st_mtime_ns])
+
+    def looked_at(self, block, folder, said, written):
+        for file in written:
+            if file.suffix in (".png", ".gif", ".webp", ".bmp", ".tga") and "report" not in file.parts and "out" not in file.parts \
+                    and not re.search("-(expected|difference)|handout|where", str(file)):
+                with Image.open(file) as picture:
+                    self.assertTrue(shows_something(picture), f"{file} shows nothing:\n{block}")
+                    frames = [frame.convert("RGBA") for frame in ImageSequence.Iterator(picture)]
+                    if len(frames) > 1:
+                        self.assertTrue(all(ImageChops.difference(a, b).getbbox(alpha_only=False) for a, b in itertools.pairwise(frames)),
+                                        f"{file} stands still:\n{block}")
+        for line in re.sub(r"\\\n\s*", "", block).splitlines():
+            words = shlex.split(line, comments=True)
+            if words[:2] == ["texshot", "probe"]:
+                self.assertNotIn("shows the background", said, line)
+                self.assertTrue("fragment" in said or "pixel" in said, line)
+            if words[:2] in (["texshot", "sweep"], ["texshot", "shot"]) and "--axis" in words:
+                self.cells_differ(words[1:], folder)
+
+    def cells_differ(self, words, folder):
+        """The pictures of a sheet, or of a list: no two are the same."""
+        call = ["shot"]
+        rest = iter(words[1:])
+        for word in rest:
+            if word in ("-o", "--labels", "--difference", "--size"):
+                next(rest)
+            else:
+                call.append(word)
+        with tempfile.TemporaryDirectory() as cells:
+            result = texshot(*call, "--size", "320x200", "-o", Path(cells) / "{number}.png", cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            pictures = [Image.open(each).convert("RGB").tobytes() for each in sorted(Path(cells).iterdir())]
+        self.assertGreater(len(pictures), 1)
+        self.assertEqual(len(set(pictures)), len(pictures), f"some of the pictures are the same: {shlex.join(words)}")
 
     def commands(self):
         return re.findall(r"^  ([a-z]+)(?: |$)", self.succeeds("--help").decode(), re.MULTILINE)
@@ -49,13 +102,63 @@ class Examples(Texshot):
             for line in examples_of(self.succeeds("help", command).decode()):
                 self.assertIn(line, lines)
 
+    def prepare(self, folder):
+        """What the README's blocks find in the folder: pictures, and a suite with goldens of which one is wrong."""
+        folder = Path(folder)
+        shot = [TEXSHOT, "shot", "--size", "64x64", "-o"]
+        for name in ("golden.png", "now.png", "clock.png", "golden/a.png", "actual/a.png"):
+            subprocess.run([*shot, folder / name], check=True, timeout=60)
+        (folder / "other.suite.json").write_text('{"suite": 1, "cases": [{"name": "cube", "scene": {"example": "cube"}, '
+                                                 '"size": "64x64", "time": [0, 1], "golden": "suite/{case}.png"}]}')
+        subprocess.run([TEXSHOT, "test", folder / "other.suite.json", "--update"], check=True, capture_output=True, timeout=120)
+        (folder / "other.suite.json").rename(folder / "my.suite.json")
+        (folder / "accept.txt").write_text("cube/fixed@64x64@t0\n")
+
     def test_the_blocks_of_the_readme_can_be_made(self):
-        blocks = re.findall(r"<!-- runs -->\n```sh\n(.*?)```", README.read_text(), re.DOTALL)
-        self.assertGreater(len(blocks), 3)
-        for block in blocks:
-            self.assertEqual([line for line in block.splitlines() if len(line) > 80], [])
+        blocks = blocks_of(README, "sh")
+        self.assertGreater(len(blocks), 8)
+        for before, block in blocks:
             with self.subTest(block.splitlines()[0]), tempfile.TemporaryDirectory() as folder:
+                self.assertEqual([line for line in block.splitlines() if len(line) > 80], [])
+                if "./dev" in block:  # of the clone
+                    continue
+                self.assertEqual(before, "<!-- runs -->")
+                if re.search(r"\bgolden\b|accept\.txt|--shard", block):
+                    self.prepare(folder)
                 self.made([block], folder)
+
+    def test_scenes_suites_and_lessons_are_what_they_should_be(self):
+        seen = []
+        for file in (README, ROOT / "CONTRIBUTING.md"):
+            for _, block in blocks_of(file, "json"):
+                document = json.loads(block)
+                with self.subTest(block[:80]), tempfile.TemporaryDirectory() as folder:
+                    if "lesson" in document:
+                        seen.append("lesson")
+                        (Path(folder) / "lesson.json").write_text(block)
+                        self.succeeds("lessons", "--check", folder)
+                        continue
+                    name = Path(folder) / ("s.suite.json" if "suite" in document else "scene.json")
+                    name.write_text(block)
+                    if "suite" in document:
+                        seen.append("suite")
+                        self.succeeds("scene", "-o", Path(folder) / "bricks.json")
+                        self.succeeds("test", "--list", name)
+                        continue
+                    seen.append("scene")
+                    self.succeeds("validate", name)
+                    times = ("--time", "0,2") if "timeline" in document else ("--time", "0")
+                    self.succeeds("shot", name, "--size", "160x100", *times, "-o", Path(folder) / "{time}.png")
+                    pictures = [Image.open(each).convert("RGB") for each in sorted(Path(folder).glob("*.png"))]
+                    for picture in pictures:
+                        self.assertTrue(shows_something(picture))
+                    self.assertEqual(len({each.tobytes() for each in pictures}), len(pictures))
+        self.assertEqual(sorted(set(seen)), ["lesson", "scene", "suite"])
+
+    def test_programs_in_the_readme_are_tried_where_the_library_is_installed(self):
+        """tests/end_to_end/install_test.sh compiles and runs these; other languages have none that would do so."""
+        languages = {each for each in re.findall(r"^```(\w+)$", README.read_text(), re.MULTILINE)}
+        self.assertEqual(languages, {"sh", "json", "cpp", "cmake"})
 
     def test_an_example_of_the_program_is_a_scene(self):
         self.assertIn("teapot", self.succeeds("help", "shot").decode())
