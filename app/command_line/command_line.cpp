@@ -147,7 +147,10 @@ const Option& Command::option(const std::string& names, std::string& value, cons
 
 const Option& Command::option(const std::string& names, std::vector<std::string>& values,
                               const std::string& help, const OptionRules& rules) {
-    return keep(*app_->add_option(names, values, help), rules);
+    CLI::Option* option = app_->add_option(names, values, help);
+    if (rules.offers.joined)
+        option->delimiter(',');
+    return keep(*option, rules);
 }
 
 const Option& Command::flag(const std::string& names, bool& value, const std::string& help,

@@ -87,7 +87,8 @@ public:
     const Option& option(const std::string& names, std::string& value, const std::string& help,
                          const OptionRules& rules = {});
 
-    /// May be given again: each value joins the others.
+    /// May be given again: each value joins the others. So do several with commas between them, where
+    /// offers.joined says so: of names that have none.
     const Option& option(const std::string& names, std::vector<std::string>& values, const std::string& help,
                          const OptionRules& rules = {});
 

@@ -47,7 +47,7 @@ void addMerge(CommandLine& line);
 /// What --help and the manual say of the commands declared so far beside their options: examples, formats.
 void addHelpSections(CommandLine& line);
 
-/// Prints "texshot: …" on standard error, a printable line, and returns `code`.
+/// Says what is wrong on standard error, and to who has asked for JSON (output/json_text.h). Returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);
 
 /// A text of several lines, or JSON, to standard output: printable (core/base/printable.h), its lines kept.

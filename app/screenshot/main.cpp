@@ -5,23 +5,27 @@
 #include "app/screenshot/gl/driver_crash.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
+#include "app/screenshot/output/output.h"
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/workers/work_loop.h"
-#include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <new>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::screenshot {
 
 ExitCode complain(const Error& error, ExitCode code) {
-    std::fprintf(stderr, "texshot: %s\n", printable(describe(error)).c_str());
+    say(error);
+    noteError(describe(error));
     return code;
 }
 
@@ -40,6 +44,38 @@ const std::vector<CommandGroup> groups{
     {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},
     {"About", {addDrivers}},
 };
+
+/// Whether the answer is to be JSON on standard output, as far as one sees before the line is understood:
+/// also a call that is wrong gets an answer.
+bool asksForJson(const CommandLine& line, std::span<char*> words) {
+    const auto isNamed = [](const auto& command, std::string_view word) { return command->name() == word; };
+    for (const std::string_view word : words) {
+        const auto command =
+            std::ranges::find_if(line.commands(), [&](const auto& each) { return isNamed(each, word); });
+        if (command == line.commands().end())
+            continue;
+        const auto json = std::ranges::find((*command)->options(), std::string("--json"), &Option::name);
+        const auto given = std::ranges::find(words, std::string_view("--json"));
+        if (json == (*command)->options().end() || given == words.end())
+            return false;
+        return json->isFlag() || (given + 1 != words.end() && isStandardOutput(*(given + 1)));
+    }
+    return false;
+}
+
+int perform(CommandLine& line, int argc, char** argv, std::chrono::steady_clock::time_point start) {
+    const Result<std::optional<std::string>> answer = line.parse(argc, argv);
+    if (!answer)
+        return complain(answer.error(), wrongCall);
+    if (*answer) {
+        const Result<void> printed = print(**answer);
+        return printed ? success : complain(printed.error());
+    }
+    const int status = line.run();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    tell(fmt::format("took {:.3f} s", time.count()));
+    return status;
+}
 
 } // namespace
 } // namespace texplorer::screenshot
@@ -66,7 +102,10 @@ int main(int argc, char** argv) {
         "counts once.\n"
         "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call, "
         "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\n"
-        "A file appears as a whole or not at all.\n"
+        "A file appears as a whole or not at all, its folder is made where it is missing, and no output takes the "
+        "place of an input or of another output.\n"
+        "An option without effect gets a note. Where a call with --json fails, the document has \"error\", the first "
+        "sentence on standard error.\n"
         "\"texshot help COMMAND\" explains each command.",
         sceneImageBytesText()));
     line.everywhere("--quiet", loudness().quiet,
@@ -83,22 +122,17 @@ int main(int argc, char** argv) {
     addHelpSections(line);
     line.addWords();
 
+    int status = failure;
     try {
-        const Result<std::optional<std::string>> answer = line.parse(argc, argv);
-        if (!answer)
-            return complain(answer.error(), wrongCall);
-        if (!*answer) {
-            const int status = line.run();
-            const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-            tell(fmt::format("took {:.3f} s", time.count()));
-            return status;
-        }
-        const Result<void> printed = print(**answer);
-        return printed ? success : complain(printed.error());
+        status = perform(line, argc, argv, start);
     } catch (const std::bad_alloc&) {
-        std::fputs("texshot: there is not enough memory for this\n", stderr);
-        return failure;
+        complain({ErrorCode::TooLarge, "there is not enough memory for this", {}});
     } catch (const std::exception& error) { // still one sentence and an exit status
-        return complain({ErrorCode::Unsupported, error.what(), {}});
+        complain({ErrorCode::Unsupported, error.what(), {}});
     }
+    const std::string error = errorText();
+    if (status != success && !error.empty() && !hasPrinted() &&
+        asksForJson(line, {argv, static_cast<std::size_t>(argc)}))
+        static_cast<void>(print(error));
+    return status;
 }

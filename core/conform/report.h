@@ -16,6 +16,12 @@ namespace texplorer::conform {
 /// Everything that the text says, and the tallies by shape.
 [[nodiscard]] std::string asJson(const Report& report);
 
+/// What the file with it is called in a report's folder.
+inline constexpr const char* reportName = "report.json";
+
+/// Whether a text is what asJson has written.
+[[nodiscard]] bool isReport(const std::string& json);
+
 /// What features there are, with the rules that they are held to.
 [[nodiscard]] std::string listing();
 /// The same for programs: "features", "rules" and "notCompared".

@@ -85,6 +85,12 @@ std::string asJson(const Report& report) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+bool isReport(const std::string& json) {
+    const Json document = Json::parse(json, nullptr, false);
+    return document.is_object() && document.contains("program") && document.contains("seed") &&
+           document.contains("pairs");
+}
+
 std::string listingJson() {
     Json json{{"features", Json::array()}, {"rules", Json::array()}, {"notCompared", Json::array()}};
     std::vector<const Rule*> used;

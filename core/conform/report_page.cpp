@@ -212,7 +212,7 @@ Result<std::vector<report::File>> asFolder(const Report& report) {
     }
     for (const MadeFile& file : madeFiles)
         files->push_back({std::string(file.name), bytesOf(file)});
-    files->push_back({"report.json", bytesOf(asJson(report))});
+    files->push_back({reportName, bytesOf(asJson(report))});
     return files;
 }
 

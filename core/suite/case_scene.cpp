@@ -11,6 +11,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace texplorer::suite {
 namespace {
 
@@ -94,6 +97,17 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
     return text;
 }
 
+std::vector<std::string> goldensOf(const GoldenFiles::ForDriver& files, const Case& of,
+                                   std::string_view driver) {
+    std::vector<std::string> goldens;
+    for (const std::string& pattern : files.patterns) {
+        const std::string name =
+            replaced(replaced(pattern, driverPlace, driver), "{picture}", of.pictureName);
+        goldens.push_back(replaced(name, "{case}", of.goldenName));
+    }
+    return goldens;
+}
+
 } // namespace
 
 Result<void> CaseScene::load() {
@@ -117,20 +131,18 @@ Result<CaseScene> openScene(const Plan& plan, const Case& of) {
 }
 
 std::vector<std::string> goldensOf(const Plan& plan, const Case& of, std::string_view rendererString) {
-    const auto* files = std::get_if<GoldenFiles>(&plan.settingsOf(of).golden);
+    if (const auto* files = std::get_if<GoldenFiles>(&plan.settingsOf(of).golden))
+        for (const GoldenFiles::ForDriver& each : files->drivers)
+            if (fitsGlob(each.driver, rendererString))
+                return goldensOf(each, of, driverSlug(rendererString));
+    return {};
+}
+
+std::vector<std::string> goldensOfAnyDriver(const Plan& plan, const Case& of) {
     std::vector<std::string> goldens;
-    if (!files)
-        return goldens;
-    for (const GoldenFiles::ForDriver& each : files->drivers) {
-        if (!fitsGlob(each.driver, rendererString))
-            continue;
-        for (const std::string& pattern : each.patterns) {
-            const std::string name = replaced(replaced(pattern, "{driver}", driverSlug(rendererString)),
-                                              "{picture}", of.pictureName);
-            goldens.push_back(replaced(name, "{case}", of.goldenName));
-        }
-        break;
-    }
+    if (const auto* files = std::get_if<GoldenFiles>(&plan.settingsOf(of).golden))
+        for (const GoldenFiles::ForDriver& each : files->drivers)
+            std::ranges::move(goldensOf(each, of, driverPlace), std::back_inserter(goldens));
     return goldens;
 }
 

@@ -25,10 +25,16 @@ struct CaseScene {
 /// A case's, with the edits of its entry and of its axes.
 [[nodiscard]] Result<CaseScene> openScene(const Plan& plan, const Case& of);
 
+/// In the name of a golden it stands for the driver.
+inline constexpr std::string_view driverPlace = "{driver}";
+
 /// What a case is held against on a driver: files that are accepted, whether they are there or not; empty:
 /// the reference. The first is the one that --update writes. Relative to the suite's folder.
 [[nodiscard]] std::vector<std::string> goldensOf(const Plan& plan, const Case& of,
                                                  std::string_view rendererString);
+
+/// The same of every driver, with driverPlace left in the names.
+[[nodiscard]] std::vector<std::string> goldensOfAnyDriver(const Plan& plan, const Case& of);
 
 /// Reads what an outcome depends on, each file once as long as it stays the same.
 class Fingerprints {

@@ -107,6 +107,7 @@ struct Suite {
     std::string name;             ///< "textures"
     std::string about;            ///< a sentence; may be empty
     std::filesystem::path folder; ///< what its names are relative to; empty: the current one
+    std::filesystem::path file{}; ///< that it was read from; empty: none
     std::vector<Entry> entries;
     bool operator==(const Suite&) const = default;
 };

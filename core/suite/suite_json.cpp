@@ -384,6 +384,7 @@ Result<Suite> readSuite(const std::filesystem::path& file) {
     if (!suite)
         return fail(suite.error().code, describe(suite.error()), file.string());
     suite->folder = file.parent_path();
+    suite->file = file;
     if (suite->name.empty()) {
         const std::string name = file.filename().string();
         suite->name = name.ends_with(suiteExtension) ? name.substr(0, name.size() - suiteExtension.size())

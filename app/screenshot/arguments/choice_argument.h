@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,11 +19,24 @@ namespace texplorer::screenshot {
     return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", names, found), option);
 }
 
+/// In small letters or capitals: "DXT1" is "dxt1".
+[[nodiscard]] inline bool isSameName(std::string_view a, std::string_view b) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, small, small);
+}
+
+/// nullptr: none has that name.
+[[nodiscard]] inline const EnumRow* findChoice(std::span<const EnumRow> rows, std::string_view name) {
+    const auto row =
+        std::ranges::find_if(rows, [name](const EnumRow& each) { return isSameName(each.name, name); });
+    return row != rows.end() ? &*row : nullptr;
+}
+
 /// One of the rows, by its name; `option` is named in the error.
 template<Enumerated E>
 [[nodiscard]] Result<E> parseChoice(std::string_view name, const char* option) {
     const std::span<const EnumRow> rows = EnumTable<E>::rows;
-    if (const EnumRow* row = findRow(rows, name))
+    if (const EnumRow* row = findChoice(rows, name))
         return static_cast<E>(row->value);
     return refuseChoice(listNames(rows), name, option);
 }

@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/criterion_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
 
 #include <fmt/core.h>
 
@@ -73,8 +74,7 @@ Result<Criterion> parseCriterion(const CriterionArgument& argument) {
     criterion.compared = argument.rgb ? Compared::Rgb : Compared::Rgba;
     criterion.pixelsPerDegree = argument.pixelsPerDegree;
     if (argument.givenPixelsPerDegree->isGiven() && *metric != Metric::Flip)
-        return fail(ErrorCode::OutOfRange, "has no effect here: it is for --metric flip",
-                    "--pixels-per-degree");
+        noteUnused("--pixels-per-degree", "it is for --metric flip");
     return criterion;
 }
 

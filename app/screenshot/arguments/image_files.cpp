@@ -7,6 +7,7 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
@@ -46,7 +47,7 @@ std::string formatNames() {
 
 Result<const CodecRow*> formatNamed(const std::string& name) {
     for (const CodecRow& row : codecRows())
-        if (row.encode && smallLetters(row.name) == smallLetters(name))
+        if (row.encode && isSameName(row.name, name))
             return &row;
     return refuseChoice(formatNames(), name, "--to");
 }
@@ -84,11 +85,13 @@ Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageForm
             fmt::format("expected IN OUT, or IN... -o DIR, found {}", countOf(files.files.size(), "file")));
     const std::string& in = files.files[0];
     const std::string& out = files.files[1];
-    if (format != nullptr && std::filesystem::path(out).has_extension())
-        return wrongImageCall("has no effect here: the extension of OUT says its format", "--to");
+    if (const CodecRow* named = codecForExtension(out);
+        format != nullptr && named != nullptr && named != format)
+        return wrongImageCall(fmt::format("expected the format of OUT, whose extension says {}, found {}",
+                                          named->name, format->name),
+                              "--to");
     if ((files.report || files.json) && isStandardOutput(out))
-        return wrongImageCall("has no effect here: standard output is the picture",
-                              files.json ? "--json" : "--report");
+        return standardOutputIsTaken(files.json ? "--json" : "--report");
     return std::vector{ImageJob{in, out, format != nullptr ? format : &usualFormat(in, formats)}};
 }
 
@@ -130,6 +133,17 @@ Result<std::vector<ImageJob>> planOfFolder(const ImageFiles& files, const ImageF
     return jobs;
 }
 
+Result<std::vector<ImageJob>> planInPlace(const ImageFiles& files) {
+    std::vector<ImageJob> jobs;
+    for (const std::string& in : files.files) {
+        const Result<const CodecRow*> format = imageFormatOf(in, {});
+        if (!format)
+            return fail(format.error());
+        jobs.push_back({in, in, *format});
+    }
+    return jobs;
+}
+
 Result<std::vector<ImageJob>> planOf(const ImageFiles& files, const ImageFormats& formats) {
     const CodecRow* format = nullptr;
     if (!files.format.empty()) {
@@ -138,7 +152,20 @@ Result<std::vector<ImageJob>> planOf(const ImageFiles& files, const ImageFormats
             return fail(named.error());
         format = *named;
     }
+    if (files.inPlace)
+        return planInPlace(files);
     return files.folder.empty() ? planOfTwo(files, formats, format) : planOfFolder(files, formats, format);
+}
+
+/// No image may take the place of one that is read, even of one that is read before.
+Result<void> checkImagesApart(const std::vector<ImageJob>& jobs, const char* option) {
+    std::vector<NamedOutput> outputs;
+    std::vector<std::string> inputs;
+    for (const ImageJob& each : jobs) {
+        outputs.push_back({option, each.out});
+        inputs.push_back(each.in);
+    }
+    return checkOutputsApart(outputs, inputs);
 }
 
 /// What is told of the pictures that were written, and of those that weren't.
@@ -199,27 +226,9 @@ struct WrittenImage {
     std::size_t bytes;
 };
 
-Result<void> makeFolder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return fail(ErrorCode::Unwritable, "can't be made: " + error.message(), folder);
-    return {};
-}
-
-/// In a folder, which is made where it is missing.
-Result<ImageOutput> openInFolder(const ImageJob& job, const std::string& folder) {
-    if (const Result<void> made = makeFolder(folder); !made)
-        return fail(made.error());
-    Result<Output> output = Output::open(job.out);
-    if (!output)
-        return fail(output.error());
-    return ImageOutput{*std::move(output), job.format, job.out};
-}
-
-/// `opened`: the output, where there is one; else it is a file of the folder.
+/// `opened`: the output, where there is one; else the job's is opened when there is something to write.
 Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOutput>& opened,
-                               const std::string& folder, const MakeImage& make) {
+                               const MakeImage& make) {
     Result<MadeImage> made = make(job.in);
     if (!made)
         return fail(made.error());
@@ -227,14 +236,10 @@ Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOut
     const Result<Bytes> bytes = format.encode(made->texture, made->options);
     if (!bytes)
         return fail(bytes.error().code, bytes.error().message, job.out);
-    std::optional<ImageOutput> ours;
-    if (!opened) {
-        Result<ImageOutput> inFolder = openInFolder(job, folder);
-        if (!inFolder)
-            return fail(inFolder.error());
-        ours = *std::move(inFolder);
-    }
-    if (const Result<void> written = (opened ? *opened : *ours).output.write(*bytes); !written)
+    const Result<void> written =
+        opened ? opened->output.write(*bytes)
+               : Output::open(job.out).and_then([&](const Output& output) { return output.write(*bytes); });
+    if (!written)
         return fail(written.error());
     return WrittenImage{*std::move(made), &format, bytes->size()};
 }
@@ -249,8 +254,8 @@ ExitCode printTold(const ImageFiles& files, const ToldImages& told) {
 
 } // namespace
 
-void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats, const std::string& in,
-                   const std::string& report) {
+const Option& addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
+                            const std::string& in, const std::string& report) {
     command.usage({"IN OUT", "IN... -o DIR"});
     std::string format;
     if (!formats.only.empty())
@@ -264,7 +269,7 @@ void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& form
             "for standard output, {}.",
             in, writtenExtensions(" or ", formats.only), format),
         {.required = true});
-    command.option(
+    const Option& out = command.option(
         "-o,--out", files.folder,
         "In the place of OUT: a folder that gets a file for each IN, of the same name with the extension "
         "of its format. One that fails is said, and the others go on.",
@@ -279,24 +284,29 @@ void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& form
         "--json", files.json,
         "The report as JSON, for programs: \"written\" (input, output, format, width, height, depth, faces, "
         "levels, bytes) and \"failed\" (input, error).");
+    return out;
 }
 
 ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const MakeImage& make,
-                    const CheckFormat& check) {
+                    const NoteFormat& note) {
     if (const Result<void> once = checkStandardInputOnce(
-            files.folder.empty() ? std::span(files.files).first(std::min<std::size_t>(files.files.size(), 1))
-                                 : std::span(files.files));
+            files.folder.empty() && !files.inPlace
+                ? std::span(files.files).first(std::min<std::size_t>(files.files.size(), 1))
+                : std::span(files.files));
         !once)
         return complain(once.error(), wrongCall);
     const Result<std::vector<ImageJob>> jobs = planOf(files, formats);
     if (!jobs)
         return complain(jobs.error(), wrongCall);
-    const bool alone = files.folder.empty();
-    if (!alone) {
+    const bool alone = files.folder.empty() && !files.inPlace;
+    const Result<void> apart =
+        files.inPlace ? Result<void>() : checkImagesApart(*jobs, alone ? "OUT" : "--out");
+    if (!apart)
+        return complain(apart.error(), wrongCall);
+    if (!files.folder.empty()) {
         if (const Result<void> possible = checkFolderWritable(files.folder); !possible)
             return complain(possible.error());
     }
-    // A format that doesn't fit is known before anything is read: that of the one output, or --to's of all.
     std::optional<ImageOutput> first;
     if (alone) {
         auto opened = openImageOutput(jobs->front().out, jobs->front().format->name, formats.only);
@@ -304,16 +314,13 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
             return opened.error();
         first = *std::move(opened);
     }
-    for (const ImageJob& job : *jobs) {
-        const Result<void> fits = check ? check(first ? *first->format : *job.format) : Result<void>();
-        if (!fits)
-            return complain(fits.error(), wrongCall);
-    }
+    if (note)
+        note(first ? *first->format : *jobs->front().format);
 
     ToldImages told;
     bool allDone = true;
     for (const ImageJob& job : *jobs) {
-        const Result<WrittenImage> done = makeImage(job, first, files.folder, make);
+        const Result<WrittenImage> done = makeImage(job, first, make);
         if (!done && done.error().code == ErrorCode::Cancelled)
             return complainInterrupted();
         if (!done) {

@@ -13,11 +13,12 @@
 
 namespace texplorer::screenshot {
 
-/// IN OUT, or IN... -o DIR: the files of a command that makes a picture of each.
+/// IN OUT, IN... -o DIR, or IN... --in-place: the files of a command that makes a picture of each.
 struct ImageFiles {
     std::vector<std::string> files;
-    std::string folder; ///< empty: the second of the files is the one to write
-    std::string format; ///< --to; empty: as the command chooses it
+    std::string folder;   ///< empty: the second of the files is the one to write
+    bool inPlace = false; ///< each is written in its own place
+    std::string format;   ///< --to; empty: as the command chooses it
     bool report = false;
     bool json = false;
 };
@@ -29,9 +30,9 @@ struct ImageFormats {
     bool named = false;          ///< in a folder --to has to say it
 };
 
-/// Declares IN, OUT, -o, --to, --report and --json. `report`: what --report prints.
-void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats, const std::string& in,
-                   const std::string& report);
+/// Declares IN, OUT, -o, --to, --report and --json; -o is what it returns. `report`: what --report prints.
+const Option& addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
+                            const std::string& in, const std::string& report);
 
 /// What a command makes of an image, and how it is written.
 struct MadeImage {
@@ -43,12 +44,12 @@ struct MadeImage {
 /// Cancelled stops all that would follow.
 using MakeImage = std::function<Result<MadeImage>(const std::string& in)>;
 
-/// Whether options fit the format that is to be written.
-using CheckFormat = std::function<Result<void>(const CodecRow& format)>;
+/// Says which options have no effect with the format that is to be written.
+using NoteFormat = std::function<void(const CodecRow& format)>;
 
 /// Makes and writes one after the other. What is wrong with the call is said before anything is read; one
 /// that fails is said, and the others go on.
 [[nodiscard]] ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const MakeImage& make,
-                                  const CheckFormat& check = {});
+                                  const NoteFormat& note = {});
 
 } // namespace texplorer::screenshot

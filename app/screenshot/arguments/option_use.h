@@ -1,20 +1,21 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/output/messages.h"
 #include "core/base/result.h"
 
 #include <string>
 
 namespace texplorer::screenshot {
 
-/// An option that changes nothing is a mistake about what it does. `why`: "it is for TGA files".
-[[nodiscard]] inline tl::unexpected<Error> unusedOption(const std::string& option, const std::string& why) {
-    return fail(ErrorCode::OutOfRange, "has no effect here: " + why, option);
+/// An option that changes nothing here gets a note and is no error, so that a loop over renderers or formats
+/// goes on. `why`: "it is for TGA files". What can't be done as it was asked for is an error of its own.
+inline void noteUnused(const std::string& option, const std::string& why) {
+    warn({ErrorCode::OutOfRange, "has no effect here: " + why, option});
 }
 
-/// The same, said.
-inline ExitCode refuseUnused(const std::string& option, const std::string& why) {
-    return complain(unusedOption(option, why).value(), wrongCall);
+/// What prints its answer for programs can't write a picture there, too.
+[[nodiscard]] inline tl::unexpected<Error> standardOutputIsTaken(const std::string& option) {
+    return fail(ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", option);
 }
 
 } // namespace texplorer::screenshot

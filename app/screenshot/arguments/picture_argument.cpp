@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/picture_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/each_of_list.h"
 #include "app/screenshot/arguments/option_use.h"
 
 #include <fmt/core.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <type_traits>
 
 namespace texplorer::screenshot {
 namespace {
@@ -17,26 +17,6 @@ constexpr int maxExtent = 16384; // what Mesa's llvmpipe can draw into
 
 std::string asArgument(view::Size size) {
     return fmt::format("{}x{}", size.width, size.height);
-}
-
-/// What `parse` makes of each part between commas.
-template<class Parse>
-auto parseEach(std::string_view text, const char* option, const Parse& parse)
-    -> Result<std::vector<typename std::invoke_result_t<Parse, std::string_view>::value_type>> {
-    std::vector<typename std::invoke_result_t<Parse, std::string_view>::value_type> values;
-    for (bool more = true; more;) {
-        const std::size_t end = std::min(text.find(','), text.size());
-        more = end < text.size(); // a comma at the end asks for one more
-        const auto value = parse(text.substr(0, end));
-        if (!value)
-            return fail(value.error());
-        if (std::ranges::find(values, *value) != values.end())
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected each once, found \"{}\" twice", text.substr(0, end)), option);
-        values.push_back(*value);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return values;
 }
 
 } // namespace
@@ -90,10 +70,9 @@ Result<std::vector<double>> parseTimes(std::string_view text) {
     return parseEach(text, "--time", parseTime);
 }
 
-Result<void> checkAnisotropyUse(const PictureArgument& argument, bool referenceDraws) {
-    if (referenceDraws || !argument.anisotropyOption->isGiven())
-        return {};
-    return unusedOption("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
+void noteAnisotropyUse(const PictureArgument& argument, bool referenceDraws) {
+    if (!referenceDraws && argument.anisotropyOption->isGiven())
+        noteUnused("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
 }
 
 Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {

@@ -31,8 +31,8 @@ void addPictureArgument(Command& command, PictureArgument& argument, Several sev
                                                                 view::Size smallest = {1, 1});
 [[nodiscard]] Result<std::vector<double>> parseTimes(std::string_view text);
 
-/// Refuses --anisotropy where it changes nothing: where the reference draws nothing.
-[[nodiscard]] Result<void> checkAnisotropyUse(const PictureArgument& argument, bool referenceDraws);
+/// A note where --anisotropy changes nothing: where the reference draws nothing.
+void noteAnisotropyUse(const PictureArgument& argument, bool referenceDraws);
 
 [[nodiscard]] Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text);
 

@@ -1,18 +1,24 @@
 #include "app/screenshot/arguments/renderer_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/each_of_list.h"
 #include "app/screenshot/arguments/option_use.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace texplorer::screenshot {
 
-void addRendererArgument(Command& command, RendererArgument& argument, const std::string& orElse) {
-    argument.rendererOption =
-        &command.option("--renderer", argument.renderer,
-                        fmt::format("The renderer that draws the scene, one of {}.",
-                                    listNames(EnumTable<RendererKind>::rows)),
-                        {.value = "RENDERER", .showsDefault = true, .offers = {choiceNames<RendererKind>}});
+void addRendererArgument(Command& command, RendererArgument& argument, Several several,
+                         const std::string& orElse) {
+    const bool joined = several == Several::Yes;
+    argument.rendererOption = &command.option(
+        "--renderer", argument.renderer,
+        fmt::format("The renderer that draws the scene, one of {}.{}",
+                    listNames(EnumTable<RendererKind>::rows),
+                    joined ? " Of several, with commas: a picture for each." : ""),
+        {.value = "RENDERER", .showsDefault = true, .offers = {choiceNames<RendererKind>, joined}});
     argument.shadersOption = &command.option(
         "--shaders", argument.shaders,
         fmt::format(
@@ -25,35 +31,35 @@ void addRendererArgument(Command& command, RendererArgument& argument, const std
                    {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
 }
 
-Result<void> putRenderer(const RendererArgument& argument, ShotRequest& request) {
-    const Result<RendererKind> renderer = parseChoice<RendererKind>(argument.renderer, "--renderer");
-    if (!renderer)
-        return fail(renderer.error());
+Result<std::vector<RendererKind>> parseRenderers(std::string_view text, const char* option) {
+    return parseEach(text, option,
+                     [option](std::string_view each) { return parseChoice<RendererKind>(each, option); });
+}
+
+Result<void> putContext(const RendererArgument& argument, ShotRequest& request) {
     const Result<view::Pretence> pretence = view::Pretence::parse(argument.pretended);
     if (!pretence)
         return fail(pretence.error());
     const Result<view::ContextChoice> context = parseContext(argument.context);
     if (!context)
         return fail(context.error());
-    request.renderer = *renderer;
     request.pretence = *pretence;
     request.context = *context;
     request.shaders = argument.shaders;
     return {};
 }
 
-Result<void> checkRendererUse(const RendererArgument& argument, const ShotRequest& request,
-                              const std::string& orElse) {
-    if (request.window)
-        return {};
-    if (argument.shadersOption->isGiven() && request.renderer != RendererKind::Shader)
-        return unusedOption("--shaders", "it is for --renderer shader" + orElse);
-    const bool reference = request.renderer == RendererKind::Reference;
-    if (!argument.pretended.empty() && reference)
-        return unusedOption("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
-    if (argument.context.option->isGiven() && reference)
-        return unusedOption("--context", "it is about OpenGL, which the reference doesn't ask");
-    return {};
+void noteRendererUse(const RendererArgument& argument, std::span<const RendererKind> renderers,
+                     const std::string& orElse) {
+    if (argument.shadersOption->isGiven() &&
+        std::ranges::find(renderers, RendererKind::Shader) == renderers.end())
+        noteUnused("--shaders", "it is for --renderer shader" + orElse);
+    const bool asksOpenGl = std::ranges::any_of(
+        renderers, [](RendererKind renderer) { return renderer != RendererKind::Reference; });
+    if (!argument.pretended.empty() && !asksOpenGl)
+        noteUnused("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
+    if (argument.context.option->isGiven() && !asksOpenGl)
+        noteUnused("--context", "it is about OpenGL, which the reference doesn't ask");
 }
 
 } // namespace texplorer::screenshot

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "app/screenshot/arguments/context_argument.h"
+#include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::screenshot {
@@ -21,13 +24,17 @@ struct RendererArgument {
 
 /// Declares --renderer, --shaders, --context and --pretend. `orElse`: what uses the shaders beside their
 /// renderer, " or --ui".
-void addRendererArgument(Command& command, RendererArgument& argument, const std::string& orElse = {});
+void addRendererArgument(Command& command, RendererArgument& argument, Several several = Several::No,
+                         const std::string& orElse = {});
 
-/// What it says, put into a request. The error is a wrong call.
-[[nodiscard]] Result<void> putRenderer(const RendererArgument& argument, ShotRequest& request);
+/// With commas between them, each once; `option` is named in the error.
+[[nodiscard]] Result<std::vector<RendererKind>> parseRenderers(std::string_view text, const char* option);
 
-/// Refuses those of them that change nothing with this request.
-[[nodiscard]] Result<void> checkRendererUse(const RendererArgument& argument, const ShotRequest& request,
-                                            const std::string& orElse = {});
+/// What it says, put into a request, all but the renderer. The error is a wrong call.
+[[nodiscard]] Result<void> putContext(const RendererArgument& argument, ShotRequest& request);
+
+/// A note for those of them that change nothing where these renderers draw; a window has all of them.
+void noteRendererUse(const RendererArgument& argument, std::span<const RendererKind> renderers,
+                     const std::string& orElse = {});
 
 } // namespace texplorer::screenshot

@@ -1,5 +1,11 @@
 #include "app/screenshot/arguments/request_argument.h"
 
+#include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/output/outputs_apart.h"
+
+#include <algorithm>
+#include <iterator>
+
 namespace texplorer::screenshot {
 
 Result<ShotRequest> requestOf(const PictureArgument& picture, const RendererArgument& renderer) {
@@ -10,8 +16,12 @@ Result<ShotRequest> requestOf(const PictureArgument& picture, const RendererArgu
     const Result<double> time = parseTime(picture.time);
     if (!time)
         return fail(time.error());
-    if (const Result<void> put = putRenderer(renderer, request); !put)
+    const Result<RendererKind> kind = parseChoice<RendererKind>(renderer.renderer, "--renderer");
+    if (!kind)
+        return fail(kind.error());
+    if (const Result<void> put = putContext(renderer, request); !put)
         return fail(put.error());
+    request.renderer = *kind;
     const Result<reference::AnisotropyMethod> anisotropy = parseAnisotropy(picture.anisotropy);
     if (!anisotropy)
         return fail(anisotropy.error());
@@ -19,12 +29,16 @@ Result<ShotRequest> requestOf(const PictureArgument& picture, const RendererArgu
     request.time = *time;
     request.anisotropy = *anisotropy;
     request.levels.cache = BlockCache::ofUser();
-    const bool reference = request.renderer == RendererKind::Reference;
-    if (const Result<void> used = checkAnisotropyUse(picture, reference); !used)
-        return fail(used.error());
-    if (const Result<void> used = checkRendererUse(renderer, request); !used)
-        return fail(used.error());
+    noteAnisotropyUse(picture, request.renderer == RendererKind::Reference);
+    noteRendererUse(renderer, {&request.renderer, 1});
     return request;
+}
+
+Result<void> checkPicturesApart(std::span<const std::string> names, const SceneArgument& scene,
+                                const OpenedScene& opened, const RendererArgument& renderer) {
+    std::vector<std::string> read = filesOf(scene, opened);
+    std::ranges::move(filesIn(renderer.shaders), std::back_inserter(read));
+    return checkOutputsApart(outputsOf("--out", names), read);
 }
 
 } // namespace texplorer::screenshot

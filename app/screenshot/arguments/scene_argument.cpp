@@ -111,25 +111,17 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
 
 } // namespace
 
-namespace {
-
-std::vector<std::string> imageFilesIn(const Scene& scene, const ImageSource& images) {
+std::vector<std::string> imageFilesOf(const Scene& scene, const ImageSource& images) {
     std::vector<std::string> files;
-    const auto add = [&](const std::string& file) {
-        if (!file.empty() && !images.fileInMemory(file))
-            files.push_back((images.directory() / file).string());
-    };
-    for (const FileName& named : fileNamesOf(scene)) {
-        add(named.file);
-        for (const KeyFrame& key : scene.timeline.keys)
-            if (key.path == named.path)
-                add(key.value);
-    }
+    for (const FileName& named : fileNamesOf(scene))
+        if (!named.file.empty() && !images.fileInMemory(named.file))
+            files.push_back((images.directory() / named.file).string());
     return files;
 }
 
-/// What any of its steps reads.
 std::vector<std::string> filesOfLesson(const lesson::LessonFolder& folder) {
+    if (folder.path().empty()) // one of the program's
+        return {};
     std::vector<std::string> files{(folder.path() / lesson::lessonFileName).string()};
     for (const ui::LanguageRow& row : ui::languageRows)
         files.push_back((folder.path() / ui::catalogueFileOf(row.language)).string());
@@ -144,8 +136,6 @@ std::vector<std::string> filesOfLesson(const lesson::LessonFolder& folder) {
     }
     return files;
 }
-
-} // namespace
 
 std::vector<Assigned> assignedParams() {
     std::vector<Assigned> assigned;
@@ -190,10 +180,11 @@ const Option& addSceneArgument(Command& command, SceneArgument& argument, std::v
                     .oneEach = true,
                     .check = checkAssignment,
                     .offers = {.assigned = assignedParams}});
-    command.option("--preset", argument.presets,
-                   "What a textbook shows of a setting, as in alpha-test, after every --set. May be given "
-                   "again; \"texshot presets\" lists them.",
-                   {.value = "PRESET", .oneEach = true, .offers = {[] { return namesIn(presets()); }}});
+    command.option(
+        "--preset", argument.presets,
+        "What a textbook shows of a setting, as in alpha-test, after every --set; or several, with "
+        "commas. May be given again; \"texshot presets\" lists them.",
+        {.value = "PRESET", .oneEach = true, .offers = {[] { return namesIn(presets()); }, true}});
     return file;
 }
 
@@ -251,19 +242,12 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
     return opened;
 }
 
-std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened) {
-    std::vector<std::string> files = imageFilesIn(opened.scene, opened.images);
-    if (!argument.lesson.empty())
-        if (const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson);
-            folder && !folder->path().empty())
-            std::ranges::move(filesOfLesson(*folder), std::back_inserter(files));
-    return files;
-}
-
 std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened) {
-    std::vector<std::string> files = imageFilesOf(argument, opened);
-    if (!argument.file.empty())
-        files.push_back(isStandardInput(argument.file) ? "/dev/stdin" : argument.file);
+    std::vector<std::string> files = imageFilesOf(opened.scene, opened.images);
+    if (!argument.lesson.empty())
+        if (const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson))
+            std::ranges::move(filesOfLesson(*folder), std::back_inserter(files));
+    files.push_back(argument.file);
     return files;
 }
 

@@ -58,11 +58,15 @@ struct SceneProblem {
 
 [[nodiscard]] tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument);
 
-/// The image files that an opened scene names, used or not, also those that its key frames name; of a
-/// lesson's folder all that its steps read. No picture or program may take their place.
-[[nodiscard]] std::vector<std::string> imageFilesOf(const SceneArgument& argument, const OpenedScene& opened);
-/// With the scene's own file, or what standard input comes from.
+/// What no output may take the place of: the scene's own file, and the image files that it names, used or
+/// not, also those that its key frames name; of a lesson's folder all that its steps read.
 [[nodiscard]] std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScene& opened);
+
+/// The image files that a scene names.
+[[nodiscard]] std::vector<std::string> imageFilesOf(const Scene& scene, const ImageSource& images);
+
+/// What any step of a lesson in a folder reads.
+[[nodiscard]] std::vector<std::string> filesOfLesson(const lesson::LessonFolder& folder);
 
 /// What it is called in names of files, "{scene}": the example's, the lesson's with its step, the file's
 /// without folder and extension.

@@ -2,6 +2,7 @@
 
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/picture_argument.h"
+#include "app/screenshot/arguments/renderer_argument.h"
 
 #include <fmt/core.h>
 
@@ -25,7 +26,7 @@ std::string namesOf(const Rows& rows) {
 template<class Rows>
 Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view name, const char* option) {
     for (const auto& row : rows) {
-        if (row.name == name)
+        if (isSameName(row.name, name))
             return row;
     }
     return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", namesOf(rows), name),
@@ -102,21 +103,10 @@ Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
 /// "fixed,reference"
 Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
     constexpr const char* option = "--compare";
-    std::vector<RendererKind> renderers;
-    for (bool more = !text.empty(); more;) {
-        const std::size_t end = std::min(text.find(','), text.size());
-        more = end < text.size(); // a comma at the end asks for one more
-        const Result<RendererKind> renderer = parseChoice<RendererKind>(text.substr(0, end), option);
-        if (!renderer)
-            return fail(renderer.error());
-        if (std::ranges::find(renderers, *renderer) != renderers.end())
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected each renderer once, found \"{}\" twice", text.substr(0, end)),
-                        option);
-        renderers.push_back(*renderer);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    if (renderers.size() == 1)
+    if (text.empty())
+        return std::vector<RendererKind>();
+    Result<std::vector<RendererKind>> renderers = parseRenderers(text, option);
+    if (renderers && renderers->size() == 1)
         return fail(ErrorCode::OutOfRange, "expected two renderers or more, found one", option);
     return renderers;
 }

@@ -83,7 +83,7 @@ Result<void> putMoves(const AnimateOptions& options, const std::vector<std::stri
     if (!easing)
         return fail(easing.error());
     if (moves.empty() && options.easingOption->isGiven())
-        return unusedOption("--easing", "it is for parameters that --set moves");
+        noteUnused("--easing", "it is for parameters that --set moves");
     Scene& scene = motion.opened.scene;
     for (const std::string& move : moves) {
         if (Result<void> put = putMove(scene, move, {motion.request.time, motion.seconds, *easing}); !put)
@@ -234,9 +234,9 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
                                 format.name, width, height),
                     "--size");
     if (!options.quality.empty() && format.format != animation::Format::WebP)
-        return unusedOption("--quality", "it is for WebP, the others lose nothing by choice");
+        noteUnused("--quality", "it is for WebP, the others lose nothing by choice");
     if (options.withoutMetadata && format.format != animation::Format::Apng)
-        return unusedOption("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it is for PNG files");
     return {};
 }
 
@@ -289,7 +289,8 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
                             wrongCall);
         settings.quality = static_cast<float>(*quality);
     }
-    if (const Result<void> apart = checkNotRead("--out", {&out, 1}, filesOf(options.scene, motion.opened));
+    if (const Result<void> apart =
+            checkPicturesApart({&out, 1}, options.scene, motion.opened, options.renderer);
         !apart)
         return complain(apart.error(), wrongCall);
     Result<Output> output = Output::open(out);
@@ -298,7 +299,7 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
     const std::vector<double> times = timesOf(options, motion);
     std::vector<int> durations = durationsFor(motion, times.size(), settings, *format);
     const ShotList list({{nameOf(options.scene), options.scene.file, motion.opened, {}}},
-                        {motion.request.size}, times);
+                        {{motion.request.renderer}, {motion.request.size}, times});
     return drawAnimation({list, std::move(durations), format->format, std::move(settings),
                           std::move(motion.request), *std::move(output),
                           format->format == animation::Format::Apng && !options.withoutMetadata});
@@ -306,25 +307,25 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
 
 ExitCode animateIntoFiles(const AnimateOptions& options, const Motion& motion, const FileNames& name) {
     if (!options.quality.empty())
-        return refuseUnused("--quality", "it is for WebP");
+        noteUnused("--quality", "it is for WebP");
     if (options.playsOption->isGiven())
-        return refuseUnused("--loop", "single pictures don't say how often they are shown");
+        noteUnused("--loop", "single pictures don't say how often they are shown");
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
     if (options.withoutMetadata && (*format)->name != "PNG")
-        return refuseUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it is for PNG files");
     const std::vector<double> times = timesOf(options, motion);
     const ShotList list({{nameOf(options.scene), options.scene.file, motion.opened, {}}},
-                        {motion.request.size}, times);
+                        {{motion.request.renderer}, {motion.request.size}, times});
     std::vector<std::string> names;
     for (std::size_t i = 1; i <= times.size(); ++i)
         names.push_back(name.at(i));
-    if (const Result<void> apart = checkNotRead("--out", names, filesOf(options.scene, motion.opened));
+    if (const Result<void> apart = checkPicturesApart(names, options.scene, motion.opened, options.renderer);
         !apart)
         return complain(apart.error(), wrongCall);
     NewFolders made;
-    if (const Result<void> writable = checkPlaces(names, &made); !writable)
+    if (const Result<void> writable = checkPlaces(names, made); !writable)
         return complain(writable.error());
     return drawAll({list, std::move(names), *format, motion.request, !options.withoutMetadata});
 }

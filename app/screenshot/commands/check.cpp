@@ -87,9 +87,7 @@ std::string findingsText(const std::vector<Finding>& findings, const std::vector
     return text;
 }
 
-/// `error`: why there are no findings of this scene; empty: there are.
-std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>& notes,
-                   const std::string& error = {}) {
+std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>& notes) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Finding& each : findings) {
         nlohmann::ordered_json entry{{"severity", rowOf(each.severity).name},
@@ -107,22 +105,13 @@ std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>
     nlohmann::ordered_json noted = nlohmann::ordered_json::array();
     for (const Note& each : notes)
         noted.push_back({{"path", each.path}, {"sentence", each.sentence}});
-    nlohmann::ordered_json document;
-    if (!error.empty())
-        document["error"] = error;
-    document["findings"] = std::move(list);
-    document["notes"] = std::move(noted);
-    return documentText(document);
+    return documentText({{"findings", std::move(list)}, {"notes", std::move(noted)}});
 }
 
 ExitCode check(const Options& options) {
     auto opened = openScene(options.scene);
-    if (!opened) {
-        const auto& [error, code] = opened.error();
-        const Result<void> printed =
-            options.json && code == failure ? print(asJson({}, {}, describe(error))) : Result<void>();
-        return printed ? complain(error, code) : complain(printed.error());
-    }
+    if (!opened)
+        return complain(opened.error().error, opened.error().code);
     const std::vector<Error> reasons = opened->images.loadOutlines(opened->scene);
     std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
     for (const Error& reason : reasons) {
@@ -149,7 +138,7 @@ void addCheck(CommandLine& line) {
     command.flag(
         "--json", options->json,
         "As JSON, for programs: \"findings\" (severity, rule, path, sentence, and of \"fixes\" label and "
-        "set) and \"notes\" (path, sentence); where the scene can't be read \"error\", too.");
+        "set) and \"notes\" (path, sentence).");
     command.footer(
         "A line for each finding on standard output, errors first, and below it each way to mend it; then "
         "a note for each oddity of an image's file that is survived. Of the images, the headers are read.\n"

@@ -1,11 +1,13 @@
 #include "app/screenshot/arguments/criterion_argument.h"
 #include "app/screenshot/arguments/input.h"
+#include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
 #include "core/compare/comparison.h"
@@ -33,6 +35,7 @@ constexpr ExitCode picturesUnknown = wrongCall;
 struct CompareOptions {
     std::string expected;
     std::string actual;
+    std::vector<std::string> pictures; ///< both, where they have no names
     CriterionArgument criterion;
     std::string out;
     bool json = false;
@@ -129,7 +132,7 @@ int report(const CompareOptions& options, const std::optional<ImageOutput>& outp
             return complain(written.error(), picturesUnknown);
     if (output && !comparison.sameSize())
         comparison.sentence += "; so there is no picture of the difference";
-    if (options.out != "-") {
+    if (!isStandardOutput(options.out)) {
         const Result<void> printed =
             print(options.json ? comparisonJson(options, comparison, note)
                                : comparison.sentence + (note.empty() ? "" : "; " + note) + "\n");
@@ -163,18 +166,35 @@ Result<Pictures> readPictures(const CompareOptions& options) {
     return pictures;
 }
 
-int comparePictureFiles(const CompareOptions& options) {
+/// Both by their names, or both without.
+Result<CompareOptions> named(CompareOptions options) {
+    const bool isNamed = !options.expected.empty() || !options.actual.empty();
+    if (isNamed ? !options.pictures.empty() || options.expected.empty() || options.actual.empty()
+                : options.pictures.size() != 2)
+        return fail(ErrorCode::OutOfRange,
+                    "expected two pictures: EXPECTED ACTUAL, or --expected FILE --actual FILE");
+    if (!isNamed) {
+        options.expected = options.pictures[0];
+        options.actual = options.pictures[1];
+    }
+    return options;
+}
+
+int comparePictureFiles(const CompareOptions& given) {
+    const Result<CompareOptions> both = named(given);
+    if (!both)
+        return complain(both.error(), wrongCall);
+    const CompareOptions& options = *both;
     const Result<Criterion> criterion = parseCriterion(options.criterion);
     if (!criterion)
         return complain(criterion.error(), wrongCall);
-    if (options.json && options.out == "-")
-        return complain(
-            {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
-            wrongCall);
+    if (options.json && isStandardOutput(options.out))
+        return complain(standardOutputIsTaken("--json").value(), wrongCall);
     const std::vector<std::string> inputs{options.expected, options.actual, options.criterion.mask};
     if (const Result<void> once = checkStandardInputOnce(inputs); !once)
         return complain(once.error(), wrongCall);
-    if (const Result<void> other = checkOutputsApart({{"--out", options.out}}, inputs); !other)
+    if (const Result<void> other = checkOutputsApart(std::array{NamedOutput{"--out", options.out}}, inputs);
+        !other)
         return complain(other.error(), wrongCall);
     std::optional<ImageOutput> output;
     if (!options.out.empty()) {
@@ -216,10 +236,13 @@ std::string citations() {
 void addCompare(CommandLine& line) {
     Command& command = line.command("compare", "Whether two pictures are alike, and what differs where.");
     auto options = std::make_shared<CompareOptions>();
-    command.option("EXPECTED", options->expected,
-                   "The picture as it should be: any format that Texplorer reads; - for standard input.",
-                   {.required = true});
-    command.option("ACTUAL", options->actual, "The picture as it is.", {.required = true});
+    command.usage({"EXPECTED ACTUAL", "--expected FILE --actual FILE"});
+    command.option(
+        "FILE", options->pictures,
+        "The picture as it should be, then the one as it is: any format that Texplorer reads; - for "
+        "standard input.");
+    command.option("--expected", options->expected, "The picture as it should be.", {.value = "FILE"});
+    command.option("--actual", options->actual, "The picture as it is.", {.value = "FILE"});
     addCriterionArgument(command, options->criterion);
     command.option(
         "-o,--out", options->out,

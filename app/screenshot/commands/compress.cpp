@@ -11,12 +11,13 @@
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/texture_levels.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace texplorer::screenshot {
 namespace {
@@ -40,6 +41,30 @@ constexpr std::array formats{
     row(BlockFormat::Bc4, "bc4", "", ""),   row(BlockFormat::Bc5, "bc5", "", ""),
 };
 
+/// The names that others gave them: Direct3D 10, ATI and OpenGL's extensions.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> otherNames{{{"bc1", "dxt1"},
+                                                                                   {"bc1a", "dxt1a"},
+                                                                                   {"bc2", "dxt3"},
+                                                                                   {"bc3", "dxt5"},
+                                                                                   {"ati1", "bc4"},
+                                                                                   {"ati2", "bc5"},
+                                                                                   {"rgtc1", "bc4"},
+                                                                                   {"rgtc2", "bc5"}}};
+
+const EnumRow* formatNamed(std::string_view name) {
+    for (const auto& [other, format] : otherNames)
+        if (isSameName(name, other))
+            return findRow(formats, format);
+    return findChoice(formats, name);
+}
+
+std::vector<std::string> formatChoices() {
+    std::vector<std::string> names = namesIn(formats);
+    for (const auto& [other, format] : otherNames)
+        names.emplace_back(other);
+    return names;
+}
+
 /// What --mips accepts: every filter, and none.
 constexpr std::string_view noMips = "none";
 std::string mipNames() {
@@ -61,17 +86,17 @@ struct Choices {
 
 Result<Choices> choicesOf(const CompressOptions& options) {
     Choices choices;
-    const EnumRow* format = findRow(formats, options.format);
+    const EnumRow* format = formatNamed(options.format);
     if (!format)
-        return refuseChoice(listNames(formats), options.format, "--format");
+        return refuseChoice(fmt::format("{}", fmt::join(formatChoices(), ", ")), options.format, "--format");
     choices.format = static_cast<BlockFormat>(format->value);
     const Result<EncodeQuality> quality = parseChoice<EncodeQuality>(options.quality, "--quality");
     if (!quality)
         return fail(quality.error());
     choices.quality = *quality;
-    if (options.mips == noMips)
+    if (isSameName(options.mips, noMips))
         return choices;
-    const EnumRow* filter = findRow(mipFilterRows, options.mips);
+    const EnumRow* filter = findChoice(mipFilterRows, options.mips);
     if (!filter)
         return refuseChoice(mipNames(), options.mips, "--mips");
     choices.mips = static_cast<MipFilter>(filter->value);
@@ -172,7 +197,7 @@ ExitCode run(const CompressOptions& options) {
     if (!choices)
         return complain(choices.error(), wrongCall);
     if (options.gamma && !choices->mips && !options.powerOfTwo)
-        return refuseUnused("--gamma", "it is for mip levels and --power-of-two, and there is neither");
+        noteUnused("--gamma", "it is for mip levels and --power-of-two, and there is neither");
     return makeImages(options.files, compressFormats,
                       [&](const std::string& in) { return compressFile(in, options, *choices); });
 }
@@ -186,8 +211,11 @@ void addCompress(CommandLine& line) {
     addImageFiles(command, options->files, compressFormats, "The picture: any format that Texplorer reads",
                   "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
                   "against the base level and against uncompressed pixels.");
-    command.option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.",
-                   {.value = "FORMAT", .required = true, .offers = {[] { return namesIn(formats); }}});
+    command.option(
+        "--format", options->format,
+        "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5; also as bc1, bc1a, bc2, bc3, ati1 or rgtc1, ati2 or "
+        "rgtc2.",
+        {.value = "FORMAT", .required = true, .offers = {formatChoices}});
     command.option("--quality", options->quality,
                    "fast, normal or best: from tens of megatexels a second to half a one.",
                    {.value = "QUALITY", .offers = {choiceNames<EncodeQuality>}});

@@ -168,10 +168,30 @@ Result<conform::Selection> selectionOf(const ConformOptions& options) {
     return selection;
 }
 
+/// What a report takes the place of must be a report's: the folder is new, has none of its files, or has one.
+Result<void> checkReportFolder(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+    std::error_code ignored;
+    const auto taken = std::ranges::find_if(
+        names, [&](const std::string& name) { return std::filesystem::exists(folder / name, ignored); });
+    const Result<std::string> there = readText(folder / conform::reportName);
+    if (taken == names.end() || (there && conform::isReport(*there)))
+        return {};
+    return fail(ErrorCode::Unwritable,
+                fmt::format("expected a new folder or one with a report of texshot conform, found \"{}\" of "
+                            "something else",
+                            *taken),
+                folder.string());
+}
+
 Result<void> writeFolder(const std::filesystem::path& folder, const conform::Report& report) {
     const Result<std::vector<report::File>> files = conform::asFolder(report);
     if (!files)
         return fail(files.error());
+    std::vector<std::string> names;
+    for (const report::File& file : *files)
+        names.push_back(file.name);
+    if (Result<void> ours = checkReportFolder(folder, names); !ours)
+        return ours;
     std::vector<FileContent> contents;
     for (const report::File& file : *files)
         contents.push_back({file.name, file.bytes});
@@ -183,7 +203,7 @@ ExitCode conformTo(const ConformOptions& options) {
     if (options.list) {
         for (const Option* option : options.notListing)
             if (option->isGiven())
-                return refuseUnused(option->name(), "--list compares nothing");
+                noteUnused(option->name(), "--list compares nothing");
         const std::string text = options.json ? conform::listingJson() : conform::listing();
         const Result<void> written = print(text);
         return written ? success : complain(written.error());
@@ -194,7 +214,7 @@ ExitCode conformTo(const ConformOptions& options) {
     const bool shaders =
         std::ranges::any_of(*pairs, [](const conform::Pair& pair) { return pair.has(RendererKind::Shader); });
     if (options.shadersOption->isGiven() && !shaders)
-        return refuseUnused("--shaders", "it is for the shader renderer, which is not compared");
+        noteUnused("--shaders", "it is for the shader renderer, which is not compared");
     const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
     if (!pretence)
         return complain(pretence.error(), wrongCall);
@@ -207,6 +227,8 @@ ExitCode conformTo(const ConformOptions& options) {
     if (!options.folder.empty()) {
         if (const Result<void> possible = checkFolderWritable(options.folder); !possible)
             return complain(possible.error());
+        if (const Result<void> ours = checkReportFolder(options.folder, report::pageFileNames()); !ours)
+            return complain(ours.error());
     }
 
     const std::string settings = askMesaForPrecision();
@@ -262,14 +284,14 @@ void addConform(CommandLine& line) {
     command.option("--against", options->against,
                    fmt::format("The renderer to compare it with, {}.", renderers),
                    {.value = "RENDERER", .offers = {choiceNames<RendererKind>}});
-    command.option("--feature", options->features, "Only these features; --list names them.",
-                   {.value = "FEATURE", .offers = {[] { return namesIn(conform::features()); }}});
+    command.option("--feature", options->features, "Only these features, with commas; --list names them.",
+                   {.value = "FEATURE", .offers = {[] { return namesIn(conform::features()); }, true}});
     command.number(
         "--scenes", options->scenes, 1, 100000,
         fmt::format("How many, shared out among the features. Without it: {}.", conform::defaultScenes));
     command.number("--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
                    "Other scenes; the same number gives the same ones.", {.showsDefault = true});
-    command.option("-o,--out", options->folder,
+    command.option("-o,--out,--report", options->folder,
                    "A folder for the report: index.html for a browser, report.json, and for each feature "
                    "its worst scene with both pictures and their difference.",
                    {.value = "DIR"});

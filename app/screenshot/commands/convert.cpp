@@ -1,4 +1,5 @@
 #include "app/screenshot/arguments/image_files.h"
+#include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
 
@@ -14,15 +15,11 @@ struct ConvertOptions {
     WriteOptions write;
 };
 
-Result<void> checkOptions(const CodecRow& written, const WriteOptions& options) {
+void noteOptions(const CodecRow& written, const WriteOptions& options) {
     for (const auto& [option, given, format] :
          {std::tuple{"--rle", options.runLengthCoded, "TGA"}, std::tuple{"--small", options.small, "PNG"}})
         if (given && written.name != format)
-            return fail(
-                ErrorCode::OutOfRange,
-                fmt::format("has no effect here: it is for {} files, OUT is {}", format, written.name),
-                option);
-    return {};
+            noteUnused(option, fmt::format("it is for {} files, OUT is {}", format, written.name));
 }
 
 } // namespace
@@ -44,7 +41,7 @@ void addConvert(CommandLine& line) {
                     return MadeImage{std::move(image), options->write};
                 });
             },
-            [&](const CodecRow& written) { return checkOptions(written, options->write); });
+            [&](const CodecRow& written) { noteOptions(written, options->write); });
     });
 }
 

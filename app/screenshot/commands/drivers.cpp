@@ -83,22 +83,22 @@ std::string driversJson(std::span<const DriverAnswer> answers, bool extensions) 
         }
         contexts.push_back(std::move(context));
     }
-    return nlohmann::ordered_json{{"contexts", std::move(contexts)}}.dump(
-               2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-           "\n";
+    return documentText({{"contexts", std::move(contexts)}});
 }
 
 ExitCode listDrivers(const DriversOptions& options) {
     const Result<std::vector<DriverAnswer>> answers = askDrivers(options.seconds);
     if (!answers)
         return complain(answers.error());
+    const ExitCode status =
+        std::ranges::any_of(*answers, canDraw)
+            ? success
+            : complain({ErrorCode::Driver, "Texplorer can draw in none of these contexts", {}});
     const std::string text =
         options.json ? driversJson(*answers, options.extensions) : driversText(*answers, options.extensions);
     if (const Result<void> printed = print(text); !printed)
         return complain(printed.error());
-    if (std::ranges::any_of(*answers, canDraw))
-        return success;
-    return complain({ErrorCode::Driver, "Texplorer can draw in none of these contexts", {}});
+    return status;
 }
 
 } // namespace
@@ -109,7 +109,7 @@ void addDrivers(CommandLine& line) {
     auto options = std::make_shared<DriversOptions>();
     command.flag("--extensions", options->extensions, "Name each driver's extensions.");
     command.flag("--json", options->json, "As JSON, for programs.");
-    command.number("--time-limit", options->seconds, 1, 3600,
+    command.number("--timeout,--time-limit", options->seconds, 1, 3600,
                    "In seconds: a driver that hasn't answered by then hangs.", {.showsDefault = true});
     command.footer(
         "Each driver is asked in a process of its own: one that crashes or hangs is a line of the list. Exit "

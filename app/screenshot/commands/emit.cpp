@@ -4,11 +4,13 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/reports/program_text.h"
 #include "core/base/file_io.h"
 
 #include <fmt/core.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -25,8 +27,8 @@ struct EmitOptions {
 /// Whether --files can be had. The error names an option.
 Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour) {
     if (options.files && flavour == emit::Flavour::WebGl)
-        return unusedOption("--files", "a page of webgl needs no other file");
-    if (options.files && options.scene.lesson.empty())
+        noteUnused("--files", "a page of webgl needs no other file");
+    else if (options.files && options.scene.lesson.empty())
         return fail(ErrorCode::OutOfRange, "only the files of a lesson are written beside a program",
                     "--files");
     if (options.files && isStandardOutput(options.out))
@@ -93,7 +95,9 @@ ExitCode emitProgram(const EmitOptions& options) {
                                    options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
     if (!program)
         return complain(program.error().error, program.error().code);
-    if (const Result<void> apart = checkNotRead("--out", {&options.out, 1}, program->madeFrom); !apart)
+    if (const Result<void> apart =
+            checkOutputsApart(std::array{NamedOutput{"--out", options.out}}, program->madeFrom);
+        !apart)
         return complain(apart.error(), wrongCall);
     const std::string text = textOf(program->lines, false);
     const Result<void> written =

@@ -52,8 +52,13 @@ void addFlip(CommandLine& line) {
         "flip", "Turn a texture upside down, every mip level, face and slice; compressed blocks without "
                 "decompressing them.");
     auto options = std::make_shared<FlipOptions>();
-    addImageFiles(command, options->files, flipFormats, "The texture: any format that Texplorer reads",
-                  "Print a line for each texture: what became of what.");
+    const Option& out =
+        addImageFiles(command, options->files, flipFormats, "The texture: any format that Texplorer reads",
+                      "Print a line for each texture: what became of what.");
+    command.usage({"IN OUT", "IN... -o DIR", "IN... --in-place"});
+    command.flag("--in-place", options->files.inPlace,
+                 "Write each texture in its own place: without this no output takes the place of an input.",
+                 {.excludes = &out});
     const Option& horizontal = command.flag("--horizontal", options->horizontal, "Left to right instead.");
     command.flag("--half-turn", options->halfTurn, "By 180 degrees instead.", {.excludes = &horizontal});
     command.flag(

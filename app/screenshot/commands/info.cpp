@@ -178,7 +178,7 @@ Examined examine(const std::string& in) {
     Examined examined{{}, {{"file", in}}, {}};
     const Result<Bytes> bytes = readImageInput(in);
     if (!bytes) {
-        examined.document["error"] = bytes.error().message;
+        examined.document["error"] = describe(bytes.error());
         examined.error = bytes.error();
         return examined;
     }
@@ -188,8 +188,8 @@ Examined examine(const std::string& in) {
         examined.text = factsAsText(name, *texture, bytes->size());
         examined.document.update(factsAsJson(*texture, bytes->size()));
     } else {
-        examined.document["error"] = texture.error().message;
         examined.error = Error{texture.error().code, texture.error().message, name};
+        examined.document["error"] = describe(*examined.error);
     }
     if (!anatomy.fields.empty())
         examined.text += anatomyAsText(anatomy);
@@ -197,10 +197,8 @@ Examined examine(const std::string& in) {
     return examined;
 }
 
-/// One document for all of them; of one file it is that file's.
+/// One document for all of them.
 std::string textOf(const std::vector<Examined>& all, bool json) {
-    if (json && all.size() == 1)
-        return documentText(all.front().document);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string text;
     for (const Examined& each : all) {
@@ -216,12 +214,12 @@ ExitCode examineAll(const std::vector<std::string>& files, bool json) {
     std::vector<Examined> all;
     for (const std::string& file : files)
         all.push_back(examine(file));
-    if (const auto written = print(textOf(all, json)); !written)
-        return complain(written.error());
     ExitCode status = success;
     for (const Examined& each : all)
         if (each.error)
             status = complain(*each.error);
+    if (const auto written = print(textOf(all, json)); !written)
+        return complain(written.error());
     return status;
 }
 
@@ -239,11 +237,11 @@ void addInfo(CommandLine& line) {
                    {.required = true});
     command.flag(
         "--json", options->json,
-        "As JSON, for programs: \"file\", \"format\", \"width\", \"height\", \"depth\", \"pixelFormat\", "
+        "As JSON, for programs: \"files\", of each \"file\", \"format\", \"width\", \"height\", \"depth\", \"pixelFormat\", "
         "\"componentBits\" (of the file, where it has more than the 8 that are kept), "
         "\"srgb\", \"alpha\", \"fileTopFirst\", \"faces\", \"levels\", \"fullChain\", \"fileBytes\", "
         "\"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" and \"anatomy\" "
-        "(fields, damage), or \"error\". Of several files a list of these, \"files\".");
+        "(fields, damage), or \"error\".");
     command.onCall([options] { return examineAll(options->files, options->json); });
 }
 

@@ -4,6 +4,7 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
 #include "core/base/file_io.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 
 namespace texplorer::screenshot {
@@ -118,11 +121,8 @@ ExitCode printProblems(const std::string& file, const std::vector<Error>& proble
 ExitCode check(const std::string& path, bool json) {
     const lesson::LessonFolder folder = lesson::LessonFolder::onDisk(path);
     const Result<lesson::Lesson> found = readLesson(folder);
-    if (!found) {
-        if (json)
-            static_cast<void>(printProblems(found.error().where, {found.error()}, 0));
+    if (!found)
         return complain(found.error());
-    }
     std::vector<Error> problems = checkLesson(folder, *found);
     for (const ui::LanguageRow& row : ui::languageRows) {
         if (const auto catalogue = readLessonCatalogue(folder, row.language); !catalogue)
@@ -155,9 +155,28 @@ Result<ui::LanguageRow> languageNamed(const std::string& name) {
     return refuseChoice(fmt::format("{}", fmt::join(names, ", ")), name, "--language");
 }
 
+/// With commas between them, but for a folder that has one in its name.
+std::vector<std::string> namedIn(const std::vector<std::string>& values) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (const std::string& value : values) {
+        if (std::filesystem::is_directory(value, ignored)) {
+            names.push_back(value);
+            continue;
+        }
+        for (std::size_t from = 0; from <= value.size();) {
+            const std::size_t end = std::min(value.find(',', from), value.size());
+            names.push_back(value.substr(from, end - from));
+            from = end + 1;
+        }
+    }
+    return names;
+}
+
 Result<std::vector<lesson::LessonFolder>> foldersOfPage(const LessonsOptions& options) {
     std::vector<lesson::LessonFolder> folders;
-    for (const std::string& name : options.lessons.empty() ? lesson::builtInLessons() : options.lessons) {
+    for (const std::string& name :
+         options.lessons.empty() ? lesson::builtInLessons() : namedIn(options.lessons)) {
         Result<lesson::LessonFolder> folder = lessonFolder(name);
         if (!folder)
             return fail(folder.error().code, folder.error().message, "--lesson");
@@ -177,6 +196,9 @@ ExitCode writePage(const LessonsOptions& options) {
         return complain(possible.error());
     if (const Result<void> free = checkPageFolder(options.page); !free)
         return complain(free.error());
+    std::vector<std::string> read;
+    for (const lesson::LessonFolder& folder : *folders)
+        std::ranges::move(filesOfLesson(folder), std::back_inserter(read));
     LongWork work("texshot: drawing the lessons");
     const Result<std::vector<PageFile>> files =
         lessonPage({.folders = *std::move(folders),
@@ -189,8 +211,13 @@ ExitCode writePage(const LessonsOptions& options) {
     if (!files)
         return complain(files.error());
     std::vector<FileContent> contents;
-    for (const PageFile& file : *files)
+    std::vector<NamedOutput> outputs;
+    for (const PageFile& file : *files) {
         contents.push_back({file.name, file.bytes});
+        outputs.push_back({"--page", (std::filesystem::path(options.page) / file.name).string()});
+    }
+    if (const Result<void> apart = checkOutputsApart(outputs, read); !apart)
+        return complain(apart.error(), wrongCall);
     std::optional<Uninterrupted> placing;
     const Result<void> written =
         writeFolderAtomically(options.page, contents, [&placing] { placing.emplace(); });
@@ -230,9 +257,10 @@ void addLessons(CommandLine& line) {
         {.value = "DIR", .excludes = &json});
     options->pageOption = &page;
     options->checkOption = &check;
-    command.option("--lesson", options->lessons,
-                   "On the page only this one, by its name or its folder. May be given again.",
-                   {.value = "NAME", .oneEach = true, .needs = &page, .offers = {lesson::builtInLessons}});
+    command.option(
+        "--lesson", options->lessons,
+        "On the page only this one, by its name or its folder; or several, with commas. May be given again.",
+        {.value = "NAME", .oneEach = true, .needs = &page, .offers = {lesson::builtInLessons}});
     command.option("--language", options->language,
                    fmt::format("The page's: one of {}. Where a lesson has no translation it stays English.",
                                fmt::join(pageLanguages(), ", ")),

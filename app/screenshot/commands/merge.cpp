@@ -3,10 +3,10 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "core/base/file_io.h"
-#include "core/scene/params/param_text.h"
 #include "core/suite/junit.h"
 #include "core/suite/record_json.h"
 #include "core/suite/shard.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <new>
 #include <optional>
@@ -85,20 +86,26 @@ Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::R
     return {};
 }
 
-/// The pictures of a RUN lie in its folder: a report there would remove them before they are gathered.
-Result<void> checkReportApart(const MergeOptions& options) {
-    if (options.report.empty())
-        return {};
+/// What is read: the records, and the pictures beside them.
+std::vector<std::string> filesOfMerge(const MergeOptions& options) {
+    std::vector<std::string> files;
     for (const std::string& each : options.runs) {
-        std::error_code ignored;
-        const fs::path own = fs::path(recordIn(each)).parent_path();
-        if (fs::equivalent(own.empty() ? fs::path(".") : own, options.report, ignored))
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected another folder than that of {}, whose pictures are gathered",
-                                    inQuotes(each)),
-                        "--report");
+        const std::string record = recordIn(each);
+        files.push_back(record);
+        if (!isStandardInput(record))
+            std::ranges::move(filesIn((fs::path(record).parent_path() / picturesFolder).string()),
+                              std::back_inserter(files));
     }
-    return {};
+    return files;
+}
+
+std::vector<NamedOutput> outputsOfMerge(const MergeOptions& options) {
+    std::vector<NamedOutput> outputs{
+        {"--out", options.out}, {"--junit", options.junit}, {"--durations", options.durations}};
+    if (!options.report.empty())
+        for (NamedOutput& each : outputsOfRunFolder("--report", options.report))
+            outputs.push_back(std::move(each));
+    return outputs;
 }
 
 Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecord>& runs,
@@ -126,17 +133,12 @@ Result<void> writeDurations(const suite::RunRecord& run, const std::string& path
     if (!before)
         return fail(before.error().code, describe(before.error()), path);
     const std::string now = suite::writeDurations(suite::durationsOf(run, *std::move(before)));
-    return writeFileAtomically(path, viewBytes(now));
+    return writeText(path, now);
 }
 
 int merge(const MergeOptions& options) {
-    const Result<void> apart = checkOutputsApart(
-        {{"--out", options.out}, {"--junit", options.junit}, {"--durations", options.durations}},
-        options.runs);
-    if (!apart)
+    if (const Result<void> apart = checkOutputsApart(outputsOfMerge(options), filesOfMerge(options)); !apart)
         return complainOfMerge(apart.error());
-    if (const Result<void> own = checkReportApart(options); !own)
-        return complainOfMerge(own.error());
     if (const Result<void> once = checkStandardInputOnce(options.runs); !once)
         return complainOfMerge(once.error());
     const Result<std::vector<suite::RunRecord>> runs = readRuns(options.runs);

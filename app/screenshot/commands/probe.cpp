@@ -118,19 +118,19 @@ ExitCode probe(const ProbeOptions& options) {
     if (options.at.empty() == options.texel.empty())
         return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
     if (options.passOption->isGiven() && options.texel.empty())
-        return refuseUnused("--pass", "it is for --texel; --at explains every pass");
+        noteUnused("--pass", "it is for --texel; --at explains every pass");
     if (options.withoutGl && options.at.empty())
-        return refuseUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
+        noteUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
     const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
     if (!pretence)
         return complain(pretence.error(), wrongCall);
     if (!options.pretended.empty() && (options.withoutGl || options.at.empty()))
-        return refuseUnused("--pretend", "it is about the driver, which only --at asks, without --no-gl");
+        noteUnused("--pretend", "it is about the driver, which only --at asks, without --no-gl");
     const Result<view::ContextChoice> context = parseContext(options.context);
     if (!context)
         return complain(context.error(), wrongCall);
     if (options.context.option->isGiven() && (options.withoutGl || options.at.empty()))
-        return refuseUnused("--context", "it is about OpenGL, which only --at asks, without --no-gl");
+        noteUnused("--context", "it is about OpenGL, which only --at asks, without --no-gl");
     const Result<view::Size> size = parsePictureSize(options.picture.size);
     if (!size)
         return complain(size.error(), wrongCall);

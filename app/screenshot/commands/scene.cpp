@@ -8,6 +8,7 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "core/base/shell_word.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
@@ -29,7 +30,7 @@ struct SceneOptions {
     std::string from; ///< another scene, of --diff; empty: it is not compared
     bool isShort = false;
     bool json = false;
-    const Option* outOption = nullptr;
+    bool inPlace = false;
 };
 
 fs::path wholePath(const fs::path& path) {
@@ -125,6 +126,13 @@ ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
                  options.out),
              "--out"},
             wrongCall);
+    SceneArgument read = options.scene;
+    if (options.inPlace)
+        read.file.clear();
+    if (const Result<void> apart =
+            checkOutputsApart(std::array{NamedOutput{"--out", options.out}}, filesOf(read, opened));
+        !apart)
+        return complain(apart.error(), wrongCall);
     nameFilesFrom(opened.scene, opened.images, printed ? fs::path() : fs::path(options.out).parent_path());
     warnOfLostFiles(opened.scene, opened.images);
     const std::string text = options.isShort ? writeShortScene(opened.scene) : writeScene(opened.scene);
@@ -135,12 +143,25 @@ ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
     return written ? success : complain(written.error());
 }
 
-int sceneCommand(const SceneOptions& options) {
+/// With --in-place what is read is what is written.
+Result<SceneOptions> placed(SceneOptions options) {
+    if (options.inPlace && (options.scene.file.empty() || isStandardInput(options.scene.file)))
+        return fail(ErrorCode::OutOfRange, "expected SCENE, a file to be written again", "--in-place");
+    if (options.inPlace)
+        options.out = options.scene.file;
+    return options;
+}
+
+int sceneCommand(const SceneOptions& given) {
+    const Result<SceneOptions> there = placed(given);
+    if (!there)
+        return complain(there.error(), wrongCall);
+    const SceneOptions& options = *there;
     const bool compares = !options.from.empty();
     if (const Result<void> once = checkStandardInputOnce(std::array{options.scene.file, options.from}); !once)
         return complain(once.error(), wrongCall);
     if (options.json && !compares)
-        return refuseUnused("--json", "a scene is JSON; it is for --diff");
+        noteUnused("--json", "a scene is JSON; it is for --diff");
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, compares ? wrongCall : opened.error().code);
@@ -162,6 +183,10 @@ void addScene(CommandLine& line) {
                        "The scene file to write; - for standard output, where it goes without this. "
                        "Images are named from its folder, on standard output from the current one.",
                        {.value = "FILE"});
+    command.flag(
+        "--in-place", options->inPlace,
+        "Write SCENE again, with what is changed: without this no output takes the place of what is read.",
+        {.excludes = &out});
     command.option(
         "--diff", options->from,
         "In the place of the scene, what leads to it from this one: a line --set PATH=VALUE for each "
@@ -172,7 +197,7 @@ void addScene(CommandLine& line) {
         "--json", options->json,
         "With --diff, as JSON, for programs: \"same\", \"set\" (PATH=VALUE) and \"lengths\" (path, from, to).",
         {.excludes = &isShort});
-    command.usage({"[SCENE]", "--diff FROM [SCENE]"});
+    command.usage({"[SCENE]", "SCENE --in-place", "--diff FROM [SCENE]"});
     command.footer(
         "Exit status: 0 done, 1 the scene can't be read or written, 2 a wrong call. With --diff: 0 they are "
         "the same, 1 they differ, 2 one of them can't be read, or a wrong call.");

@@ -2,8 +2,7 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/picture_argument.h"
-#include "app/screenshot/arguments/renderer_argument.h"
-#include "app/screenshot/arguments/scene_argument.h"
+#include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/window_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
@@ -15,7 +14,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace texplorer::screenshot {
@@ -47,8 +48,8 @@ Result<ShotRequest> requestOf(const ShotOptions& options) {
     request.window = options.window;
     if (const Result<void> window = putWindow(options.shownWindow, request); !window)
         return fail(window.error());
-    if (const Result<void> renderer = putRenderer(options.renderer, request); !renderer)
-        return fail(renderer.error());
+    if (const Result<void> context = putContext(options.renderer, request); !context)
+        return fail(context.error());
     const Result<AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
     if (!anisotropy)
         return fail(anisotropy.error());
@@ -60,28 +61,30 @@ Result<ShotRequest> requestOf(const ShotOptions& options) {
     request.shownUnit = options.shownUnit;
     request.lesson = options.scene.lesson;
     request.lessonStep = options.scene.step - 1;
+    request.rendererIsGiven = options.renderer.rendererOption->isGiven();
+    request.shownIsGiven = options.shownOption->isGiven();
     request.levels.cache = BlockCache::ofUser();
     return request;
 }
 
-/// An option that changes nothing in this call.
-Result<void> checkUse(const ShotOptions& options, const ShotRequest& request) {
-    const bool reference = request.renderer == RendererKind::Reference;
-    if (const Result<void> used = checkAnisotropyUse(options.picture, request.window || reference); !used)
-        return used;
-    if (const Result<void> used = checkRendererUse(options.renderer, request, orWindow); !used)
-        return used;
+/// What can't be shown as it is asked for is refused; an option that changes nothing gets a note.
+Result<void> checkUse(const ShotOptions& options, const ShotRequest& request,
+                      std::span<const RendererKind> renderers) {
+    const auto isReference = [](RendererKind renderer) { return renderer == RendererKind::Reference; };
+    if (options.shownOption->isGiven() && !request.window && !std::ranges::all_of(renderers, isReference))
+        return fail(ErrorCode::OutOfRange, "expected --renderer reference or --ui with it", "--show");
+    noteAnisotropyUse(options.picture, request.window || std::ranges::any_of(renderers, isReference));
+    if (!request.window)
+        noteRendererUse(options.renderer, renderers, orWindow);
     if (options.renderer.rendererOption->isGiven() && !request.compared.empty())
-        return unusedOption("--renderer", "--compare names the renderers");
-    if (options.shownOption->isGiven() && !request.window && !reference)
-        return unusedOption("--show", "it is for --renderer reference and --ui");
+        noteUnused("--renderer", "--compare names the renderers");
     return {};
 }
 
-/// A picture with its texts may take the place of the one that the scene was in: it holds the scene again.
-std::vector<std::string> filesRead(const ShotOptions& options, const SceneArgument& argument,
-                                   const OpenedScene& opened) {
-    return options.withoutMetadata ? filesOf(argument, opened) : imageFilesOf(argument, opened);
+/// The texts of a PNG are left out of a format that has none anyway.
+void noteMetadata(const ShotOptions& options, const CodecRow& format) {
+    if (options.withoutMetadata && format.name != "PNG")
+        noteUnused("--no-metadata", "it is for PNG files");
 }
 
 ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,
@@ -89,15 +92,14 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
     const auto output = openImageOutput(name, "PNG");
     if (!output)
         return output.error();
-    if (options.withoutMetadata && output->format->name != "PNG")
-        return refuseUnused("--no-metadata", "it is for PNG files");
+    noteMetadata(options, *output->format);
     SceneArgument argument = options.scene;
     if (!options.files.empty())
         argument.file = options.files.front();
     auto opened = openScene(argument);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    if (const Result<void> apart = checkNotRead("--out", {&name, 1}, filesRead(options, argument, *opened));
+    if (const Result<void> apart = checkPicturesApart({&name, 1}, argument, *opened, options.renderer);
         !apart)
         return complain(apart.error(), wrongCall);
     request.scene = std::move(opened->scene);
@@ -142,9 +144,9 @@ std::string nameForSeveral(const ShotOptions& options) {
     return fmt::format("{{{}}}.png", path.substr(path.rfind('.') + 1));
 }
 
-ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::vector<view::Size> sizes,
-                  std::vector<double> times, ShotRequest request, ShotReport* report) {
-    const bool several = options.files.size() > 1 || sizes.size() > 1 || times.size() > 1;
+ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, PictureKinds kinds,
+                  ShotRequest request, ShotReport* report) {
+    const bool several = options.files.size() > 1 || kinds.count() > 1;
     const bool toStream = isStandardOutput(options.out) && !options.axes.empty();
     if ((several || toStream) && pattern.places().empty())
         return complain({ErrorCode::OutOfRange,
@@ -156,8 +158,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
-    if (options.withoutMetadata && (*format)->name != "PNG")
-        return refuseUnused("--no-metadata", "it is for PNG files");
+    noteMetadata(options, **format);
     auto entries = entriesOf(options, report);
     if (!entries)
         return entries.error();
@@ -167,20 +168,19 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::v
         return failure;
     }
     const bool incomplete = entries->size() < std::max<std::size_t>(1, options.files.size());
-    const ShotList list(*std::move(entries), std::move(sizes), std::move(times));
-    Result<std::vector<std::string>> names = list.names(pattern, std::string(rowOf(request.renderer).name));
+    const ShotList list(*std::move(entries), std::move(kinds));
+    Result<std::vector<std::string>> names = list.names(pattern);
     if (!names)
         return complain(names.error(), wrongCall);
     for (const ShotList::Entry& entry : list.entries()) {
         SceneArgument argument = options.scene;
         argument.file = entry.file;
-        const std::vector<std::string> read = filesRead(options, argument, entry.opened);
-        if (const Result<void> apart = checkNotRead("--out", *names, read); !apart)
+        if (const Result<void> apart = checkPicturesApart(*names, argument, entry.opened, options.renderer);
+            !apart)
             return complain(apart.error(), wrongCall);
     }
     NewFolders made;
-    if (const Result<void> writable = checkPlaces(*names, pattern.places().empty() ? nullptr : &made);
-        !writable)
+    if (const Result<void> writable = checkPlaces(*names, made); !writable)
         return complain(writable.error());
     return drawAll(
         {list, *std::move(names), *format, std::move(request), !options.withoutMetadata, report, incomplete});
@@ -194,20 +194,23 @@ ExitCode shoot(const ShotOptions& options, ShotReport* report) {
     Result<std::vector<double>> times = parseTimes(options.picture.time);
     if (!times)
         return complain(times.error(), wrongCall);
+    Result<std::vector<RendererKind>> renderers = parseRenderers(options.renderer.renderer, "--renderer");
+    if (!renderers)
+        return complain(renderers.error(), wrongCall);
     Result<ShotRequest> request = requestOf(options);
     if (!request)
         return complain(request.error(), wrongCall);
-    if (const Result<void> used = checkUse(options, *request); !used)
+    if (const Result<void> used = checkUse(options, *request, *renderers); !used)
         return complain(used.error(), wrongCall);
     const Result<NamePattern> pattern = NamePattern::parse(options.out);
     if (!pattern)
         return complain({pattern.error().code, pattern.error().message, "--out"}, wrongCall);
-    const bool many = options.files.size() > 1 || !options.axes.empty() || sizes->size() > 1 ||
-                      times->size() > 1 || !pattern->places().empty();
-    if (many)
-        return shootAll(options, *pattern, *std::move(sizes), *std::move(times), *std::move(request), report);
-    request->size = sizes->front();
-    request->time = times->front();
+    PictureKinds kinds{*std::move(renderers), *std::move(sizes), *std::move(times)};
+    if (options.files.size() > 1 || !options.axes.empty() || kinds.count() > 1 || !pattern->places().empty())
+        return shootAll(options, *pattern, std::move(kinds), *std::move(request), report);
+    request->renderer = kinds.renderers.front();
+    request->size = kinds.sizes.front();
+    request->time = kinds.times.front();
     const auto noPlaces = [](const std::string& /*place*/) { return std::string(); };
     return shootOne(options, pattern->fill(noPlaces), *std::move(request), report);
 }
@@ -217,9 +220,7 @@ ExitCode shootAndTell(const ShotOptions& options) {
     if (!options.json)
         return shoot(options, nullptr);
     if (isStandardOutput(options.out))
-        return complain(
-            {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
-            wrongCall);
+        return complain(standardOutputIsTaken("--json").value(), wrongCall);
     ShotReport report;
     const ExitCode status = shoot(options, &report);
     if (!report.isFinished())
@@ -239,7 +240,7 @@ void addShot(CommandLine& line) {
     addPictureArgument(command, options->picture, Several::Yes);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     addWindowArgument(command, window, options->shownWindow);
-    addRendererArgument(command, options->renderer, orWindow);
+    addRendererArgument(command, options->renderer, Several::Yes, orWindow);
     options->shownOption = &command.option(
         "--show", options->shown,
         fmt::format(

@@ -177,8 +177,7 @@ std::string nameOfPage(const SweepOptions& options, const Sweep& sweep, std::siz
 }
 
 /// The error is the exit status; it has been said.
-tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& options, const Sweep& sweep,
-                                                           NewFolders& made) {
+tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& options, const Sweep& sweep) {
     std::vector<std::string> names;
     for (std::size_t page = 0; page < sweep.pageCount(); ++page) {
         std::string name = nameOfPage(options, sweep, page);
@@ -192,12 +191,9 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
                          wrongCall));
         names.push_back(std::move(name));
     }
-    if (const Result<void> apart = checkNotRead("--out", names, filesOf(options.scene, sweep.opened)); !apart)
+    if (const Result<void> apart = checkPicturesApart(names, options.scene, sweep.opened, options.renderer);
+        !apart)
         return tl::unexpected(complain(apart.error(), wrongCall));
-    if (!sweep.pattern.places().empty()) {
-        if (const Result<void> writable = checkPlaces(names, &made); !writable)
-            return tl::unexpected(complain(writable.error()));
-    }
     std::vector<ImageOutput> outputs;
     for (const std::string& name : names) {
         auto output = openImageOutput(name, "PNG");
@@ -206,7 +202,7 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
         outputs.push_back(*std::move(output));
     }
     if (options.withoutMetadata && outputs.front().format->name != "PNG")
-        return tl::unexpected(refuseUnused("--no-metadata", "it is for PNG files"));
+        noteUnused("--no-metadata", "it is for PNG files");
     return outputs;
 }
 
@@ -216,8 +212,7 @@ ShotList shotsOf(const SweepOptions& options, const Sweep& sweep, bool pagesFirs
     if (pagesFirst && sweep.hasPages())
         std::rotate(axes.begin(), axes.end() - 1, axes.end());
     return {{{nameOf(options.scene), options.scene.file, sweep.opened, std::move(axes)}},
-            {sweep.request.size},
-            {sweep.request.time}};
+            {{sweep.request.renderer}, {sweep.request.size}, {sweep.request.time}}};
 }
 
 ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
@@ -242,8 +237,7 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
             return complain({layout.error().code, layout.error().message, "--size"}, wrongCall);
         layouts.push_back(*std::move(layout));
     }
-    NewFolders made;
-    auto outputs = outputsOf(options, sweep, made);
+    auto outputs = outputsOf(options, sweep);
     if (!outputs)
         return outputs.error();
     std::vector<SheetRun::Page> pages;
@@ -272,24 +266,25 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
 
 ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotReport* report) {
     if (!options.difference.empty())
-        return refuseUnused("--difference", "it is for sheets");
+        return complain(
+            {ErrorCode::OutOfRange, "expected a name for sheets: it is for these alone", "--difference"},
+            wrongCall);
     if (options.labelsOption->isGiven())
-        return refuseUnused("--labels", "it is for sheets");
+        noteUnused("--labels", "it is for sheets");
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
     if (options.withoutMetadata && (*format)->name != "PNG")
-        return refuseUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it is for PNG files");
     const ShotList list = shotsOf(options, sweep, false);
-    Result<std::vector<std::string>> names =
-        list.names(sweep.pattern, std::string(rowOf(sweep.request.renderer).name));
+    Result<std::vector<std::string>> names = list.names(sweep.pattern);
     if (!names)
         return complain(names.error(), wrongCall);
-    if (const Result<void> apart = checkNotRead("--out", *names, filesOf(options.scene, sweep.opened));
+    if (const Result<void> apart = checkPicturesApart(*names, options.scene, sweep.opened, options.renderer);
         !apart)
         return complain(apart.error(), wrongCall);
     NewFolders made;
-    if (const Result<void> writable = checkPlaces(*names, &made); !writable)
+    if (const Result<void> writable = checkPlaces(*names, made); !writable)
         return complain(writable.error());
     return drawAll({list, *std::move(names), *format, sweep.request, !options.withoutMetadata, report});
 }
@@ -297,9 +292,7 @@ ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotRep
 /// With --json what was drawn is told, even if a part of it couldn't be.
 ExitCode sweep(const SweepOptions& options) {
     if (options.json && isStandardOutput(options.out))
-        return complain(
-            {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
-            wrongCall);
+        return complain(standardOutputIsTaken("--json").value(), wrongCall);
     const auto made = sweepOf(options);
     if (!made)
         return complain(made.error().error, made.error().code);

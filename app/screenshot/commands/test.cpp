@@ -5,8 +5,12 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
+#include "app/screenshot/runs/run_files.h"
+#include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/runs/run_plan.h"
 #include "app/view/pretence.h"
 #include "core/base/count.h"
@@ -22,6 +26,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <new>
 #include <optional>
 #include <thread>
@@ -33,8 +38,10 @@ constexpr int mostProcesses = 1024;
 constexpr std::size_t mostDurationsBytes = std::size_t{64} << 20;
 
 struct TestOptions {
-    std::vector<std::string> suites;
+    std::vector<std::string> suites; ///< with --pictures the two folders, where they have no names
     bool pictures = false;
+    std::string expected;
+    std::string actual;
     bool update = false;
     std::string accepted;
     std::vector<std::string> only;
@@ -80,17 +87,11 @@ Result<RunSetup> setupFor(const TestOptions& options, unsigned processes) {
         setup.suites = options.suites;
         return setup;
     }
-    if (options.suites.size() != 2)
-        return fail(
-            ErrorCode::OutOfRange,
-            fmt::format("expected two folders, that of the pictures and that of their goldens, found {}",
-                        options.suites.size()),
-            "--pictures");
     const Result<Criterion> criterion = parseCriterion(options.criterion);
     if (!criterion)
         return fail(criterion.error());
-    setup.actual = options.suites[0];
-    setup.golden = options.suites[1];
+    setup.golden = options.expected.empty() ? options.suites[0] : options.expected;
+    setup.actual = options.actual.empty() ? options.suites[1] : options.actual;
     setup.mask = options.criterion.mask;
     setup.criterion = *criterion;
     return setup;
@@ -133,6 +134,8 @@ std::string commandOf(const TestOptions& options) {
         if (!value.empty())
             command += fmt::format(" {} {}", option, shellWord(value));
     };
+    add("--expected", options.expected);
+    add("--actual", options.actual);
     for (const std::string& each : options.only)
         add("--only", each);
     for (const std::string& each : options.renderers)
@@ -162,13 +165,6 @@ std::string partOf(const TestOptions& options, std::string command) {
             command += fmt::format(" {} {}", option, shellWord(*value));
     }
     return command;
-}
-
-/// A file to write at the end, found to be writable before the work; none where the option wasn't given.
-Result<std::optional<Output>> outputFor(const std::string& path) {
-    if (path.empty())
-        return std::optional<Output>();
-    return Output::open(path).map([](Output output) { return std::optional(std::move(output)); });
 }
 
 /// What one does now.
@@ -203,9 +199,30 @@ ExitCode say(const TestOptions& options, const FinishedRun& finished, ExitCode s
     return printed ? status : complainOfRun(printed.error());
 }
 
-Result<void> writeResults(const TestOptions& options, const FinishedRun& finished,
-                          const std::optional<Output>& json, const std::optional<Output>& junit,
+struct ResultFiles {
+    std::optional<Output> json;
+    std::optional<Output> junit;
+    std::optional<Output> durations;
+};
+
+Result<ResultFiles> openResults(const TestOptions& options) {
+    ResultFiles files;
+    for (const auto& [path, file] :
+         {std::pair(&options.json, &files.json), std::pair(&options.junit, &files.junit),
+          std::pair(&options.durations, &files.durations)}) {
+        if (path->empty() || (path == &options.durations && !options.shard.empty()))
+            continue; // all shards must be dealt by the same durations
+        Result<Output> output = Output::open(*path);
+        if (!output)
+            return fail(output.error());
+        *file = *std::move(output);
+    }
+    return files;
+}
+
+Result<void> writeResults(const FinishedRun& finished, const ResultFiles& files,
                           const suite::Durations& before) {
+    const auto& [json, junit, durations] = files;
     if (json) {
         const std::string text = suite::asJson(finished.run);
         if (const Result<void> written = json->write(viewBytes(text)); !written)
@@ -216,10 +233,10 @@ Result<void> writeResults(const TestOptions& options, const FinishedRun& finishe
         if (const Result<void> written = junit->write(viewBytes(text)); !written)
             return written;
     }
-    if (options.durations.empty() || !options.shard.empty()) // all shards must be dealt by the same ones
+    if (!durations)
         return {};
     const std::string text = suite::writeDurations(suite::durationsOf(finished.run, before));
-    return writeFileAtomically(options.durations, viewBytes(text));
+    return durations->write(viewBytes(text));
 }
 
 ExitCode list(const PlannedRun& planned) {
@@ -230,29 +247,74 @@ ExitCode list(const PlannedRun& planned) {
     return printed ? success : complainOfRun(printed.error());
 }
 
-/// Outputs that would take the place of what is read, or of each other.
-Result<void> checkApart(const TestOptions& options) {
-    std::vector<std::string> inputs = options.suites;
-    for (const std::string* each : {&options.accepted, &options.criterion.mask})
-        inputs.push_back(*each);
-    return checkOutputsApart(
-        {{"--json", options.json}, {"--junit", options.junit}, {"--durations", options.durations}}, inputs);
+/// The files that the call names, and those of its report.
+std::vector<NamedOutput> outputsOfTest(const TestOptions& options) {
+    std::vector<NamedOutput> outputs{{"--json", options.json}, {"--junit", options.junit}};
+    if (options.shard.empty()) // else it is read alone
+        outputs.push_back({"--durations", options.durations});
+    const bool resumes = options.report.empty();
+    if (const std::string& report = resumes ? options.resume : options.report; !report.empty())
+        for (NamedOutput& each : outputsOfRunFolder(resumes ? "--resume" : "--report", report))
+            outputs.push_back(std::move(each));
+    return outputs;
+}
+
+/// No output, and no golden, takes the place of what the run reads.
+Result<void> checkRunApart(const TestOptions& options, const PlannedRun& planned) {
+    const std::vector<NamedOutput> outputs = outputsOfTest(options);
+    const bool writesGoldens = options.update || !options.accepted.empty();
+    if (!writesGoldens &&
+        std::ranges::all_of(outputs, [](const NamedOutput& each) { return each.path.empty(); }))
+        return {};
+    RunFiles files = filesOfRun(planned);
+    files.read.push_back(options.accepted);
+    if (!options.shard.empty())
+        files.read.push_back(options.durations);
+    if (writesGoldens) {
+        const auto goldens = screenshot::outputsOf(options.update ? "--update" : "--accept", files.goldens);
+        if (Result<void> apart = checkNotRead(goldens, files.read); !apart)
+            return apart;
+    }
+    std::ranges::move(files.goldens, std::back_inserter(files.read));
+    return checkOutputsApart(outputs, files.read);
+}
+
+/// The folders of --pictures: both by their names, or both without, in the order of "texshot compare".
+Result<void> checkFolders(const TestOptions& options) {
+    const bool named = !options.expected.empty() || !options.actual.empty();
+    if (!options.pictures)
+        return options.suites.empty()
+                   ? fail(ErrorCode::OutOfRange, "SUITE is missing; see texshot test --help")
+                   : Result<void>();
+    if (named ? !options.suites.empty() || options.expected.empty() || options.actual.empty()
+              : options.suites.size() != 2)
+        return fail(ErrorCode::OutOfRange,
+                    "expected two folders, that of the goldens and that of the pictures: EXPECTED ACTUAL, or "
+                    "--expected DIR --actual DIR",
+                    "--pictures");
+    if (!named && (options.update || !options.accepted.empty()))
+        return fail(
+            ErrorCode::OutOfRange,
+            "expected --expected DIR and --actual DIR where goldens are written, so that neither folder is "
+            "taken for the other",
+            options.update ? "--update" : "--accept");
+    return {};
 }
 
 ExitCode refuseOptions(const TestOptions& options) {
-    if (const Result<void> apart = checkApart(options); !apart)
-        return complainOfRun(apart.error());
+    if (const Result<void> folders = checkFolders(options); !folders)
+        return complainOfRun(folders.error());
     if (std::ranges::any_of(options.suites, isStandardInput))
         return complainOfRun(
             {ErrorCode::OutOfRange,
              "expected a file or a folder, which several processes can read; found standard input", "SUITE"});
     for (const Option* each : options.ofSuites) {
         if (options.pictures && each->isGiven())
-            return refuseUnused(each->name(), "--pictures draws nothing");
+            noteUnused(each->name(), "--pictures draws nothing");
     }
     for (const Option* each : options.ofRunning) {
         if (options.list && each->isGiven())
-            return refuseUnused(each->name(), "--list runs nothing");
+            noteUnused(each->name(), "--list runs nothing");
     }
     if (const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended); !pretence)
         return complainOfRun(pretence.error());
@@ -266,9 +328,26 @@ ExitCode refuseOptions(const TestOptions& options) {
     return success;
 }
 
-ExitCode test(const TestOptions& options) {
+/// Where --json names a file, a call that fails says so there, too: in the place of a record or an error, of
+/// nothing else.
+void writeError(const TestOptions& options) {
+    const std::string error = errorText();
+    if (error.empty() || options.json.empty() || isStandardOutput(options.json))
+        return;
+    const Result<std::string> there = readText(options.json, suite::maxRecordBytes);
+    const bool isOurs = there ? there->starts_with("{\n  \"error\":") || suite::parseRun(*there).has_value()
+                              : there.error().code == ErrorCode::NotFound;
+    if (!isOurs)
+        return;
+    if (const Result<Output> output = Output::open(options.json))
+        static_cast<void>(output->write(viewBytes(error)));
+}
+
+/// `tellsErrors`: what goes wrong may be written where --json says. A wrong call writes nothing.
+ExitCode test(const TestOptions& options, bool& tellsErrors) {
     if (const ExitCode refused = refuseOptions(options); refused != success)
         return refused;
+    tellsErrors = true;
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const unsigned processes = options.processes > 0 ? static_cast<unsigned>(options.processes) : cores;
     const Result<RunSetup> setup = setupFor(options, processes);
@@ -284,16 +363,13 @@ ExitCode test(const TestOptions& options) {
     if (options.list)
         return list(*planned);
     planned->run.command = partOf(options, commandOf(options));
-    if (!options.report.empty() && options.resume.empty()) { // the results may go into it
-        std::error_code said;                                // by whom writes the report
-        std::filesystem::create_directories(options.report, said);
+    if (const Result<void> apart = checkRunApart(options, *planned); !apart) {
+        tellsErrors = false;
+        return complainOfRun(apart.error());
     }
-    const Result<std::optional<Output>> json = outputFor(options.json);
-    if (!json)
-        return complainOfRun(json.error());
-    const Result<std::optional<Output>> junit = outputFor(options.junit);
-    if (!junit)
-        return complainOfRun(junit.error());
+    const Result<ResultFiles> files = openResults(options);
+    if (!files)
+        return complainOfRun(files.error());
 
     std::stop_source stop;
     std::optional<AskedToStop> asked(stop);
@@ -312,8 +388,9 @@ ExitCode test(const TestOptions& options) {
         return complainInterrupted(finished.error().message);
     if (!finished)
         return complainOfRun(finished.error());
+    tellsErrors = false;
     const ExitCode status = say(options, *finished, static_cast<ExitCode>(suite::exitStatus(finished->run)));
-    const Result<void> written = writeResults(options, *finished, *json, *junit, choice->durations);
+    const Result<void> written = writeResults(*finished, *files, choice->durations);
     return written ? status : complainOfRun(written.error());
 }
 
@@ -321,7 +398,13 @@ void declarePictures(Command& command, TestOptions& options) {
     const Option& pictures = command.flag(
         "--pictures", options.pictures,
         "Draw nothing: compare the PNGs of two folders, whatever program has made them, by their names. A "
-        "picture without its golden, a golden without its picture and a picture of another size are failures.");
+        "picture without its golden, a golden without its picture and a picture of another size are failures. "
+        "The folders stand in the order of \"texshot compare\", EXPECTED ACTUAL, or have names, which --update "
+        "and --accept want.");
+    command.option("--expected", options.expected, "With --pictures: the folder of the goldens.",
+                   {.value = "DIR", .needs = &pictures});
+    command.option("--actual", options.actual, "With --pictures: the folder of the pictures.",
+                   {.value = "DIR", .needs = &pictures});
     addCriterionArgument(command, options.criterion, &pictures);
 }
 
@@ -338,11 +421,12 @@ void declareChoice(Command& command, TestOptions& options) {
     command.option("--only", options.only,
                    "The cases that fit: their names, with * for any characters. May be given again.",
                    {.value = "PATTERN", .oneEach = true});
-    options.ofSuites.push_back(
-        &command.option("--renderer", options.renderers,
-                        fmt::format("In the place of those of the suite, one of {}. May be given again.",
-                                    listNames(EnumTable<RendererKind>::rows)),
-                        {.value = "RENDERER", .oneEach = true, .offers = {choiceNames<RendererKind>}}));
+    options.ofSuites.push_back(&command.option(
+        "--renderer", options.renderers,
+        fmt::format(
+            "In the place of those of the suite, one of {}, or several, with commas. May be given again.",
+            listNames(EnumTable<RendererKind>::rows)),
+        {.value = "RENDERER", .oneEach = true, .offers = {choiceNames<RendererKind>, true}}));
     options.ofSuites.push_back(&command.option(
         "--shaders", options.shaders,
         "The folder of the shader renderer's files. Without it: those that the program was built with.",
@@ -398,11 +482,11 @@ void declareRunning(Command& command, TestOptions& options) {
 void addTest(CommandLine& line) {
     Command& command = line.command("test", "Draw the pictures of a suite: are they still as they were?");
     auto options = std::make_shared<TestOptions>();
+    command.usage({"SUITE...", "--pictures EXPECTED ACTUAL"});
     command.option(
         "SUITE", options->suites,
         "A suite's file; a folder of suites, *.suite.json, or, where there is none, of scenes X.json, each held "
-        "against X.png beside it: one without a picture is new, 512x512. With --pictures: the pictures' folder, and that of their goldens.",
-        {.required = true});
+        "against X.png beside it: one without a picture is new, 512x512.");
     declarePictures(command, *options);
     declareChoice(command, *options);
     declareRunning(command, *options);
@@ -415,11 +499,16 @@ void addTest(CommandLine& line) {
         "Exit status: 0 all are alike, 1 some are not, or are new, crashed or hung, 2 a wrong call, a suite "
         "that can't be read, cases that could not be tried, 130 Ctrl+C.");
     command.onCall([options]() -> int {
+        bool tellsErrors = false;
+        ExitCode status = success;
         try {
-            return test(*options);
+            status = test(*options, tellsErrors);
         } catch (const std::bad_alloc&) {
-            return complainOfRun({ErrorCode::TooLarge, "there is not enough memory for this", {}});
+            status = complainOfRun({ErrorCode::TooLarge, "there is not enough memory for this", {}});
         }
+        if (tellsErrors)
+            writeError(*options);
+        return status;
     });
 }
 

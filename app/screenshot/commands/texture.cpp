@@ -5,6 +5,7 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/output.h"
+#include "app/screenshot/output/outputs_apart.h"
 #include "core/base/count.h"
 #include "core/image/depth_pixels.h"
 #include "core/reference/light_depth.h"
@@ -14,6 +15,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stop_token>
 
@@ -79,17 +81,16 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
 }
 
 ExitCode writeTexture(const TextureOptions& options) {
-    if (options.step >= 0 && options.level >= 0)
-        return refuseUnused("--level", "it is for the texture as it is uploaded, not for a --step before");
     if (options.json && isStandardOutput(options.out))
-        return refuseUnused("--json", "standard output is the picture");
+        return complain(standardOutputIsTaken("--json").value(), wrongCall);
     const auto output = openImageOutput(options.out, "PNG");
     if (!output)
         return output.error();
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    if (const Result<void> apart = checkNotRead("--out", {&options.out, 1}, filesOf(options.scene, *opened));
+    if (const Result<void> apart =
+            checkOutputsApart(std::array{NamedOutput{"--out", options.out}}, filesOf(options.scene, *opened));
         !apart)
         return complain(apart.error(), wrongCall);
     Result<Image> picture = pictureOf(options, *opened);
@@ -122,11 +123,13 @@ void addTexture(CommandLine& line) {
         {.value = "FILE", .required = true});
     command.number("--texture", options->texture, 0, static_cast<int>(maxTextures) - 1,
                    "Which texture of the scene, 0 the first.");
-    command.number("--step", options->step, 0, static_cast<int>(maxImageSteps),
-                   "The image after so many steps of its preparation; 0: as it is in its file.");
+    const Option& step =
+        command.number("--step", options->step, 0, static_cast<int>(maxImageSteps),
+                       "The image after so many steps of its preparation; 0: as it is in its file.");
     command.number("--level", options->level, 0, 30,
                    "The mip level as it is uploaded as GL_TEXTURE_2D, 0 the base, but upright and "
-                   "decompressed.");
+                   "decompressed.",
+                   {.excludes = &step});
     command.flag(
         "--json", options->json,
         "Print what was written as JSON, for programs: \"output\", \"format\", \"texture\", \"width\" and "

@@ -195,8 +195,10 @@ Validity validate(const std::string& in, ByteView file) {
 Validity validateFile(const std::string& in) {
     const Result<Bytes> file = readInput(
         in, defaultMaxFileBytes, [](ByteView start) { return recogniseImage(start) || beginsAsJson(start); });
-    if (!file)
+    if (!file) {
+        noteError(describe(file.error()));
         return {in, {}, {file.error().message}};
+    }
     return validate(in, *file);
 }
 

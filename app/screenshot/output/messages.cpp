@@ -1,6 +1,8 @@
 #include "app/screenshot/output/messages.h"
 
-#include "app/screenshot/command.h"
+#include "core/base/printable.h"
+
+#include <cstdio>
 
 namespace texplorer::screenshot {
 
@@ -9,14 +11,18 @@ Loudness& loudness() {
     return ours;
 }
 
+void say(const Error& sentence) {
+    std::fprintf(stderr, "texshot: %s\n", printable(describe(sentence)).c_str());
+}
+
 void warn(const Error& note) {
     if (!loudness().quiet)
-        static_cast<void>(complain(note));
+        say(note);
 }
 
 void tell(const std::string& deed) {
     if (loudness().verbose)
-        static_cast<void>(complain({ErrorCode::Cancelled, deed, {}}));
+        say({ErrorCode::Cancelled, deed, {}});
 }
 
 } // namespace texplorer::screenshot

@@ -15,7 +15,10 @@ struct Loudness {
 /// The program's, which main() sets.
 [[nodiscard]] Loudness& loudness();
 
-/// What one should know though it isn't an error: prints "texshot: …" as complain() does.
+/// Prints "texshot: …" on standard error, a printable line.
+void say(const Error& sentence);
+
+/// What one should know though it isn't an error.
 void warn(const Error& note);
 
 /// What was done, for who asked for it: "read brick.dds, 1024 bytes".

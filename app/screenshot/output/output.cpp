@@ -5,11 +5,11 @@
 #include "app/screenshot/output/messages.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
-#include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -36,56 +36,19 @@ bool isTerminal(const std::string& path) {
     return device.valid() && ::isatty(device.get()) == 1;
 }
 
-bool isFile(const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored);
-}
-
-/// Under whatever names.
-bool areTheSame(const std::string& file, const std::string& other) {
-    std::error_code ignored;
-    return isFile(file) && std::filesystem::equivalent(file, other, ignored);
+/// Makes the folder of a file where it is missing, and looks whether the file can be written there.
+Result<void> checkPlace(const std::string& path, NewFolders& made) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty() && !made.make(folder))
+        return fail(ErrorCode::Unwritable, "the folder can't be made: " + systemText(errno), folder.string());
+    return checkFileWritable(path);
 }
 
 } // namespace
 
 bool isStandardOutput(const std::string& path) {
-    return path == "-" || path == "/dev/stdout";
-}
-
-Result<void> checkNotRead(const char* option, std::span<const std::string> outputs,
-                          const std::vector<std::string>& inputs) {
-    for (const std::string& output : outputs) {
-        if (!isFile(output))
-            continue;
-        const auto read =
-            std::ranges::find_if(inputs, [&](const std::string& input) { return areTheSame(output, input); });
-        if (read != inputs.end())
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected another file than {}, which is read", inQuotes(*read)), option);
-    }
-    return {};
-}
-
-Result<void> checkOutputsApart(const std::vector<NamedOutput>& outputs,
-                               const std::vector<std::string>& inputs) {
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        if (const Result<void> apart = checkNotRead(outputs[i].option, {&outputs[i].path, 1}, inputs); !apart)
-            return apart;
-        for (std::size_t k = 0; k < i; ++k) {
-            const std::string& other = outputs[k].path;
-            if (isStandardOutput(outputs[i].path) && isStandardOutput(other))
-                return fail(ErrorCode::OutOfRange, "expected one text on standard output, found two",
-                            fmt::format("{} and {}", outputs[k].option, outputs[i].option));
-            const std::filesystem::path own = outputs[i].path;
-            if (!other.empty() && (areTheSame(outputs[i].path, other) ||
-                                   own.lexically_normal() == std::filesystem::path(other).lexically_normal()))
-                return fail(ErrorCode::OutOfRange,
-                            fmt::format("expected another file than that of {}", outputs[k].option),
-                            outputs[i].option);
-        }
-    }
-    return {};
+    constexpr std::array<std::string_view, 4> names{"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
+    return std::ranges::find(names, path) != names.end();
 }
 
 Result<Output> Output::open(const std::string& path) {
@@ -98,18 +61,10 @@ Result<Output> Output::open(const std::string& path) {
             return fail(ErrorCode::Unwritable, "can't be opened: " + systemText(errno), path);
         return output;
     }
-    if (const Result<void> writable = checkPlace(path); !writable)
+    output.made_ = std::make_unique<NewFolders>();
+    if (const Result<void> writable = checkPlace(path, *output.made_); !writable)
         return fail(writable.error());
     return output;
-}
-
-Result<void> checkPlace(const std::string& path) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    std::error_code error;
-    if (!folder.empty() && !std::filesystem::exists(std::filesystem::symlink_status(folder, error)))
-        return fail(ErrorCode::Unwritable,
-                    fmt::format("can't be written: the folder {} isn't there", folder.string()), path);
-    return checkFileWritable(path);
 }
 
 Result<void> Output::write(ByteView bytes) const {
@@ -135,17 +90,13 @@ Result<void> Output::put(ByteView bytes) const {
     return writeFileAtomically(path_, bytes, [&placing] { placing.emplace(); });
 }
 
-Result<void> checkPlaces(const std::vector<std::string>& names, NewFolders* made) {
+Result<void> checkPlaces(const std::vector<std::string>& names, NewFolders& made) {
     std::set<std::filesystem::path> folders;
     for (const std::string& name : names) {
-        const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-        if (!folders.insert(folder).second)
+        if (!folders.insert(std::filesystem::path(name).parent_path()).second)
             continue;
-        if (made != nullptr && !folder.empty() && !made->make(folder))
-            return fail(ErrorCode::Unwritable, "can't make the folder: " + systemText(errno),
-                        folder.string());
-        if (const Result<void> writable = checkPlace(name); !writable)
-            return fail(writable.error());
+        if (const Result<void> writable = checkPlace(name, made); !writable)
+            return writable;
     }
     return {};
 }
@@ -185,7 +136,18 @@ tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std
     return ImageOutput{*std::move(output), *format, path};
 }
 
+namespace {
+
+bool printedSomething = false; // by the thread that does what the call asks for
+
+} // namespace
+
+bool hasPrinted() {
+    return printedSomething;
+}
+
 Result<void> print(std::string_view text) {
+    printedSomething = printedSomething || !text.empty();
     outputBegins();
     return writeStandardOutput(viewBytes(printable(text, LineBreaks::Keep)));
 }

@@ -5,7 +5,7 @@
 #include "core/base/new_folders.h"
 #include "core/codec/registry.h"
 
-#include <span>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,7 +15,8 @@ namespace texplorer::screenshot {
 /// a device or pipe that has a name.
 class Output {
 public:
-    /// Found to be writable; a device or pipe is open from here on. The error names the path.
+    /// Found to be writable; a device or pipe is open from here on. The file's folder is made where it is
+    /// missing, and goes again if nothing is written into it. The error names the path.
     [[nodiscard]] static Result<Output> open(const std::string& path);
 
     [[nodiscard]] Result<void> write(ByteView bytes) const;
@@ -28,31 +29,17 @@ private:
 
     std::string path_;
     Descriptor stream_; ///< of a device or pipe
+    std::unique_ptr<NewFolders> made_;
 };
 
-/// Whether a file can be written there. The error names the path, and the folder that isn't there.
-[[nodiscard]] Result<void> checkPlace(const std::string& path);
+/// The same of many files, each folder once: what else a name may be is seen when it is written.
+[[nodiscard]] Result<void> checkPlaces(const std::vector<std::string>& paths, NewFolders& made);
 
-/// The same of many files, each folder once: what else a name may be is seen when it is written. `made` makes
-/// the folders that aren't there; nullptr: they have to be.
-[[nodiscard]] Result<void> checkPlaces(const std::vector<std::string>& paths, NewFolders* made);
+/// Whether print() has printed something.
+[[nodiscard]] bool hasPrinted();
 
 /// Whether a path names the program's standard output.
 [[nodiscard]] bool isStandardOutput(const std::string& path);
-
-/// An option and the file that it names; an empty one names none.
-struct NamedOutput {
-    const char* option;
-    std::string path;
-};
-
-/// No output may take the place of an input, under whatever name. The error names the option.
-[[nodiscard]] Result<void> checkNotRead(const char* option, std::span<const std::string> outputs,
-                                        const std::vector<std::string>& inputs);
-
-/// No output may take the place of an input or of another output. The error names the option.
-[[nodiscard]] Result<void> checkOutputsApart(const std::vector<NamedOutput>& outputs,
-                                             const std::vector<std::string>& inputs);
 
 /// An image file to write, and how.
 struct ImageOutput {

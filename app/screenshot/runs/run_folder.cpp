@@ -29,7 +29,7 @@ bool isRecordOfOurs(const fs::path& folder) {
     if (record && suite::parseRun(*record))
         return true;
     const Result<std::string> journal = readText((folder / journalName).string(), suite::maxRecordBytes);
-    return journal && (journal->empty() || suite::parseJournal(*journal));
+    return journal && suite::parseJournal(*journal);
 }
 
 /// What a report replaces or removes must be a report's.
@@ -39,9 +39,10 @@ Result<void> checkOurs(const fs::path& folder) {
     names.insert(names.end(), {recordName, journalName, picturesFolder});
     for (const std::string& name : names) {
         const fs::file_status status = fs::symlink_status(folder / name, ignored);
-        const bool isEmptyFolder = fs::is_directory(status) && fs::is_empty(folder / name, ignored);
-        if (!fs::exists(status) || isEmptyFolder) // as a run leaves it that couldn't begin
-            continue;
+        const bool mayBeEmpty =
+            fs::is_directory(status) || (name == journalName && fs::is_regular_file(status));
+        if (!fs::exists(status) || (mayBeEmpty && fs::is_empty(folder / name, ignored)))
+            continue; // as a run leaves it that couldn't begin
         if (isRecordOfOurs(folder))
             return {};
         return fail(ErrorCode::Unwritable,
@@ -54,6 +55,15 @@ Result<void> checkOurs(const fs::path& folder) {
 }
 
 } // namespace
+
+std::vector<NamedOutput> outputsOfRunFolder(const char* option, const fs::path& folder) {
+    std::vector<NamedOutput> outputs{{option, (folder / picturesFolder).string(), true}};
+    for (const std::string& name : report::pageFileNames())
+        outputs.push_back({option, (folder / name).string()});
+    for (const char* name : {recordName, journalName})
+        outputs.push_back({option, (folder / name).string()});
+    return outputs;
+}
 
 Result<RunFolder> RunFolder::open(const fs::path& path) {
     if (const Result<void> ours = checkOurs(path); !ours)
@@ -119,16 +129,21 @@ Result<std::map<std::string, suite::CaseRecord>> RunFolder::resume(const suite::
 }
 
 Result<void> RunFolder::begin(const suite::RunRecord& run) {
+    // At no moment is the journal empty: it says that all the rest is a run's.
     if (const Result<void> opened = openJournal(); !opened)
         return opened;
-    if (::ftruncate(journal_.get(), 0) != 0)
-        return fail(cantWrite(journalPath()));
+    const std::string start = suite::journalStart(run);
+    if (const Result<void> begun = writeFileAtomically(journalPath(), viewBytes(start)); !begun)
+        return begun;
+    if (const Result<void> opened = openJournal(); !opened)
+        return opened;
+    outputBegins();
     removePictures(path_);
     for (const char* old : {recordName, "index.html"}) { // of a run that isn't this one
         std::error_code ignored;
         fs::remove(path_ / old, ignored);
     }
-    return append(suite::journalStart(run));
+    return {};
 }
 
 Result<void> RunFolder::add(const suite::CaseRecord& record) {

@@ -2,6 +2,7 @@
 
 // The folder of a run: its journal while it lasts, its report in the end.
 
+#include "app/screenshot/output/outputs_apart.h"
 #include "core/base/descriptor.h"
 #include "core/base/result.h"
 #include "core/suite/record.h"
@@ -9,18 +10,23 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace texplorer::screenshot {
 
 inline constexpr const char* journalName = "journal.jsonl";
 inline constexpr const char* recordName = "run.json";
 
+/// What a run writes into its folder.
+[[nodiscard]] std::vector<NamedOutput> outputsOfRunFolder(const char* option,
+                                                          const std::filesystem::path& folder);
+
 /// Keeps other runs out while it lives. What it writes are files of these names, of a report's page, and
 /// within "pictures/"; whatever else lies there stays.
 class RunFolder {
 public:
     /// Made where it is missing. Errors: it can't be made or written to; another run has it; it has files of
-    /// these names, and no run has left them.
+    /// these names, and no run has left them: an empty journal doesn't say that one has.
     [[nodiscard]] static Result<RunFolder> open(const std::filesystem::path& path);
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -54,6 +54,7 @@ public:
         request.scene = *std::move(scene);
         request.images = images_;
         request.file = entry.file;
+        request.renderer = shot.renderer;
         request.time = shot.time;
         request.size = shot.size;
         return {};
@@ -127,6 +128,10 @@ private:
     std::size_t said_ = 0;                                 ///< of how many pictures, from the first
 };
 
+bool drawsByOpenGl(RendererKind renderer) {
+    return renderer != RendererKind::Reference;
+}
+
 /// What the threads that draw have in common.
 struct Threads {
     const Drawing& drawing;
@@ -170,6 +175,9 @@ void drawCase(Threads& all, std::size_t index, Scenes& scenes, ShotDrawer& drawe
 /// On one thread, with a context of its own: the next picture, as long as there is one.
 void drawThem(Threads& all) {
     ShotRequest request = all.drawing.common;
+    const std::vector<RendererKind>& renderers = all.drawing.list.renderers();
+    if (const auto byOpenGl = std::ranges::find_if(renderers, drawsByOpenGl); byOpenGl != renderers.end())
+        request.renderer = *byOpenGl; // for which the context is opened
     request.levels.stop = all.drawing.work.stopToken();
     ShotDrawer drawer;
     if (const Result<void> open = drawer.open(request); !open) {
@@ -189,7 +197,7 @@ void drawThem(Threads& all) {
 /// Contexts side by side: half of a picture's time is the driver's on the thread that draws, which compiles
 /// for each state. A window and the reference have the processors to themselves.
 unsigned contextsFor(const Drawing& drawing) {
-    if (drawing.common.window || drawing.common.renderer == RendererKind::Reference)
+    if (drawing.common.window || std::ranges::none_of(drawing.list.renderers(), drawsByOpenGl))
         return 1;
     const std::size_t worthwhile = std::max<std::size_t>(1, drawing.names.size() / picturesOfContext);
     return static_cast<unsigned>(

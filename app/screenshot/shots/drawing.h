@@ -31,7 +31,7 @@ struct DrawnShot {
 struct Drawing {
     const ShotList& list;
     const std::vector<std::string>& names;      ///< of all its pictures, in sentences about them
-    const ShotRequest& common;                  ///< all but scene, images, file, time and size
+    const ShotRequest& common;                  ///< all but scene, images, file, renderer, time and size
     LongWork& work;                             ///< whose stop ends it
     std::function<void(const DrawnShot&)> take; ///< each as it comes, on the thread that has drawn it
     std::function<bool()> goesOn{};             ///< false: no more is wanted; empty: all are

@@ -31,12 +31,15 @@ std::string inBraces(std::string_view place) {
 
 } // namespace
 
-ShotList::ShotList(std::vector<Entry> entries, std::vector<view::Size> sizes, std::vector<double> times)
+std::size_t PictureKinds::count() const {
+    return boundedProduct(boundedProduct(sizes.size(), times.size(), maxShots), renderers.size(), maxShots);
+}
+
+ShotList::ShotList(std::vector<Entry> entries, PictureKinds kinds)
     : entries_(std::move(entries))
-    , sizes_(std::move(sizes))
-    , times_(std::move(times)) {
+    , kinds_(std::move(kinds)) {
     for (const Entry& entry : entries_) {
-        std::size_t cases = boundedProduct(sizes_.size(), times_.size(), maxShots);
+        std::size_t cases = kinds_.count();
         for (const SweepAxis& axis : entry.axes)
             cases = boundedProduct(cases, axis.values.size(), maxShots);
         count_ = std::min(count_ + cases, maxShots + 1);
@@ -58,8 +61,9 @@ ShotList::Case ShotList::at(std::size_t index) const {
     shot.values.resize(axes.size());
     for (std::size_t i = axes.size(); i-- > 0;)
         shot.values[i] = next(axes[i].values.size());
-    shot.time = times_[next(times_.size())];
-    shot.size = sizes_[left];
+    shot.time = kinds_.times[next(kinds_.times.size())];
+    shot.size = kinds_.sizes[next(kinds_.sizes.size())];
+    shot.renderer = kinds_.renderers[left];
     return shot;
 }
 
@@ -103,8 +107,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
     return {};
 }
 
-Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern,
-                                                 const std::string& renderer) const {
+Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) const {
     if (count_ > maxShots)
         return fail(ErrorCode::TooLarge,
                     fmt::format("one call draws at most {} pictures, these are more", maxShots));
@@ -126,7 +129,7 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern,
             if (place == "number")
                 return fmt::format("{:0{}}", i + 1, digits);
             if (place == "renderer")
-                return renderer;
+                return std::string(rowOf(shot.renderer).name);
             return place == "time" ? fmt::format("{}", shot.time)
                                    : fmt::format("{}x{}", shot.size.width, shot.size.height);
         });

@@ -4,6 +4,7 @@
 #include "app/view/size.h"
 #include "core/base/name_pattern.h"
 #include "core/scene/params/sweep_axis.h"
+#include "core/scene/renderer.h"
 
 #include <cstddef>
 #include <string>
@@ -15,7 +16,18 @@ namespace texplorer::screenshot {
 /// How many pictures one call draws at most.
 inline constexpr std::size_t maxShots = 100'000;
 
-/// What is to be drawn: every scene in every size, at every time, with every combination of the axes' values.
+/// By whom pictures of a scene are drawn, how large and when: each with each.
+struct PictureKinds {
+    std::vector<RendererKind> renderers;
+    std::vector<view::Size> sizes;
+    std::vector<double> times;
+
+    /// At most a little more than maxShots, however many there would be.
+    [[nodiscard]] std::size_t count() const;
+};
+
+/// What is to be drawn: every scene by every renderer, in every size, at every time, with every combination
+/// of the axes' values.
 class ShotList {
 public:
     /// A scene, and the axes as they are for it: the same paths for all scenes; the values that "*" stands
@@ -27,11 +39,12 @@ public:
         std::vector<SweepAxis> axes{};
     };
 
-    ShotList(std::vector<Entry> entries, std::vector<view::Size> sizes, std::vector<double> times);
+    ShotList(std::vector<Entry> entries, PictureKinds kinds);
 
     /// One of the pictures.
     struct Case {
         std::size_t entry = 0;
+        RendererKind renderer = RendererKind::Fixed;
         view::Size size;
         double time = 0;
         std::vector<std::size_t> values{}; ///< of each axis, which
@@ -39,9 +52,11 @@ public:
 
     /// At most a little more than maxShots, however many there would be.
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// Scenes in their order, of each the sizes, the times and then the axes, the last of which goes fastest.
+    /// Scenes in their order, of each the renderers, the sizes, the times and then the axes, the last of
+    /// which goes fastest.
     [[nodiscard]] Case at(std::size_t index) const;
     [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+    [[nodiscard]] const std::vector<RendererKind>& renderers() const { return kinds_.renderers; }
     [[nodiscard]] const Entry& entryOf(const Case& shot) const { return entries_[shot.entry]; }
     /// With the values of the axes.
     [[nodiscard]] Result<Scene> sceneOf(const Case& shot) const;
@@ -49,15 +64,13 @@ public:
     /// A name for each picture. Refused: more than maxShots of them, places that nothing is known of or that
     /// could mean several axes, the same name for two. Places: scene, number (of the picture, from 1, with
     /// zeros in front), renderer, time, size and the axes' paths or keys.
-    [[nodiscard]] Result<std::vector<std::string>> names(const NamePattern& pattern,
-                                                         const std::string& renderer) const;
+    [[nodiscard]] Result<std::vector<std::string>> names(const NamePattern& pattern) const;
 
 private:
     [[nodiscard]] Result<void> checkPlaces(const NamePattern& pattern) const;
 
     std::vector<Entry> entries_;
-    std::vector<view::Size> sizes_;
-    std::vector<double> times_;
+    PictureKinds kinds_;
     std::vector<std::size_t> ends_; ///< of each entry, the number of the case behind its last
     std::size_t count_ = 0;
 };

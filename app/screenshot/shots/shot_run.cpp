@@ -75,7 +75,7 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
         warn(warning);
     if (report != nullptr)
         report->add(0, output.path, {sceneName(scene.path().string()), scene.file, {}},
-                    {0, request.size, request.time}, request, *shot, warnings);
+                    {0, request.renderer, request.size, request.time}, request, *shot, warnings);
     WriteOptions options;
     if (withTexts)
         options.texts = textsOf(factsOf(request, *shot));

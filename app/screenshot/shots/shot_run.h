@@ -21,7 +21,7 @@ struct ShotRun {
     const ShotList& list;
     std::vector<std::string> names; ///< the files to write, one for each picture of the list
     const CodecRow* format;
-    ShotRequest common;           ///< all but scene, images, file, time and size
+    ShotRequest common;           ///< all but scene, images, file, renderer, time and size
     bool withTexts = true;        ///< see textsOf
     ShotReport* report = nullptr; ///< is told of every picture; none: nobody asks
     bool incomplete = false; ///< there are scenes that couldn't be read: it has failed from the beginning

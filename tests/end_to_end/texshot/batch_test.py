@@ -95,15 +95,18 @@ class Batch(Texshot):
         self.assertEqual([level["bytes"] for level in first["report"]["levels"]], [16, 8, 8, 8])
         alone = json.loads(self.succeeds("flip", self.files[0], self.path / "one.tga", "--json"))
         self.assertEqual([each["output"] for each in alone["written"]], [str(self.path / "one.tga")])
-        self.complains(2, "--json: has no effect here: standard output is the picture", "flip", self.files[0], "-", "--json")
-        self.complains(2, "--report: has no effect here: standard output is the picture", "compress", self.files[0], "-",
+        self.complains(2, "--json: standard output takes the picture or the JSON, not both", "flip", self.files[0], "-", "--json")
+        self.complains(2, "--report: standard output takes the picture or the JSON, not both", "compress", self.files[0], "-",
                        "--format", "dxt1", "--report")
 
-    def test_an_input_may_be_its_own_output(self):
+    def test_an_input_may_be_its_own_output_where_that_is_said(self):
         wanted = self.pixels(self.files[0])
-        self.succeeds("flip", *self.files, "-o", self.path)
+        self.complains(2, f'--out: expected another file than "{self.files[0]}", which is read', "flip", *self.files, "-o", self.path)
+        self.complains(2, f'OUT: expected another file than "{self.files[0]}", which is read', "flip", self.files[0], self.files[0])
+        self.assertEqual(self.pixels(self.files[0]), wanted)
+        self.succeeds("flip", *self.files, "--in-place")
         self.assertNotEqual(self.pixels(self.files[0]), wanted)
-        self.succeeds("flip", *self.files, "-o", self.path)
+        self.succeeds("flip", *self.files, "--in-place")
         self.assertEqual(self.pixels(self.files[0]), wanted)
         self.assertEqual(sorted(os.listdir(self.path)), [file.name for file in self.files])
 
@@ -117,7 +120,7 @@ class Batch(Texshot):
         told = json.loads(result.stdout)["files"]
         self.assertEqual([each["file"] for each in told], [str(self.files[0]), str(broken), str(self.files[1])])
         self.assertEqual([("error" in each) for each in told], [False, True, False])
-        self.assertEqual(json.loads(self.succeeds("info", "--json", self.files[0]))["width"], 8)  # of one, it alone
+        self.assertEqual(self.facts(self.files[0])["width"], 8)  # of one, it alone
 
     def test_wrong_calls(self):
         out = self.path / "new"
@@ -128,12 +131,10 @@ class Batch(Texshot):
             ("IN is missing; see texshot convert --help", "convert", "-o", out),
             ("--to is missing: with -o it says the format, one of bmp, dds, png, tga", "convert", *self.files, "-o", out),
             ('--to: expected one of bmp, dds, png, tga, found "jpeg"', "convert", *self.files, "-o", out, "--to", "jpeg"),
-            ("--to: has no effect here: the extension of OUT says its format", "convert", self.files[0], self.path / "a.png",
-             "--to", "png"),
+            ("--to: expected the format of OUT, whose extension says PNG, found BMP", "convert", self.files[0], self.path / "a.png",
+             "--to", "bmp"),
             (f'--out: expected a folder, found "{self.path / "a.png"}"; IN OUT writes one file', "decode", self.files[0], "-o",
              self.path / "a.png"),
-            ("--rle: has no effect here: it is for TGA files, OUT is PNG", "convert", *self.files, "-o", out, "--to", "png",
-             "--rle"),
             ("standard input: has no name for a file in a folder; IN OUT writes one file", "decode", "-", "-o", out),
             ("expected a file's name", "decode", str(self.path) + "/", "-o", out),
             ("there is no option --to", "compress", *self.files, "-o", out, "--format", "dxt1", "--to", "png"),

@@ -122,6 +122,59 @@ class Calls(Texshot):
                     for key in document:
                         self.assertIn(f'"{key}"', help, f"{call[0]} --help names its keys")
 
+    def test_with_json_every_error_is_json_of_one_shape(self):
+        """A file that isn't there, of every command that has --json and reads one; and wrong calls of all."""
+        nowhere, picture = self.path / "nowhere.json", self.path / "nowhere.png"
+        calls = {
+            "shot": (nowhere, "-o", self.path / "a.png"), "sweep": (nowhere, "--axis", "view.azimuth=0,1", "-o", self.path / "a.png"),
+            "probe": (nowhere, "--at", "1,1"), "texture": (nowhere, "-o", self.path / "a.png"), "commands": (nowhere,),
+            "check": (nowhere,), "diff": (nowhere, nowhere), "scene": ("--diff", nowhere, nowhere), "info": (picture,),
+            "validate": (picture,), "compare": (picture, picture), "decode": (picture, self.path / "a.png"),
+            "convert": (picture, self.path / "a.png"), "flip": (picture, self.path / "a.png"),
+            "compress": (picture, self.path / "a.dds", "--format", "dxt1"), "lessons": ("--check", self.path / "nowhere"),
+            "conform": ("--feature", "nowhere"), "params": ("nowhere",)}
+        without = {"animate", "emit", "merge", "schema", "test"}  # its own --json names a file
+        others = {"presets", "drivers", "help"}  # read nothing
+        self.assertEqual(set(self.commands()), set(calls) | without | others)
+        for command, call in calls.items():
+            for wrong in (call, (*call, "--nonsense")):
+                with self.subTest(command=command, wrong=wrong):
+                    result = texshot(command, *wrong, "--json")
+                    self.assertIn(result.returncode, (1, 2))
+                    document = json.loads(result.stdout)
+                    self.assertEqual(list(document)[0], "error")
+                    self.assertIsInstance(document["error"], str)
+                    self.assertIn("no" if "--nonsense" in wrong else "nowhere", document["error"])
+                    if command != "validate" or "--nonsense" in wrong:  # whose sentence is among the faults
+                        self.assertEqual(result.stderr.decode().splitlines()[0], "texshot: " + document["error"])
+        for command in sorted(others - {"help"}):
+            result = texshot(command, "--json", "--nonsense")
+            self.assertIn("there is no option --nonsense", json.loads(result.stdout)["error"])
+
+    def test_a_test_run_that_fails_says_so_where_json_goes(self):
+        for out in ("-", self.path / "out.json"):
+            result = texshot("test", self.path / "nowhere.suite.json", "--json", out)
+            self.assertEqual(result.returncode, 2)
+            text = result.stdout if out == "-" else out.read_bytes()
+            self.assertIn("nowhere.suite.json", json.loads(text)["error"])
+        mine = self.path / "mine.json"
+        mine.write_text("{}")
+        texshot("test", self.path / "nowhere.suite.json", "--json", mine)
+        self.assertEqual(mine.read_text(), "{}", "it may be what the suite would read")
+
+    def test_names_in_capitals_and_lists(self):
+        small = ("--size", "16x16")
+        self.succeeds("shot", *small, "--renderer", "REFERENCE", "-o", self.path / "a.png")
+        self.succeeds("shot", *small, "--preset", "alpha-test,seam", "--renderer", "reference", "-o", self.path / "b.png")
+        self.succeeds("shot", *small, "--preset", "alpha-test", "--preset", "seam", "--renderer", "reference", "-o", self.path / "c.png")
+        self.assertEqual((self.path / "b.png").read_bytes(), (self.path / "c.png").read_bytes())
+        told = json.loads(self.succeeds("conform", "--feature", "wrap,fog", "--scenes", "2", "--json"))
+        self.assertEqual({each["feature"] for pair in told["pairs"] for each in pair["features"]}, {"wrap", "fog"})
+        suite = self.path / "s.suite.json"
+        suite.write_text('{"suite": 1, "cases": [{"scene": {"example": "cube"}}]}')
+        listed = self.succeeds("test", "--list", suite, "--renderer", "fixed,shader").decode().split()
+        self.assertEqual([name.split("/")[-1].split("@")[0] for name in listed], ["fixed", "shader"])
+
     def test_params_finds_what_is_looked_for(self):
         def paths(*call):
             return [each["path"] for each in json.loads(self.succeeds("params", *call, "--json"))["parameters"]]

@@ -77,10 +77,10 @@ class Compare(Texshot):
         eight = self.picture("eight.png", size=(8, 8), color=128, mode="L")
         self.assertIn(note, self.compare(eight, a, status=ALIKE).decode())
         self.assertNotIn("note", self.numbers(eight, eight, status=ALIKE))
-        told = json.loads(self.succeeds("info", a, "--json"))
+        told = self.facts(a)
         self.assertEqual((told["pixelFormat"], told["componentBits"]), ("luminance, 8 bits", 16))
         self.assertIn("luminance, 8 bits; the file has 16 bits a component", self.succeeds("info", a).decode())
-        self.assertEqual(json.loads(self.succeeds("info", eight, "--json"))["componentBits"], 8)
+        self.assertEqual(self.facts(eight)["componentBits"], 8)
 
     def test_the_difference_is_another_file(self):
         a, b = self.picture("a.png"), self.picture("b.png", color=(1, 2, 3))
@@ -180,12 +180,13 @@ class Compare(Texshot):
             self.complains(UNKNOWN, str(wrong), "compare", a, wrong)
             self.complains(UNKNOWN, str(wrong), "compare", wrong, a)
             self.complains(UNKNOWN, str(wrong), "compare", a, a, "--mask", wrong)
-        self.complains(UNKNOWN, "ACTUAL", "compare", a)
+        self.complains(UNKNOWN, "EXPECTED ACTUAL, or --expected FILE --actual FILE", "compare", a)
+        self.complains(UNKNOWN, "EXPECTED ACTUAL, or --expected FILE --actual FILE", "compare", a, "--actual", a)
         small = self.picture("small.png", size=(4, 4), color=(255, 255, 255))
         self.complains(UNKNOWN, "expected 40 x 30 pixels, found 4 x 4", "compare", a, a, "--mask", small)
         black = self.picture("black.png", color=(0, 0, 0))
         self.complains(UNKNOWN, "the mask leaves no pixel", "compare", a, a, "--mask", black)
-        self.complains(UNKNOWN, str(self.path / "none"), "compare", a, a, "-o", self.path / "none" / "map.png")
+        self.complains(UNKNOWN, "Not a directory", "compare", a, a, "-o", a / "map.png")
         self.complains(UNKNOWN, "map.xyz", "compare", a, a, "-o", self.path / "map.xyz")
 
     def test_wrong_numbers_are_a_wrong_call(self):
@@ -197,7 +198,7 @@ class Compare(Texshot):
                 self.complains(UNKNOWN, option, "compare", a, a, f"{option}={value}")
         self.complains(UNKNOWN, "from 0 to 2", "compare", a, a, "--metric", "ssim", "--tolerance", "3")
         self.complains(UNKNOWN, "absolute, ssim, flip", "compare", a, a, "--metric", "psnr")
-        self.complains(UNKNOWN, "--pixels-per-degree", "compare", a, a, "--pixels-per-degree", "50")
+        self.notes("--pixels-per-degree: has no effect here", "compare", a, a, "--pixels-per-degree", "50")
         self.complains(UNKNOWN, "--pixels-per-degree", "compare", a, a, "--metric=flip", "--pixels-per-degree", "0")
         self.complains(UNKNOWN, "--json", "compare", a, a, "--json", "-o", "-")
 

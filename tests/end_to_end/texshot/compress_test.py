@@ -23,9 +23,22 @@ class Compress(Texshot):
                 out = self.path / (name + ".dds")
                 self.succeeds("compress", source, out, "--format", name, "--quality", quality)
                 self.assertLess(self.distance(Image.open(out), Image.open(source)), 8)
-                self.assertEqual(len(json.loads(self.succeeds("info", out, "--json"))["levels"]), 6)
+                self.assertEqual(len(self.facts(out)["levels"]), 6)
         self.succeeds("compress", source, out, "--format", "dxt1", "--mips", "none")
         self.assertEqual(out.stat().st_size, 128 + 32 * 16 // 2)
+
+    def test_formats_have_the_names_that_others_gave_them(self):
+        source = self.picture(16, 16)
+        for name, others in (("dxt1", ["bc1", "BC1", "DXT1"]), ("dxt1a", ["bc1a"]), ("dxt3", ["BC2"]), ("dxt5", ["bc3", "Dxt5"]),
+                             ("bc4", ["ATI1", "rgtc1", "BC4"]), ("bc5", ["ati2", "RGTC2"])):
+            out = self.path / f"{name}.dds"
+            self.succeeds("compress", source, out, "--format", name)
+            for other in others:
+                with self.subTest(other):
+                    self.succeeds("compress", source, self.path / "other.dds", "--format", other)
+                    self.assertEqual((self.path / "other.dds").read_bytes(), out.read_bytes())
+        self.complains(2, '--format: expected one of dxt1, dxt1a, dxt3, dxt5, bc4, bc5, bc1', "compress", source,
+                       self.path / "no.dds", "--format", "bc6h")
 
     CORNERS = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0), (0, 255, 255), (255, 0, 255)]
 
@@ -37,7 +50,7 @@ class Compress(Texshot):
         report = self.succeeds("compress", cube, out, "--format", "dxt5", "--report").decode()
         self.assertRegex(report, r"level  0  8 x 8, 6 faces +384 bytes")
         for file, levels in ((cube, 1), (out, 4)):
-            facts = json.loads(self.succeeds("info", file, "--json"))
+            facts = self.facts(file)
             self.assertEqual((facts["faces"], len(facts["levels"])), (6, levels))
             self.assertEqual(facts["notes"], [])
             for face, color in enumerate(self.CORNERS):
@@ -62,7 +75,7 @@ class Compress(Texshot):
         self.assertEqual(len(report.splitlines()), 6)
         self.assertRegex(report, r"level  0  16 x 16 +128 bytes +\d+\.\d dB")
         self.assertRegex(report, r"sum +184 bytes, 1\.438 times the base; 13\.5 % of RGBA8, 18\.0 % of RGB8")
-        facts = json.loads(self.succeeds("info", out, "--json"))
+        facts = self.facts(out)
         self.assertAlmostEqual(facts["ratioToBase"], 184 / 128)
         self.assertAlmostEqual(facts["shareOfRgba8"], 184 / (4 * 341))
         self.assertIn(b"1.438 times the base; 13.5 % of RGBA8", self.succeeds("info", out))
@@ -76,7 +89,7 @@ class Compress(Texshot):
             files.add(out.read_bytes())
         self.assertEqual(len(files), 8, "each makes levels of its own")
         self.succeeds("compress", source, out, "--format", "dxt1", "--power-of-two")
-        facts = json.loads(self.succeeds("info", out, "--json"))
+        facts = self.facts(out)
         self.assertEqual((facts["width"], facts["height"]), (32, 16), "24 and 20 to the nearest powers of two, as GLU does it")
         self.complains(2, "mitchel2", "compress", source, out, "--format", "dxt1", "--mips", "mitchel2")
 
@@ -120,7 +133,7 @@ class Compress(Texshot):
         for expected, arguments in [
             ("--format", ["compress", source, self.path / "out.dds"]),
             ("dxt9", ["compress", source, self.path / "out.dds", "--format", "dxt9"]),
-            ("--format: expected one of dxt1, dxt1a, dxt3, dxt5, bc4, bc5, found \"foo\"",
+            ("--format: expected one of dxt1, dxt1a, dxt3, dxt5, bc4, bc5, bc1, bc1a, bc2, bc3, ati1, ati2, rgtc1, rgtc2, found \"foo\"",
              ["compress", source, self.path / "out.dds", "--format", "foo"]),
             ("--quality: expected one of fast, normal, best, found \"fine\"",
              ["compress", source, self.path / "out.dds", "--format", "dxt1", "--quality", "fine"]),

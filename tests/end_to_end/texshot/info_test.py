@@ -13,7 +13,7 @@ class Info(Texshot):
     def test_info(self):
         file = self.path / "small.bmp"
         file.write_bytes(bmp(5, 3, lambda x, y: (1, 2, 3)))
-        facts = json.loads(self.succeeds("info", file, "--json"))
+        facts = self.facts(file)
         self.assertEqual((facts["format"], facts["width"], facts["height"], facts["fileBytes"]),
                          ("BMP", 5, 3, file.stat().st_size))
         self.assertIn(b"5 x 3", self.succeeds("info", file))
@@ -39,7 +39,7 @@ class Info(Texshot):
     def test_info_and_check_decode_no_pixels(self):
         file, scene = self.large_image()
         few = within_memory(512)
-        facts = json.loads(texshot("info", "--json", file, **few).stdout)
+        facts = json.loads(texshot("info", "--json", file, **few).stdout)["files"][0]
         self.assertEqual((facts["width"], facts["pixelBytes"]), (16384, 4 * 16384 ** 2))
         checked = texshot("check", scene, **few)
         self.assertEqual((checked.returncode, checked.stdout, checked.stderr), (0, b"", b""))
@@ -61,7 +61,7 @@ class Info(Texshot):
         header += struct.pack("<5I", 0x1000, 0, 0, 0, 0) + struct.pack("<5I", 71, 3, 0, 3, 0)
         file.write_bytes(header + bytes(range(24)))
         sentence = "it is an array of 3 textures; the first is read"
-        self.assertEqual(json.loads(self.succeeds("info", "--json", file))["notes"], [sentence])
+        self.assertEqual(self.facts(file)["notes"], [sentence])
         scene = self.path / "scene.json"
         scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "array.dds", "minFilter": "GL_LINEAR"}],
                                      "passes": [{"depthTest": True, "units": [{"enabled": True}]}]}))
@@ -94,8 +94,10 @@ class Info(Texshot):
         self.assertIn(b"biBitCount", result.stdout)
         self.assertIn(b"cut.bmp", result.stderr)
         document = json.loads(texshot("info", file, "--json").stdout)
-        self.assertTrue(document["error"])
-        self.assertTrue(document["anatomy"]["fields"])
+        self.assertIn("cut.bmp", document["error"])
+        [damaged] = document["files"]
+        self.assertEqual(damaged["error"], document["error"])
+        self.assertTrue(damaged["anatomy"]["fields"])
         (self.path / "text.bmp").write_bytes(b"hello world")
         for name in ("text.bmp", "nowhere.bmp"):
             result = texshot("info", self.path / name, "--json")

@@ -40,7 +40,7 @@ class Pipes(Texshot):
         self.assertEqual(flipped.convert("RGB").transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes(), self.wanted)
         self.assertTrue(self.fed(self.bmp, "compress", "-", "-", "--format", "dxt1").startswith(b"DDS "))
         self.assertIn(b"standard input", self.fed(self.bmp, "info", "-"))
-        told = json.loads(self.fed(self.bmp, "info", "-", "--json"))
+        told = json.loads(self.fed(self.bmp, "info", "-", "--json"))["files"][0]
         self.assertEqual((told["file"], told["width"], told["height"]), ("-", 16, 8))
 
     def test_a_file_may_be_standard_input(self):

@@ -42,9 +42,12 @@ class Scene(Texshot):
         out = self.path / "out.json"
         self.assertEqual(self.succeeds("scene", "--set", "view.distance=9", "-o", out), b"")
         self.assertEqual(json.loads(out.read_text())["view"]["distance"], 9)
-        self.succeeds("scene", out, "--short", "-o", out)  # its own input
+        self.complains(2, f'--out: expected another file than "{out}", which is read', "scene", out, "--short", "-o", out)
+        self.succeeds("scene", out, "--short", "--in-place")
         self.assertEqual(json.loads(out.read_text()), {"version": 1, "view": {"distance": 9}})
-        self.complains(1, "isn't there", "scene", "-o", self.path / "no" / "out.json")
+        self.succeeds("scene", "--short", "-o", self.path / "new" / "out.json")
+        self.assertTrue((self.path / "new" / "out.json").exists())
+        self.complains(2, "--in-place: expected SCENE", "scene", "--in-place")
         self.complains(2, 'a scene is JSON: expected a name that ends in .json, found', "scene", "-o", self.path / "a.png")
 
     def test_images_are_named_from_where_it_is_written(self):
@@ -103,7 +106,6 @@ class Scene(Texshot):
             (1, "nowhere.json: can't be opened", "scene", self.path / "nowhere.json"),
             (2, "nowhere.json: can't be opened", "scene", "--diff", self.path / "nowhere.json", a),
             (2, 'unknown key; did you mean "view"?', "scene", "--diff", a, broken),
-            (2, "--json: has no effect here: a scene is JSON; it is for --diff", "scene", a, "--json"),
             (2, "--out and --diff exclude each other", "scene", "--diff", a, a, "-o", self.path / "out.json"),
             (2, "no such parameter", "scene", "--set", "view.distanc=3"),
             (2, "--preset: expected one of", "scene", "--preset", "nothing"),

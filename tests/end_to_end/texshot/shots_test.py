@@ -174,18 +174,39 @@ class Shots(Texshot):
         self.refuses('expected each once, found "0" twice', a, "--time", "0,1,0", "-o", self.out / "{time}.png")
         self.refuses("--size: expected WIDTHxHEIGHT", a, "--size", "8x8,", "-o", self.out / "{size}.png")
         self.refuses("textures[0].nonsense", a, b, "--axis", "textures[0].nonsense=*", "-o", self.out / "{number}.png")
-        self.refuses("--no-metadata: has no effect here: it is for PNG files", a, b, "--no-metadata", "-o", self.out / "{scene}.bmp")
+        self.notes("--no-metadata: has no effect here: it is for PNG files", "shot", *SMALL, a, b, "--no-metadata",
+                   "-o", self.out / "{scene}.bmp")
 
-    def test_folders_of_a_pattern_are_made_those_of_a_file_are_not(self):
+    def test_folders_are_made_whatever_the_name(self):
         a = self.scene("a.json")
         axis = ("--axis", "textures[0].minFilter=GL_NEAREST,GL_LINEAR")
         self.succeeds("shot", *SMALL, a, *axis, "-o", self.out / "new" / "{minFilter}" / "{scene}.png")
         self.assertEqual(sorted(str(each.relative_to(self.out)) for each in self.out.rglob("*.png")),
                          ["new/GL_LINEAR/a.png", "new/GL_NEAREST/a.png"])
-        self.complains(1, f"one.png: can't be written: the folder {self.out / 'no'} isn't there",
-                       "shot", *SMALL, a, "-o", self.out / "no" / "one.png")
+        self.succeeds("shot", *SMALL, a, "-o", self.out / "another" / "one.png")
+        self.assertTrue((self.out / "another" / "one.png").exists())
+        self.complains(1, "nowhere.bmp", "shot", *SMALL, self.scene("b.json", textures=[{"source": "file", "file": "nowhere.bmp"}],
+                       passes=[{"units": [{"enabled": True}]}]), "-o", self.out / "empty" / "one.png")
+        self.assertFalse((self.out / "empty").exists(), "nothing is in it")
         (self.out / "file").write_text("")
-        self.complains(1, "can't make the folder: Not a directory", "shot", *SMALL, a, "-o", self.out / "file" / "in" / "{scene}.png")
+        for name in ("{scene}.png", "one.png"):
+            self.complains(1, "the folder can't be made: Not a directory", "shot", *SMALL, a, "-o", self.out / "file" / "in" / name)
+
+    def test_several_renderers_are_a_picture_each(self):
+        a = self.scene("a.json")
+        self.succeeds("shot", *SMALL, a, "--renderer", "fixed,Reference", "--time", "0,1", "-o", self.out / "{renderer}-{time}.png")
+        for renderer in ("fixed", "reference"):
+            for time in ("0", "1"):
+                with self.subTest(renderer=renderer, time=time):
+                    self.succeeds("shot", *SMALL, a, "--renderer", renderer, "--time", time, "-o", self.path / "alone.png")
+                    self.assertEqual((self.out / f"{renderer}-{time}.png").read_bytes(), (self.path / "alone.png").read_bytes())
+        told = json.loads(self.succeeds("shot", *SMALL, a, "--renderer", "shader,reference", "--json", "-o", self.out / "{number}.png"))
+        self.assertEqual([each["renderer"] for each in told["pictures"]], ["shader", "reference"])
+        self.complains(2, "expected a name that differs for each picture", "shot", *SMALL, a, "--renderer", "fixed,shader", "-o", self.out / "one.png")
+        self.complains(2, '--renderer: expected each once, found "fixed" twice', "shot", a, "--renderer", "fixed,fixed", "-o", self.out / "{renderer}.png")
+        self.complains(2, '--renderer: expected one of fixed, shader, reference, found ""', "shot", a, "--renderer", "fixed,", "-o", self.out / "{renderer}.png")
+        result = texshot("shot", *SMALL, a, "--renderer", "fixed,reference", "--context", "auto", "-o", self.out / "{renderer}.png")
+        self.assertEqual((result.returncode, result.stderr), (0, b""), "one of them asks OpenGL")
 
     def test_a_warning_is_said_once(self):
         a = self.scene("a.json", textures=[{"minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "none"}],

@@ -235,14 +235,9 @@ class Sweep(Texshot):
             (2, "--axis is missing", "-o", x),
             (2, "expected one of first, found \"last\"", *many[:2], "--difference", "last", "-o", x),
             (2, "expected one of names, words, found \"gl\"", *many[:2], "--labels", "gl", "-o", x),
-            (2, "--difference: has no effect here", *many[:2], "--difference", "first", "-o", self.out / "{azimuth}.png"),
-            (2, "--labels: has no effect here", *many[:2], "--labels", "words", "-o", self.out / "{azimuth}.png"),
-            (2, "--context: has no effect here", *many[:2], "--renderer", "reference", "--context", "osmesa", "-o", x),
-            (2, "--anisotropy: has no effect here", *many[:2], "--anisotropy", "ellipse", "-o", x),
-            (2, "--no-metadata: has no effect here", *many[:2], "--no-metadata", "-o", self.out / "x.bmp"),
+            (2, "--difference: expected a name for sheets", *many[:2], "--difference", "first", "-o", self.out / "{azimuth}.png"),
             (2, "not both", *many[:2], "--json", "-o", "-"),
             (2, "ends in one of .bmp, .dds, .png, .tga", *many[:2], "-o", self.out / "x.txt"),
-            (1, "isn't there", *many[:2], "-o", self.out / "none" / "x.png"),
             (2, "expected PATH=VALUES", "--axis", "view.azimuth", "-o", x),
         ]
         for code, expected, *arguments in cases:
@@ -250,6 +245,17 @@ class Sweep(Texshot):
                 self.complains(code, expected, "sweep", *(() if "--size" in arguments else SMALL), *arguments)
         self.assertEqual(os.listdir(self.out), [])
         self.complains(1, "far.json", "sweep", self.path / "not" / "far.json", "--axis", "view.azimuth=0,1", "-o", x)
+
+    def test_options_without_effect_are_notes(self):
+        few = ("--axis", "view.azimuth=0,1")
+        for expected, *arguments in [
+            ("--labels: has no effect here", "--labels", "words", "-o", self.out / "{azimuth}.png"),
+            ("--context: has no effect here", "--renderer", "reference", "--context", "auto", "-o", self.out / "x.png"),
+            ("--anisotropy: has no effect here", "--anisotropy", "ellipse", "-o", self.out / "x.png"),
+            ("--no-metadata: has no effect here", "--no-metadata", "-o", self.out / "x.bmp"),
+        ]:
+            with self.subTest(expected):
+                self.notes(expected, "sweep", *SMALL, *few, *arguments)
 
     def test_a_sheet_never_takes_the_place_of_its_scene(self):
         drawn = self.out / "scene.png"

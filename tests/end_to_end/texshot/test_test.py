@@ -558,7 +558,7 @@ class Test(Suites):
         self.assertEqual(list((self.path / "golden").iterdir()), [], "no half of a golden")
         self.complains(2, "", "test", suite, "--report", "/proc/nowhere")
         self.complains(2, "", "test", suite, "--report", suite)
-        self.complains(2, "", "test", suite, "--json", self.path / "no" / "run.json")
+        self.complains(2, "Not a directory", "test", suite, "--json", suite / "run.json")
         if os.geteuid() != 0:
             locked = self.path / "locked"
             locked.mkdir(mode=0o555)
@@ -674,7 +674,7 @@ class Pictures(Suites):
             Image.new("RGB", (8, 8), (10, 20, 30)).save(folder / "menus/main.png")
 
     def test_alike_is_0(self):
-        self.assertEqual(self.passes("--pictures", self.actual, self.golden), "2 cases: 2 passed\n")
+        self.assertEqual(self.passes("--pictures", self.golden, self.actual), "2 cases: 2 passed\n")
 
     def test_missing_extra_resized_and_different_ones_fail_by_name(self):
         Image.new("RGB", (8, 8), (10, 20, 33)).save(self.actual / "menus/main.png")
@@ -683,7 +683,7 @@ class Pictures(Suites):
         Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
         (self.actual / "notes.txt").write_text("no picture")
         report = self.path / "report"
-        result = self.run_of("--pictures", self.actual, self.golden, "--json", "-", "--report", report)
+        result = self.run_of("--pictures", self.golden, self.actual, "--json", "-", "--report", report)
         self.assertEqual(result.returncode, 1)
         cases = {case["name"]: case for case in json.loads(result.stdout)["cases"]}
         self.assertEqual({name: case["state"] for name, case in cases.items()},
@@ -694,12 +694,12 @@ class Pictures(Suites):
             self.assertTrue(pictures)
             for picture in pictures:
                 self.assertTrue((report / picture).is_file(), name)
-        said = self.run_of("--pictures", self.actual, self.golden).stdout.decode()
+        said = self.run_of("--pictures", self.golden, self.actual).stdout.decode()
         for name, case in cases.items():
             self.assertIn(name, said)
-        self.assertEqual(self.run_of("--pictures", self.actual, self.golden, "--tolerance", "3", "--only", "menus*").returncode, 0)
-        self.assertEqual(self.run_of("--pictures", self.actual, self.golden, "--tolerance", "2", "--only", "menus*").returncode, 1)
-        self.assertEqual(self.run_of("--pictures", self.actual, self.golden, "--share", "1", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.run_of("--pictures", self.golden, self.actual, "--tolerance", "3", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.run_of("--pictures", self.golden, self.actual, "--tolerance", "2", "--only", "menus*").returncode, 1)
+        self.assertEqual(self.run_of("--pictures", self.golden, self.actual, "--share", "1", "--only", "menus*").returncode, 0)
 
     def test_a_mask_and_metrics(self):
         picture = Image.new("RGB", (32, 32), (10, 20, 30))
@@ -709,7 +709,7 @@ class Pictures(Suites):
         mask = Image.new("L", (32, 32), 255)
         mask.putpixel((2, 1), 0)
         mask.save(self.path / "mask.png")
-        call = ["--pictures", self.actual, self.golden, "--only", "same.png"]
+        call = ["--pictures", self.golden, self.actual, "--only", "same.png"]
         self.assertEqual(self.run_of(*call).returncode, 1)
         self.passes(*call, "--mask", self.path / "mask.png")
         for metric in ("ssim", "flip"):
@@ -721,12 +721,12 @@ class Pictures(Suites):
         for folder in (self.actual, self.golden):
             Image.new("RGB", (4, 4)).save(os.path.join(os.fsencode(folder), odd), "PNG")
         (self.actual / "leads-out.png").symlink_to("/dev/zero")
-        states = self.states("--pictures", self.actual, self.golden, code=2)
+        states = self.states("--pictures", self.golden, self.actual, code=2)
         self.assertEqual((states["caf\ufffd.png"], states["leads-out.png"], states["same.png"]), ("passed", "error", "passed"))
 
     def test_a_report_among_the_pictures_is_none_of_them(self):
         Image.new("RGB", (9, 8)).save(self.actual / "same.png")
-        call = ["--pictures", self.actual, self.golden, "--report", self.actual / "report"]
+        call = ["--pictures", self.golden, self.actual, "--report", self.actual / "report"]
         first = self.states(*call, code=1)
         self.assertEqual(self.states(*call, code=1), first)
 
@@ -734,30 +734,44 @@ class Pictures(Suites):
         Image.new("RGB", (8, 8), (1, 2, 3)).save(self.actual / "same.png")
         Image.new("RGB", (4, 4)).save(self.actual / "menus/extra.png")
         Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
-        states = self.states("--pictures", self.actual, self.golden, "--update", code=1)
+        states = self.states("--pictures", "--expected", self.golden, "--actual", self.actual, "--update", code=1)
         self.assertEqual(states["missing.png"], "missing")
         (self.golden / "missing.png").unlink()
         for name in ("same.png", "menus/extra.png"):
             self.assertEqual((self.golden / name).read_bytes(), (self.actual / name).read_bytes())
-        self.passes("--pictures", self.actual, self.golden)
+        self.passes("--pictures", self.golden, self.actual)
+
+    def test_the_folders_have_the_order_of_compare_or_names(self):
+        Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
+        for folders in ([self.golden, self.actual], ["--actual", self.actual, "--expected", self.golden]):
+            self.assertEqual(self.states("--pictures", *folders, code=1)["missing.png"], "missing")
+        before = {each: each.read_bytes() for each in self.path.rglob("*.png")}
+        for option in (["--update"], ["--accept", self.path / "list"]):
+            self.complains(2, "expected --expected DIR and --actual DIR where goldens are written", "test", "--pictures",
+                           self.golden, self.actual, *option)
+        for wrong in ([self.golden], [self.golden, self.actual, self.path], ["--expected", self.golden],
+                      ["--expected", self.golden, "--actual", self.actual, self.path]):
+            self.complains(2, "EXPECTED ACTUAL, or --expected DIR --actual DIR", "test", "--pictures", *wrong)
+        self.assertEqual({each: each.read_bytes() for each in self.path.rglob("*.png")}, before)
 
     def test_update_takes_the_place_of_what_is_no_picture(self):
         (self.golden / "same.png").write_bytes(b"version https://git-lfs.github.com/spec/v1\n")
-        case = self.record("--pictures", self.actual, self.golden, code=2)["same.png"]
+        case = self.record("--pictures", self.golden, self.actual, code=2)["same.png"]
         self.assertIn("Git LFS pointer", case["sentence"])
-        self.passes("--pictures", self.actual, self.golden, "--update")
+        self.passes("--pictures", "--expected", self.golden, "--actual", self.actual, "--update")
         self.assertEqual((self.golden / "same.png").read_bytes(), (self.actual / "same.png").read_bytes())
 
     def test_what_can_not_be_read_is_an_error_of_its_own(self):
         (self.actual / "same.png").write_bytes(b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(self.run_of("--pictures", self.actual, self.golden).returncode, 2)
-        self.complains(2, "nowhere", "test", "--pictures", self.actual, self.path / "nowhere")
+        self.assertEqual(self.run_of("--pictures", self.golden, self.actual).returncode, 2)
+        self.complains(2, "nowhere", "test", "--pictures", self.path / "nowhere", self.actual)
         self.complains(2, "expected two folders", "test", "--pictures", self.actual)
         empty = self.path / "empty"
         empty.mkdir()
         self.assertEqual(self.run_of("--pictures", empty, empty).returncode, 2)
-        self.complains(2, "--tolerance", "test", "--pictures", self.actual, self.golden, "--tolerance", "many")
-        self.complains(2, "--pictures draws nothing", "test", "--pictures", self.actual, self.golden, "--renderer", "fixed")
+        self.complains(2, "--tolerance", "test", "--pictures", self.golden, self.actual, "--tolerance", "many")
+        (self.actual / "same.png").write_bytes((self.golden / "same.png").read_bytes())
+        self.notes("--pictures draws nothing", "test", "--pictures", self.golden, self.actual, "--renderer", "fixed")
         suite = self.suite(self.backgrounds("grey"))
         self.complains(2, "--pictures", "test", suite, "--tolerance", "1")
 

@@ -1,6 +1,7 @@
 """Drives the real texshot as a user would: exit codes, sentences, pictures. Pillow reads what it writes."""
 
 import io
+import json
 import os
 import resource
 import struct
@@ -60,9 +61,26 @@ class Texshot(unittest.TestCase):
         self.assertEqual(result.returncode, code, said)
         self.assertRegex(said, r"\Atexshot: [^\n]+\n\Z", "one sentence, and who says it")
         self.assertIn(expected, said)
-        self.assertEqual(result.stdout, b"")
+        json_flag = "--json" in arguments and (arguments[0] != "test" or arguments[arguments.index("--json") + 1] == "-")
+        if json_flag:  # then the sentence is there as well
+            self.assertEqual(json.loads(result.stdout), {"error": said.removeprefix("texshot: ").removesuffix("\n")})
+        else:
+            self.assertEqual(result.stdout, b"")
         self.assertEqual(sorted(os.listdir(self.path)), before)
         return said
+
+    def notes(self, expected, *arguments):
+        """Does what it is asked for, and says in one sentence that an option has no effect."""
+        result = texshot(*arguments)
+        said = result.stderr.decode()
+        self.assertEqual(result.returncode, 0, said)
+        self.assertRegex(said, r"\Atexshot: [^\n]+\n\Z")
+        self.assertIn(expected, said)
+        return result.stdout
+
+    def facts(self, *arguments):
+        """What `info --json` says of a file."""
+        return json.loads(self.succeeds("info", *arguments, "--json"))["files"][0]
 
     def difference(self, a, b):
         """Where two opaque pictures differ, or None. Of RGBA Pillow would look at alpha alone."""
