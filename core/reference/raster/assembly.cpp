@@ -1,5 +1,7 @@
 #include "core/reference/raster/assembly.h"
 
+#include <algorithm>
+
 namespace texplorer::reference {
 
 namespace {
@@ -47,7 +49,12 @@ void Assembly::add(std::span<const ShadedVertex> corners) const {
 void Assembly::addClipped(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c) const {
     if (isInside(a, b, c))
         return addTriangle(a, b, c);
-    const Polygon polygon = clip(a, b, c, pass_.perspective);
+    Polygon polygon = clip(a, b, c, pass_.perspective);
+    // Whichever corner of the triangle came first, it falls apart into the same ones.
+    const auto isBefore = [](const ShadedVertex& one, const ShadedVertex& other) {
+        return std::lexicographical_compare(&one.clip.x, &one.clip.x + 4, &other.clip.x, &other.clip.x + 4);
+    };
+    std::rotate(polygon.begin(), std::ranges::min_element(polygon, isBefore), polygon.end());
     for (std::size_t i = 2; i < polygon.size(); ++i)
         addTriangle(polygon[0], polygon[i - 1], polygon[i]);
 }

@@ -1,6 +1,7 @@
 #include "core/reference/shading/vertex.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 
@@ -12,16 +13,17 @@ bool isFinite(glm::vec4 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-/// How far a vertex is inside of a plane, negative outside: w - x for the right one.
-float distance(const glm::vec4& plane, const glm::vec4& clip) {
-    return plane.x * clip.x + plane.y * clip.y + plane.z * clip.z + plane.w * clip.w;
+/// How far a vertex is inside of a plane, negative outside: w - x for the right one. A float's range is too
+/// small for the sum: vertices may be as far away as it goes.
+double distance(const glm::dvec4& plane, const glm::dvec4& clip) {
+    return glm::dot(plane, clip);
 }
 
 /// Where `made` lies between two others as the window shows them.
-float shareInWindow(const glm::vec4& from, const glm::vec4& to, const glm::vec4& made, float otherwise) {
+double shareInWindow(const glm::dvec4& from, const glm::dvec4& to, const glm::dvec4& made, double otherwise) {
     for (int axis = 0; axis < 2; ++axis) {
-        const float length = to[axis] / to.w - from[axis] / from.w;
-        const float share = (made[axis] / made.w - from[axis] / from.w) / length;
+        const double length = to[axis] / to.w - from[axis] / from.w;
+        const double share = (made[axis] / made.w - from[axis] / from.w) / length;
         if (from[axis] != to[axis] && std::isfinite(share))
             return share;
     }
@@ -29,28 +31,31 @@ float shareInWindow(const glm::vec4& from, const glm::vec4& to, const glm::vec4&
 }
 
 /// Section 2.14.8: colours and coordinates are clipped along with the position.
-ShadedVertex between(const ShadedVertex& from, const ShadedVertex& to, float t, bool perspective) {
+ShadedVertex between(const ShadedVertex& from, const ShadedVertex& to, double t, bool perspective) {
     ShadedVertex made;
-    made.clip = glm::mix(from.clip, to.clip, t);
+    const auto clip = glm::mix(glm::dvec4(from.clip), glm::dvec4(to.clip), t);
+    made.clip = glm::vec4(clip);
     if (!perspective)
-        t = shareInWindow(from.clip, to.clip, made.clip, t);
-    made.primary = glm::mix(from.primary, to.primary, t);
-    made.secondary = glm::mix(from.secondary, to.secondary, t);
+        t = shareInWindow(from.clip, to.clip, clip, t);
+    const auto share = static_cast<float>(t);
+    made.primary = glm::mix(from.primary, to.primary, share);
+    made.secondary = glm::mix(from.secondary, to.secondary, share);
     for (std::size_t unit = 0; unit < made.texCoords.size(); ++unit)
-        made.texCoords[unit] = glm::mix(from.texCoords[unit], to.texCoords[unit], t);
-    made.back.primary = glm::mix(from.back.primary, to.back.primary, t);
-    made.back.secondary = glm::mix(from.back.secondary, to.back.secondary, t);
-    made.fogDistance = glm::mix(from.fogDistance, to.fogDistance, t);
+        made.texCoords[unit] =
+            glm::vec4(glm::mix(glm::dvec4(from.texCoords[unit]), glm::dvec4(to.texCoords[unit]), t));
+    made.back.primary = glm::mix(from.back.primary, to.back.primary, share);
+    made.back.secondary = glm::mix(from.back.secondary, to.back.secondary, share);
+    made.fogDistance = static_cast<float>(glm::mix(double{from.fogDistance}, double{to.fogDistance}, t));
     return made;
 }
 
-Polygon cut(const Polygon& polygon, const glm::vec4& plane, bool perspective) {
+Polygon cut(const Polygon& polygon, const glm::dvec4& plane, bool perspective) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const ShadedVertex& from = polygon[i];
         const ShadedVertex& to = polygon[(i + 1) % polygon.size()];
-        const float a = distance(plane, from.clip);
-        const float b = distance(plane, to.clip);
+        const double a = distance(plane, from.clip);
+        const double b = distance(plane, to.clip);
         if (a >= 0)
             kept.push_back(from);
         // From the inside outwards, whichever way the edge runs: two triangles that share it get the same
@@ -64,9 +69,9 @@ Polygon cut(const Polygon& polygon, const glm::vec4& plane, bool perspective) {
 }
 
 // -w <= z <= w leaves no negative w.
-constexpr std::array<glm::vec4, 6> planesAt(float band) {
-    return {glm::vec4(0, 0, 1, 1),     glm::vec4(0, 0, -1, 1),   glm::vec4(1, 0, 0, band),
-            glm::vec4(-1, 0, 0, band), glm::vec4(0, 1, 0, band), glm::vec4(0, -1, 0, band)};
+constexpr std::array<glm::dvec4, 6> planesAt(double band) {
+    return {glm::dvec4(0, 0, 1, 1),     glm::dvec4(0, 0, -1, 1),   glm::dvec4(1, 0, 0, band),
+            glm::dvec4(-1, 0, 0, band), glm::dvec4(0, 1, 0, band), glm::dvec4(0, -1, 0, band)};
 }
 constexpr std::array planes = planesAt(guardBand);
 constexpr std::array viewPlanes = planesAt(1);
@@ -79,7 +84,7 @@ Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c
         if (!isFinite(vertex.clip))
             return {};
     }
-    for (const glm::vec4& plane : planes) {
+    for (const glm::dvec4& plane : planes) {
         bool crosses = false;
         for (const ShadedVertex& vertex : polygon)
             crosses = crosses || distance(plane, vertex.clip) < 0;
@@ -97,9 +102,9 @@ Polygon clipLine(const ShadedVertex& a, const ShadedVertex& b, bool perspective)
     if (!isFinite(a.clip) || !isFinite(b.clip))
         return {};
     Polygon line{a, b};
-    for (const glm::vec4& plane : viewPlanes) { // a wide line outside of the view doesn't reach into it
-        const float from = distance(plane, line[0].clip);
-        const float to = distance(plane, line[1].clip);
+    for (const glm::dvec4& plane : viewPlanes) { // a wide line outside of the view doesn't reach into it
+        const double from = distance(plane, line[0].clip);
+        const double to = distance(plane, line[1].clip);
         if (from < 0 && to < 0)
             return {};
         if (to < 0)
@@ -124,7 +129,7 @@ bool isInside(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& 
     for (const ShadedVertex* vertex : {&a, &b, &c}) {
         if (!isFinite(vertex->clip) || !(vertex->clip.w > 0))
             return false;
-        for (const glm::vec4& plane : planes) {
+        for (const glm::dvec4& plane : planes) {
             if (!(distance(plane, vertex->clip) >= 0))
                 return false;
         }

@@ -158,8 +158,11 @@ std::optional<Triangle> setUpLine(const ShadedVertex& from, const ShadedVertex& 
     line.maxY = xMajor ? most : static_cast<int>(last);
     if (!cutToViewport(line, viewport))
         return std::nullopt;
-    const glm::dvec2 direction = b.window - a.window;
-    setPlanes(line, a, b, gradientOf(direction, pixels > 1, xMajor), pass);
+    // From the lower end, whichever came first: the same line has the same depths once more.
+    const bool up = std::pair(a.y, a.x) < std::pair(b.y, b.x);
+    const Corner& bottom = up ? a : b;
+    const Corner& top = up ? b : a;
+    setPlanes(line, bottom, top, gradientOf(top.window - bottom.window, pixels > 1, xMajor), pass);
     return line;
 }
 

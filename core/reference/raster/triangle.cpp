@@ -90,6 +90,11 @@ std::optional<Triangle> setUp(const ShadedVertex& a, const ShadedVertex& b, cons
     triangle.seenFromBehind = area() < 0;
     if (triangle.seenFromBehind)
         std::swap(corners[1], corners[2]);
+    // What is interpolated starts from the lowest corner, whichever came first: the same triangle has the
+    // same depths once more.
+    std::ranges::rotate(corners, std::ranges::min_element(corners, {}, [](const Corner& corner) {
+                            return std::pair(corner.y, corner.x);
+                        }));
     const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
     const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
     triangle.minX = std::max(0, pixelAtOrAfter(left));

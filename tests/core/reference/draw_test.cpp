@@ -3,9 +3,11 @@
 #include "core/mesh/mesh.h"
 #include "core/reference/draw.h"
 #include "core/reference/probe.h"
+#include "core/scene/params/json.h"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -162,6 +164,61 @@ TEST(DrawReference, GivesTheSameBytesWithAnyNumberOfThreads) {
     const Image one = drawn(scene, 100, {.threads = 1});
     for (const unsigned threads : {2U, 3U, 8U})
         EXPECT_EQ(drawn(scene, 100, {.threads = threads}), one);
+}
+
+Scene sceneFrom(const char* json) {
+    const Result<Scene> scene = parseScene(json);
+    EXPECT_TRUE(scene) << describe(scene.error());
+    return scene ? *scene : Scene();
+}
+
+// So many pixels has OpenGL.
+TEST(DrawReference, CutsATriangleThatReachesAsFarAsFloatsGo) {
+    const Image image =
+        drawn(sceneFrom(R"({"version": 1, "models": [{"shape": "mesh", "attachment": "eye", "mesh":
+        {"positions": [[1, 0.4, -0.5], [-748, 472, -2e+38], [0.5, -0.35, 0.6]]}}],
+        "passes": [{"depthTest": true}]})"),
+              64);
+    int white = 0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x)
+            white += pixelAt(image, x, y) == Pixel{255, 255, 255, 255} ? 1 : 0;
+    }
+    EXPECT_EQ(white, 563);
+}
+
+// GL_LEQUAL lets all of it pass, which adds the colour twice.
+TEST(DrawReference, DrawsATriangleAgainFromAnotherCornerOn) {
+    Scene scene =
+        sceneFrom(R"({"version": 1, "models": [{"shape": "mesh", "rotation": [-78, 43, 177], "size": 1.26,
+        "mesh": {"positions": [[-1.26, 1.02, 0.83], [-1.4, -1.26, 1.48], [1.49, -0.88, -1.31]]}}],
+        "material": {"color": [0.2, 0.2, 0.2, 1]}, "passes": [{"depthTest": true, "depthFunc": "GL_LEQUAL",
+        "blend": true, "blendSrc": "GL_ONE", "blendDst": "GL_ONE"}]})");
+    std::vector<int>& indices = scene.models[0].mesh.indices;
+    for (const float position : {0.0F, 2.5F}) { // as a whole; cut by the near plane
+        scene.models[0].position.z = position;
+        indices = {0, 1, 2, 0, 1, 2};
+        const Image expected = drawn(scene, 64);
+        for (const std::vector<int>& again :
+             {std::vector{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
+            std::ranges::copy(again, indices.begin() + 3);
+            EXPECT_EQ(drawn(scene, 64).pixels, expected.pixels);
+        }
+    }
+    scene.models[0].mesh.primitive = Primitive::Lines;
+    scene.models[0].position.z = 0;
+    scene.models[0].lineWidth = 5;
+    indices = {0, 1, 0, 1};
+    const Image expected = drawn(scene, 64);
+    indices = {0, 1, 1, 0};
+    // Which pixels are at its ends depends on where it begins (section 3.4.1): a column of five at each.
+    const Image turned = drawn(scene, 64);
+    int different = 0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x)
+            different += pixelAt(turned, x, y) != pixelAt(expected, x, y) ? 1 : 0;
+    }
+    EXPECT_LE(different, 10);
 }
 
 TEST(ReferenceRenderer, FollowsTheSceneFromPictureToPicture) {

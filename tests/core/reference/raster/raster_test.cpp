@@ -44,6 +44,21 @@ public:
         return setUp(corners[0], corners[1], corners[2], state_, viewport, true);
     }
 
+    /// One with depths, its corners in each of their six orders.
+    std::vector<Triangle> inEveryOrder() {
+        std::array<ShadedVertex, 3> corners;
+        for (ShadedVertex& corner : corners)
+            corner.clip = glm::vec4(number(), number(), number(), 1) * (1.5F + number());
+        std::array order{0U, 1U, 2U};
+        std::vector<Triangle> triangles;
+        do {
+            if (auto made =
+                    setUp(corners[order[0]], corners[order[1]], corners[order[2]], state_, viewport, true))
+                triangles.push_back(*made);
+        } while (std::ranges::next_permutation(order).found);
+        return triangles;
+    }
+
     int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
 
 private:
@@ -121,6 +136,21 @@ TEST(Rasterize, DrawsWhatTheEdgeFunctionsSay) {
                               covers(*triangle, x, y))
                         << "triangle " << i << " at " << x << ", " << y;
             }
+        }
+    }
+}
+
+// Drawn again from another corner on, or from behind, a triangle has the same depth at every pixel: GL_LEQUAL
+// lets it pass.
+TEST(Triangle, HasTheSameDepthsWhicheverCornerComesFirst) {
+    Triangles triangles;
+    for (int i = 0; i < 200; ++i) {
+        const std::vector<Triangle> made = triangles.inEveryOrder();
+        for (const Triangle& each : made) {
+            EXPECT_EQ(each.origin, made[0].origin);
+            EXPECT_EQ(each.depth.origin, made[0].depth.origin);
+            EXPECT_EQ(each.depth.dx, made[0].depth.dx);
+            EXPECT_EQ(each.depth.dy, made[0].depth.dy);
         }
     }
 }
