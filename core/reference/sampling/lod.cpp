@@ -33,12 +33,17 @@ float baseLambda(double rho) {
 /// EXT_texture_filter_anisotropic: N = min(ceil(Pmax / Pmin), maxAniso). Pmin may be 0.
 int probeCount(double longer, double shorter, float limit) {
     const float ratio = longer > 0 ? std::ceil(static_cast<float>(longer / shorter)) : 1.0F;
-    return std::max(1, static_cast<int>(std::min({ratio, std::floor(limit), 1024.0F})));
+    return std::max(1, static_cast<int>(std::min({ratio, limit, 1024.0F})));
 }
 
 /// Mesa's ellipse is for pictures, whatever their filters are; other targets take the probes.
 bool averagesOverEllipse(const SampledTexture& texture, const SampleOptions& options) {
     return options.anisotropy == AnisotropyMethod::Ellipse && texture.target == Target::Texture2D;
+}
+
+/// Mesa keeps the maximal anisotropy as a whole number. So the probes are counted, too.
+float wholeAnisotropy(const SampledTexture& texture) {
+    return std::floor(texture.maxAnisotropy);
 }
 
 } // namespace
@@ -62,11 +67,12 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
     lod.undefined = !std::isfinite(lod.lengthX) || !std::isfinite(lod.lengthY);
     // Without a derivative there is nothing to minify by: as if one texel covered one pixel.
     lod.rho = lod.undefined ? 1.0 : longer;
-    if (texture.maxAnisotropy > 1 && !lod.undefined && averagesOverEllipse(texture, options)) {
+    const float anisotropy = wholeAnisotropy(texture);
+    if (anisotropy > 1 && !lod.undefined && averagesOverEllipse(texture, options)) {
         lod.ellipse = longer > shorter;
-        lod.rho = std::max(shorter, longer / double{texture.maxAnisotropy});
-    } else if (texture.maxAnisotropy > 1 && !lod.undefined) {
-        lod.probes = probeCount(longer, shorter, texture.maxAnisotropy);
+        lod.rho = std::max(shorter, longer / double{anisotropy});
+    } else if (anisotropy > 1 && !lod.undefined) {
+        lod.probes = probeCount(longer, shorter, anisotropy);
         lod.rho = longer / lod.probes;
     }
     lod.base = baseLambda(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
