@@ -2,7 +2,9 @@
 
 #include "core/conform/lambda_range.h"
 #include "core/reference/sampling/lod.h"
+#include "core/reference/shading/coordinate_reach.h"
 
+#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
 #include <algorithm>
@@ -16,33 +18,40 @@ using reference::PixelBytes;
 /// A scene of which such a part is unexplained is wrong: probing all of its other pixels would take long.
 constexpr std::size_t hopeless = 16;
 
-constexpr float texelError = 1.0F / 128; // dEQP: uvwBits = 7
+constexpr float texelError = 1.0F / 128;    // dEQP: uvwBits = 7
+constexpr float coordinateError = 0x1p-20F; // of a coordinate itself; dEQP: coordBits = 20
 
-void forEachUnit(Scene& scene, auto each) {
+template<class Each> ///< each(pass, number of the unit, texture)
+void forEachUnit(Scene& scene, Each each) {
     for (Pass& pass : scene.passes) {
         if (!pass.enabled)
             continue;
-        for (Unit& unit : pass.units) {
+        for (std::size_t u = 0; u < pass.units.size(); ++u) {
+            const Unit& unit = pass.units[u];
             const auto texture = static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
             if (unit.enabled && texture < scene.textures.size())
-                each(unit, scene.textures[texture]);
+                each(pass, u, scene.textures[texture]);
         }
     }
 }
 
-/// Coordinates of all units moved by `texels`, after the texture matrix.
-Scene moved(Scene scene, const ImageSource& images, glm::vec3 texels) {
-    forEachUnit(scene, [&](Unit& unit, const Texture& texture) {
+/// Coordinates of all units moved by the error of a texel or by their own, where that is larger, to one side
+/// of each axis; after the texture matrix.
+Scene moved(Scene scene, const ImageSource& images, glm::vec3 sides) {
+    forEachUnit(scene, [&](Pass& pass, std::size_t u, const Texture& texture) {
+        const glm::vec3 reach = reference::coordinateReach(scene, pass, u, 0);
+        Unit& unit = pass.units[u];
         glm::vec3 size = baseSizeOf(texture, unit.target, images);
         if (unit.target == Target::CubeMap) // all three are components of a direction
             size = glm::vec3(size.x);
+        const glm::vec3 amount = sides * glm::max(texelError / size, coordinateError * reach);
         // A step that loads a matrix makes void what stands before it.
         const auto load = std::find_if(unit.matrix.rbegin(), unit.matrix.rend(),
                                        [](const MatrixStep& step) { return step.op == MatrixOp::Load; });
         if (load != unit.matrix.rend())
-            load->matrix = glm::translate(glm::mat4(1), texels / size) * load->matrix;
+            load->matrix = glm::translate(glm::mat4(1), amount) * load->matrix;
         else if (unit.matrix.size() < maxMatrixSteps)
-            unit.matrix.insert(unit.matrix.begin(), {.op = MatrixOp::Translate, .amount = texels / size});
+            unit.matrix.insert(unit.matrix.begin(), {.op = MatrixOp::Translate, .amount = amount});
     });
     return scene;
 }
@@ -50,7 +59,7 @@ Scene moved(Scene scene, const ImageSource& images, glm::vec3 texels) {
 /// Whether colours run from one to the next, so that everything between two ends is possible.
 bool blends(Scene scene, Tolerance tolerance) {
     bool found = false;
-    forEachUnit(scene, [&](const Unit&, const Texture& texture) {
+    forEachUnit(scene, [&](const Pass&, std::size_t, const Texture& texture) {
         found = found || reference::blendsLevels(texture.minFilter) ||
                 (tolerance == Tolerance::TexelEdge &&
                  (reference::isLinear(texture.minFilter) || texture.magFilter == MagFilter::Linear));
@@ -88,8 +97,8 @@ bool isAmong(const std::vector<PixelBytes>& ends, const PixelBytes& found, int b
 
 std::vector<Scene> movedByTexelError(const Scene& scene, const ImageSource& images) {
     std::vector<Scene> scenes;
-    for (const float s : {-texelError, texelError}) {
-        for (const float t : {-texelError, texelError})
+    for (const float s : {-1.0F, 1.0F}) {
+        for (const float t : {-1.0F, 1.0F})
             scenes.push_back(moved(scene, images, {s, t, s}));
     }
     return scenes;

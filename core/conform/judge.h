@@ -20,7 +20,8 @@ struct Judgement {
 [[nodiscard]] Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
                                       const Image& theirs, Explainer& reference);
 
-/// The scene with all coordinates moved by 1/128 of a texel of these images, in four directions.
+/// The scene with all coordinates moved by 1/128 of a texel of these images, in four directions; by 2^-20 of
+/// the farthest coordinate where that is more, for so many bits of it are certain.
 [[nodiscard]] std::vector<Scene> movedByTexelError(const Scene& scene, const ImageSource& images);
 
 } // namespace texplorer::conform

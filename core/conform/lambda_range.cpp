@@ -2,6 +2,8 @@
 
 #include "core/reference/probe.h"
 #include "core/reference/sampling/cube.h"
+#include "core/reference/shading/fragment.h"
+#include "core/reference/shading/stored_color.h"
 #include "core/texture/image_source.h"
 #include "core/texture/level_plan.h"
 
@@ -94,9 +96,10 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
     const double alongX = glm::length((coords(corner + glm::dvec2(1, 0)) - here) * size);
     const double alongY = glm::length((coords(corner + glm::dvec2(0, 1)) - here) * size);
     const double longer = std::max(alongX, alongY);
-    const double rho = unit.sample.lod.ellipse // then the shorter axis decides
-                           ? std::max(std::min(alongX, alongY), longer / double{unit.sampler.maxAnisotropy})
-                           : longer;
+    const double rho =
+        unit.sample.lod.ellipse // then the shorter axis decides
+            ? std::max(std::min(alongX, alongY), longer / double{std::floor(unit.sampler.maxAnisotropy)})
+            : longer;
     const auto squared = static_cast<float>(rho * rho);
     LambdaRange range{-lambdaError, lambdaError};
     if (!std::isfinite(squared) || squared <= 0 || !std::isfinite(unit.sample.lod.base))
@@ -108,35 +111,98 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
     return range;
 }
 
-Result<std::vector<reference::PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
-                                                            const reference::DrawRequest& request,
-                                                            reference::PixelPlace pixel,
-                                                            const reference::DrawOptions& options) {
-    const Result<reference::Explanation> exact = renderer.probe(request, pixel, options);
+namespace {
+
+using reference::Explanation;
+using reference::FragmentExplanation;
+using reference::FragmentOutcome;
+using reference::PixelBytes;
+
+constexpr std::array places{0.0F, 0.25F, 0.5F, 0.75F, 1.0F}; // within the range
+
+/// Fragments whose range is asked for, from the last one on, and colours that are kept of them all.
+constexpr std::size_t mostFragments = 8;
+constexpr std::size_t mostColors = 256;
+
+/// The scene with the bias of a fragment's units moved to a place of their ranges.
+reference::DrawRequest biased(const reference::DrawRequest& request, const Explanation& pixel,
+                              const FragmentExplanation& fragment, float place) {
+    reference::DrawRequest moved = request;
+    for (const reference::UnitExplanation& unit : fragment.units) {
+        const Texture& texture = request.scene.textures[static_cast<std::size_t>(unit.texture)];
+        const LambdaRange range =
+            lambdaRange(pixel, fragment, unit, baseSizeOf(texture, unit.target, request.images));
+        moved.scene.passes[static_cast<std::size_t>(fragment.pass)]
+            .units[static_cast<std::size_t>(unit.unit)]
+            .lodBias += std::lerp(range.low, range.high, place);
+    }
+    return moved;
+}
+
+/// What the framebuffer holds after a fragment of this colour.
+PixelBytes drawnOver(const PixelBytes& before, const FragmentExplanation& fragment, glm::vec4 color) {
+    const auto& alpha = fragment.alphaTest;
+    if (alpha.enabled && !reference::passes(alpha.function, color.a, alpha.with))
+        return before;
+    const auto bytes = [](const PixelBytes& pixel) {
+        return reference::colorOf(reinterpret_cast<const std::byte*>(pixel.data()));
+    };
+    if (fragment.blend.enabled)
+        color = reference::blend(fragment.blend.sourceFactor, fragment.blend.destinationFactor, color,
+                                 bytes(before));
+    PixelBytes after{};
+    reference::store(color, reinterpret_cast<std::byte*>(after.data()));
+    return after;
+}
+
+/// Whether nothing of what was there before shows through.
+bool covers(const FragmentExplanation& fragment) {
+    return fragment.outcome == FragmentOutcome::Drawn && !fragment.blend.enabled &&
+           !fragment.alphaTest.enabled;
+}
+
+} // namespace
+
+Result<std::vector<PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
+                                                 const reference::DrawRequest& request,
+                                                 reference::PixelPlace pixel,
+                                                 const reference::DrawOptions& options) {
+    const Result<Explanation> exact = renderer.probe(request, pixel, options);
     if (!exact)
         return fail(exact.error());
-    constexpr std::array places{0.0F, 0.25F, 0.5F, 0.75F, 1.0F}; // within the range
-    std::vector<reference::PixelBytes> colors;
-    for (const float place : places) {
-        reference::DrawRequest biased = request;
-        // Of the fragments of a pass the last one that is drawn is the one that is seen.
-        for (const reference::FragmentExplanation& fragment : exact->fragments) {
-            if (fragment.outcome != reference::FragmentOutcome::Drawn)
-                continue;
-            for (const reference::UnitExplanation& unit : fragment.units) {
-                const Texture& texture = request.scene.textures[static_cast<std::size_t>(unit.texture)];
-                const LambdaRange range =
-                    lambdaRange(*exact, fragment, unit, baseSizeOf(texture, unit.target, request.images));
-                const auto pass = static_cast<std::size_t>(fragment.pass);
-                const auto index = static_cast<std::size_t>(unit.unit);
-                biased.scene.passes[pass].units[index].lodBias =
-                    request.scene.passes[pass].units[index].lodBias + std::lerp(range.low, range.high, place);
-            }
+    const std::vector<FragmentExplanation>& fragments = exact->fragments;
+    std::size_t first = fragments.size();
+    for (std::size_t count = 0; first > 0 && count < mostFragments; ++count) {
+        if (covers(fragments[--first]))
+            break;
+    }
+    if (first == fragments.size())
+        return std::vector{exact->bytes};
+    // Each fragment is off by an amount of its own: all that they may be, one over the other.
+    std::vector<PixelBytes> colors{fragments[first].before};
+    for (std::size_t f = first; f < fragments.size(); ++f) {
+        if (fragments[f].outcome == FragmentOutcome::FailedDepthTest)
+            continue;
+        std::vector<glm::vec4> own;
+        for (const float place : places) {
+            const Result<Explanation> found =
+                renderer.probe(biased(request, *exact, fragments[f], place), pixel, options);
+            if (!found)
+                return fail(found.error());
+            own.push_back(found->fragments[f].color);
         }
-        const Result<reference::Explanation> found = renderer.probe(biased, pixel, options);
-        if (!found)
-            return fail(found.error());
-        colors.push_back(found->bytes);
+        std::vector<PixelBytes> after;
+        for (const PixelBytes& before : colors) {
+            for (const glm::vec4& color : own)
+                after.push_back(drawnOver(before, fragments[f], color));
+        }
+        std::ranges::sort(after);
+        after.erase(std::ranges::unique(after).begin(), after.end());
+        const std::size_t step = after.size() / mostColors + 1;
+        colors.clear();
+        for (std::size_t i = 0; i < after.size(); i += step)
+            colors.push_back(after[i]);
+        colors.push_back(after.back());
     }
     return colors;
 }

@@ -23,8 +23,9 @@ struct LambdaRange {
                                       const reference::FragmentExplanation& fragment,
                                       const reference::UnitExplanation& unit, glm::vec3 baseSize);
 
-/// The colours of one pixel at both ends of that range and in its middle, as the reference draws them.
-/// Errors: those of the probe.
+/// The colours of one pixel at both ends of that range and in between, as the reference draws them. Where
+/// what was drawn before shows through, each fragment is off by an amount of its own; of many fragments the
+/// last ones count, and of many colours some are left out. Errors: those of the probe.
 [[nodiscard]] Result<std::vector<reference::PixelBytes>>
 colorsOverLambda(reference::ReferenceRenderer& renderer, const reference::DrawRequest& request,
                  reference::PixelPlace pixel, const reference::DrawOptions& options);

@@ -12,7 +12,8 @@ namespace texplorer::conform {
 /// both ends of that freedom.
 enum class Tolerance : std::uint8_t {
     None,
-    /// Coordinates within 1/128 of a texel: next to an edge either of two texels is right.
+    /// Coordinates within 1/128 of a texel, or 2^-20 of themselves: next to an edge either of two texels is
+    /// right.
     TexelEdge,
     /// Lambda within its error at this pixel (lambda_range.h), or coordinates as above: where levels are
     /// blended, the colour lies between those that lambda spans; where one is chosen, it is that of one.

@@ -1,8 +1,12 @@
+#include "core/conform/feature.h"
 #include "core/conform/judge.h"
 #include "core/conform/skip.h"
 #include "core/conform/surfaces.h"
+#include "core/scene/params/json.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace texplorer::conform::judge_test {
 namespace {
@@ -60,6 +64,24 @@ TEST_F(Judging, GrantsNoTexelThatIsFurtherAway) {
     EXPECT_EQ(judgement.unexplained, judgement.difference.over);
 }
 
+// Far from 0 a coordinate has fewer bits. These are 870 repeats away, where 2^-20 of a coordinate are 0.053
+// texels.
+TEST_F(Judging, GrantsMoreToCoordinatesThatAreFarAway) {
+    const auto farAway = [](float offset) {
+        Scene scene = boardWithEdgesAt(offset);
+        for (glm::vec4& each : scene.models[0].texCoords[0])
+            each.s += 870;
+        return scene;
+    };
+    const Judgement near = judged(edge, boardWithEdgesAt(0.03F), boardWithEdgesAt(-0.02F));
+    EXPECT_GT(near.difference.over, 0U);
+    EXPECT_EQ(near.unexplained, near.difference.over);
+    const Judgement far = judged(edge, farAway(0.03F), farAway(-0.02F));
+    EXPECT_GT(far.difference.over, 0U);
+    EXPECT_EQ(far.unexplained, 0U);
+    EXPECT_GT(judged(edge, farAway(0.3F), farAway(-0.3F)).unexplained, 0U);
+}
+
 Scene trilinearFloor() {
     Dice dice("floor", 1, 1);
     Scene scene = surface(Shape::Floor, dice);
@@ -83,6 +105,29 @@ TEST_F(Judging, GrantsLambdaNoMore) {
     biased.passes[0].units[0].lodBias = 0.1F;
     const Judgement judgement = judged(lambda, scene, biased);
     EXPECT_GT(judgement.unexplained, judgement.difference.over / 2);
+}
+
+// Of two faces of a cube the far one is blended over, and is at a lambda of about 2.5: which of two levels it
+// reads counts for the pixel, too. What llvmpipe draws there, from the upper left.
+TEST_F(Judging, GrantsLambdaItsErrorInEveryFragmentThatIsSeen) {
+    const Result<Scene> scene = parseScene(R"({"version": 1, "models": [{"position": [1, 1, 1]}],
+        "textures": [{"minFilter": "GL_LINEAR_MIPMAP_NEAREST", "mipmaps": "generated", "lodBias": 1.4}],
+        "passes": [{"blend": true, "blendDst": "GL_ONE_MINUS_SRC_COLOR", "units": [{"enabled": true}]}]})");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    struct Pixel {
+        int x;
+        int y;
+        std::array<int, 3> color;
+    };
+    Image theirs = draw(*scene);
+    for (const auto& [x, y, color] :
+         {Pixel{28, 42, {237, 238, 238}}, {51, 11, {34, 39, 47}}, {24, 20, {166, 168, 171}}}) {
+        for (std::size_t c = 0; c < 3; ++c)
+            theirs.at(x, extent - 1 - y)[c] = static_cast<std::byte>(color[c]);
+    }
+    const Judgement judgement = *judge(lambda, *scene, draw(*scene), theirs, *reference);
+    EXPECT_EQ(judgement.difference.over, 3U);
+    EXPECT_EQ(judgement.unexplained, 0U);
 }
 
 // llvmpipe clamps them to the edge under GL_LINEAR; under GL_NEAREST, and clamped, they can be compared.

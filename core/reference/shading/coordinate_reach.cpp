@@ -1,0 +1,38 @@
+#include "core/reference/shading/coordinate_reach.h"
+
+#include "core/reference/shading/coordinates.h"
+#include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/emboss.h"
+#include "core/scene/model_mesh.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::reference {
+
+glm::vec3 coordinateReach(const Scene& scene, const Pass& pass, std::size_t unit, double time) {
+    const Unit& state = pass.units[unit];
+    const glm::mat4 matrix = coordinateMatrix(state, LateFlip::None, time, scene.light);
+    glm::vec3 reach(0);
+    for (const std::size_t index : drawnModels(scene, pass)) {
+        const Model& model = scene.models[index];
+        const Mesh mesh = meshOf(model);
+        const TexCoords given = givenTexCoords(scene, pass, static_cast<int>(unit), model, mesh, time);
+        const EyeSpace eye(modelViewMatrix(scene.view, model, time));
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+            const glm::vec4 coords =
+                matrix * generatedCoordinates(state, LateFlip::None, given[v], eye(mesh.vertices[v]));
+            for (int axis = 0; axis < 3; ++axis) {
+                const float distance = std::abs(coords[axis] / coords.q);
+                if (std::isfinite(distance))
+                    reach[axis] = std::max(reach[axis], distance);
+            }
+        }
+    }
+    return reach;
+}
+
+} // namespace texplorer::reference
