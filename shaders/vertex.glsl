@@ -74,7 +74,7 @@ void main() {
 //@ eye position
     vec3 eyePosition = vec3(modelView * vec4(position, 1.0));
 //@ eye normal
-    vec3 eyeNormal = normalize(normalMatrix * normal); // GL_NORMALIZE
+    vec3 eyeNormal = direction(normalMatrix * normal); // GL_NORMALIZE
 //@ unlit
     primaryColor = clamp(color, 0.0, 1.0);
 //@ coordinate

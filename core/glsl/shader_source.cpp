@@ -231,7 +231,7 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         stage.add("vertex", "coordinate output", {{"UNIT", index}});
     });
     const bool reflects = body.mentions("reflectionVector(");
-    if (reflects || body.mentions("direction("))
+    if (reflects || body.mentions("direction(") || body.mentions("eyeNormal"))
         stage.add("vertex", "direction");
     if (reflects)
         stage.add("texgen", "reflection vector");

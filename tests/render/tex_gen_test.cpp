@@ -1,6 +1,7 @@
 // Generated coordinates against section 2.11.4 of the OpenGL 2.1 specification: a scene that generates them
 // looks as one whose vertices were given what the formulas say.
 
+#include "core/reference/draw.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 #include "tests/support/flat_scene.h"
@@ -18,6 +19,8 @@ namespace texplorer::tex_gen_test {
 namespace {
 
 using namespace test;
+
+class ZeroNormal : public RenderTest {};
 
 constexpr std::array planes{glm::vec4{0.5F, 0.25F, -0.3F, 0.1F}, glm::vec4{-0.2F, 0.6F, 0.4F, 0.3F},
                             glm::vec4{0.1F, 0.2F, 0.3F, 0.4F}, glm::vec4{0.05F, -0.1F, 0.02F, 1}};
@@ -172,6 +175,34 @@ TEST_F(RenderTest, GeneratedCoordinatesBeginWithGlsInitialValues) {
         EXPECT_EQ(static_cast<std::uint32_t>(mode), static_cast<std::uint32_t>(expected.mode));
         EXPECT_EQ(object, expected.objectPlane);
         EXPECT_EQ(eye, expected.eyePlane);
+    }
+}
+
+// OpenGL leaves open what becomes of a normal without a length; the shaders and the reference keep it 0.
+TEST_F(ZeroNormal, IsTheSameInShadersAndReference) {
+    if (testedRenderer() != RendererKind::Shader)
+        GTEST_SKIP() << "fixed function has its own answer";
+    images.put("image",
+               rgbaImage(2, 2, 1, {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 255}}));
+    for (const TexGenMode mode : {TexGenMode::SphereMap, TexGenMode::ReflectionMap, TexGenMode::NormalMap}) {
+        Scene scene = sphereScene();
+        scene.models[0] = Model{.shape = Shape::Mesh};
+        scene.models[0].mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+        scene.models[0].mesh.normals.assign(3, glm::vec3(0));
+        scene.passes[0].lighting = true;
+        Unit& unit = scene.passes[0].units[0];
+        unit.envMode = EnvMode::Modulate;
+        unit.texGenS.enabled = unit.texGenT.enabled = true;
+        unit.texGenS.mode = unit.texGenT.mode = mode;
+        const Image found = picture(scene, 64);
+        const Result<Frame> expected = reference::drawReference({scene, images, 0, 64, 64});
+        ASSERT_TRUE(expected) << describe(expected.error());
+        int different = 0;
+        for (int y = 0; y < 64; ++y) {
+            for (int x = 0; x < 64; ++x)
+                different += isColor(colorAt(found, x, y), colorAt(expected->image, x, y), 2) ? 0 : 1;
+        }
+        EXPECT_LE(different, 20) << rowOf(mode).name; // along edges of texels
     }
 }
 
