@@ -53,8 +53,8 @@ struct SceneRenderer::State {
 
     void drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size);
     void applySeamlessCubeMap(const Pass& pass, const std::string& where);
-    BoundTextures texturesOf(const Scene& scene, std::size_t passIndex, const ImageSource& images);
-    BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
+    BoundTextures texturesOf(const TextureUse& frame, std::size_t passIndex, const ImageSource& images);
+    BoundTexture textureOf(const TextureUse& frame, const Unit& unit, int unitIndex, const std::string& where,
                            const ImageSource& images);
     void remember(const Scene& scene, double time, view::Size size);
 
@@ -138,7 +138,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
         applyDepthAndBlend(scene.passes[i]);
         errors.check([&] { return fmt::format("{}: glDepthFunc, glBlendFunc", where); });
         applySeamlessCubeMap(scene.passes[i], where);
-        const BoundTextures bound = texturesOf(scene, i, images);
+        const BoundTextures bound = texturesOf({scene, 0, time, size.width, size.height}, i, images);
         if (!pipeline->beginPass(scene, i, bound, time, errors))
             continue;
         std::array<CoordUse, maxUnits> uses{};
@@ -173,34 +173,37 @@ void SceneRenderer::State::remember(const Scene& scene, double time, view::Size 
     ++revision;
 }
 
-BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t passIndex,
+/// Of `frame` the texture doesn't count: it is that of each unit.
+BoundTextures SceneRenderer::State::texturesOf(const TextureUse& frame, std::size_t passIndex,
                                                const ImageSource& images) {
     BoundTextures bound{};
     for (int i = 0; i < maxUnits; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const Unit& unit = scene.passes[passIndex].units[at];
+        const Unit& unit = frame.scene.passes[passIndex].units[at];
         if (unit.enabled)
-            bound[at] = textureOf(scene, unit, i, fmt::format("passes[{}].units[{}]", passIndex, i), images);
+            bound[at] = textureOf(frame, unit, i, fmt::format("passes[{}].units[{}]", passIndex, i), images);
     }
     return bound;
 }
 
-BoundTexture SceneRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
+BoundTexture SceneRenderer::State::textureOf(const TextureUse& frame, const Unit& unit, int unitIndex,
                                              const std::string& where, const ImageSource& images) {
+    const std::size_t count = frame.scene.textures.size();
     if (unitIndex >= capabilities.textureUnits) {
         errors.add(fmt::format("{}: the driver has {}; drawn without this one", where,
                                countOf(capabilities.textureUnits, "texture unit")));
         return {};
     }
-    if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
+    if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= count) {
         errors.add(fmt::format("{}: there is no texture {}, the scene has {}; drawn without it", where,
-                               unit.texture, scene.textures.size()));
+                               unit.texture, count));
         return {};
     }
     // Preparing binds the texture: on its own unit, or it would take the place of another's.
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
-    return textures->prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, levels,
-                             errors);
+    const TextureUse use{frame.scene, static_cast<std::size_t>(unit.texture), frame.time, frame.width,
+                         frame.height};
+    return textures->prepare(use, unit.target, images, levels, errors);
 }
 
 void SceneRenderer::shareTextures(const SceneRenderer& other) {

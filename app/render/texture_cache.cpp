@@ -19,9 +19,10 @@ float unitBias(const Unit& unit, const BoundTexture& texture) {
     return std::abs(sum) > limit ? std::copysign(limit, sum) - texture.lodBias : unit.lodBias;
 }
 
-BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target target,
-                                   const ImageSource& images, LevelsSource* levels, GlErrors& errors) {
-    const Texture& texture = scene.textures[index];
+BoundTexture TextureCache::prepare(const TextureUse& use, Target target, const ImageSource& images,
+                                   LevelsSource* levels, GlErrors& errors) {
+    const std::size_t index = use.texture;
+    const Texture& texture = use.scene.textures[index];
     const std::string where = fmt::format("textures[{}]", index);
     TexturePictures pictures = images.picturesOf(texture);
     if (!pictures.base || !hasPixels(*pictures.base)) {
@@ -44,7 +45,7 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
         errors.add(fmt::format("{}: an anisotropy of {} exceeds the driver's {}; drawn with that", where,
                                formatNumber(texture.maxAnisotropy),
                                formatNumber(capabilities_.maxAnisotropy)));
-    const AppliedTexture applied = appliedTexture(texture, slot.shape(), slot.lastLevel(), facts_);
+    const AppliedTexture applied = appliedTexture(texture, slot.shape(), slot.lastLevel(), facts_, &use);
     if (!applied.completeness.complete())
         return {};
     for (const std::string_view sentence : applied.heldBack)

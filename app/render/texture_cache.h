@@ -4,6 +4,7 @@
 #include "app/render/gl_errors.h"
 #include "app/render/live_texture.h"
 #include "app/view/driver_facts.h"
+#include "core/diagnosis/visited_texels.h"
 #include "core/reference/light_depth.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
@@ -38,11 +39,10 @@ public:
         , facts_(driverFacts(capabilities)) {}
 
     /// The texture object, up to date; its name is 0 where it can't be drawn: then a sentence in `errors`
-    /// says why. What was done otherwise than asked for is said there, too. `index` must be one of the
-    /// scene's textures. With `levels` it may be what it was before, or 0, until its levels are made and
-    /// uploaded.
-    [[nodiscard]] BoundTexture prepare(const Scene& scene, std::size_t index, Target target,
-                                       const ImageSource& images, LevelsSource* levels, GlErrors& errors);
+    /// says why. What was done otherwise than asked for is said there, too. With `levels` it may be what it
+    /// was before, or 0, until its levels are made and uploaded.
+    [[nodiscard]] BoundTexture prepare(const TextureUse& use, Target target, const ImageSource& images,
+                                       LevelsSource* levels, GlErrors& errors);
 
     /// The images with what the light sees: the same ones for all that have this cache.
     [[nodiscard]] ImageSource withLightDepths(const ImageSource& images, const Scene& scene, double time) {

@@ -11,21 +11,41 @@ namespace {
 
 using reference::SampledTexture;
 
-// llvmpipe reads a second coordinate that a line doesn't have.
-bool filtersLine(const Texture& texture, const SampledTexture& shape) {
-    return shape.target == Target::Texture1D && texture.maxAnisotropy > 1;
+// Mesa rounds it to a whole number, downwards.
+bool isAnisotropic(const Texture& texture) {
+    return texture.maxAnisotropy >= 2;
 }
 
 void withoutAnisotropy(Texture& texture) {
     texture.maxAnisotropy = 1;
 }
 
+// llvmpipe reads a second coordinate that a line doesn't have.
+bool filtersLine(const Texture& texture, const SampledTexture& shape, const TextureUse* /*use*/) {
+    return isAnisotropic(texture) && shape.target == Target::Texture1D;
+}
+
+// Its anisotropic filter averages the texels themselves.
+bool comparesDepths(const Texture& texture, const SampledTexture& /*shape*/, const TextureUse* /*use*/) {
+    return isAnisotropic(texture) && isDepth(texture.internalFormat) &&
+           texture.compareMode == CompareMode::RToTexture;
+}
+
+// It visits so many in about a second, on one processor of 2020; a large picture may have what textures with
+// mipmaps want for each of its pixels.
+bool visitsWithoutEnd(const Texture& texture, const SampledTexture& shape, const TextureUse* use) {
+    if (!use || !isAnisotropic(texture))
+        return false;
+    const double most = 0x1p28 + 256.0 * use->width * use->height;
+    return visitedTexels(shape, *use, most) > most;
+}
+
 // Where lambda chooses between two filters and nothing else, and is biased, llvmpipe may have no level of
 // detail and read it all the same. Whose bias it is, the shader's or the texture object's, doesn't count.
-bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape) {
+bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape, const TextureUse* /*use*/) {
     const bool oneLevel =
         !reference::wantsMipmaps(texture.minFilter) || reference::lastMipLevel(shape) == shape.baseLevel;
-    return oneLevel && texture.maxAnisotropy > 1 &&
+    return isAnisotropic(texture) && oneLevel &&
            reference::isLinear(texture.minFilter) != (texture.magFilter == MagFilter::Linear);
 }
 
@@ -39,6 +59,12 @@ constexpr std::array flaws{
     DriverFlaw{"llvmpipe", filtersLine, withoutAnisotropy,
                "llvmpipe ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "
                "without anisotropy"},
+    DriverFlaw{"llvmpipe", comparesDepths, withoutAnisotropy,
+               "llvmpipe compares no depths where it filters them anisotropically; drawn without anisotropy"},
+    DriverFlaw{
+        "llvmpipe", visitsWithoutEnd, withoutAnisotropy,
+        "llvmpipe's anisotropic filter visits every texel that a pixel covers, which would take seconds "
+        "to hours here, where coordinates run fast or q runs through 0; drawn without anisotropy"},
     DriverFlaw{"llvmpipe", choosesFilterAlone, withOneFilter, ""},
 };
 
@@ -49,7 +75,7 @@ std::span<const DriverFlaw> driverFlaws() {
 }
 
 AppliedTexture appliedTexture(const Texture& texture, SampledTexture shape, int lastLevel,
-                              const DriverFacts& driver) {
+                              const DriverFacts& driver, const TextureUse* use) {
     AppliedTexture applied{texture, {}, {}};
     Texture& given = applied.texture;
     given.baseLevel = std::max(0, given.baseLevel); // GL refuses another, and keeps 0
@@ -62,7 +88,7 @@ AppliedTexture appliedTexture(const Texture& texture, SampledTexture shape, int 
     if (!applied.completeness.complete())
         return applied;
     for (const DriverFlaw& flaw : flaws) {
-        if (!driver.renderer.starts_with(flaw.driver) || !flaw.meets(given, shape))
+        if (!driver.renderer.starts_with(flaw.driver) || !flaw.meets(given, shape, use))
             continue;
         flaw.avoid(given);
         if (!flaw.sentence.empty())

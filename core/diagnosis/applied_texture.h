@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/visited_texels.h"
 #include "core/reference/sampling/completeness.h"
 #include "core/scene/scene.h"
 
@@ -9,10 +10,11 @@
 
 namespace texplorer {
 
-/// Something that a driver doesn't survive, and what it is given instead.
+/// Something that a driver doesn't survive or doesn't do, and what it is given instead.
 struct DriverFlaw {
     std::string_view driver; ///< how its GL_RENDERER begins
-    bool (*meets)(const Texture& texture, const reference::SampledTexture& shape);
+    /// `use`: nullptr where nothing is drawn.
+    bool (*meets)(const Texture& texture, const reference::SampledTexture& shape, const TextureUse* use);
     void (*avoid)(Texture& texture);
     std::string_view sentence; ///< what is drawn otherwise and why; empty: no pixel changes
 };
@@ -28,8 +30,9 @@ struct AppliedTexture {
 };
 
 /// `shape` has the extents of the levels (reference::shapeOf), `lastLevel` is that of TextureLevels. Of the
-/// driver its name counts alone.
+/// driver its name counts alone. `use`: the frame that is drawn with it.
 [[nodiscard]] AppliedTexture appliedTexture(const Texture& texture, reference::SampledTexture shape,
-                                            int lastLevel, const DriverFacts& driver);
+                                            int lastLevel, const DriverFacts& driver,
+                                            const TextureUse* use = nullptr);
 
 } // namespace texplorer

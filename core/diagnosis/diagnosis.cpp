@@ -38,27 +38,29 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
     return fmt::format("{}.{}.", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(unit));
 }
 
-TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures,
-                    const DriverFacts& driver) {
-    TargetFacts facts{
-        target, planLevels(texture, pictures, target), {}, {}, baseFormat(texture.internalFormat)};
-    // Completeness asks for extents alone: these levels have no texels.
-    reference::SampledTexture sampled;
-    sampled.target = target;
-    for (const PlannedLevel& each : facts.plan.levels) {
-        for (int face = 0; face < facesOf(target); ++face)
-            sampled.levelToFill(each.number,
-                                face) = {each.width, each.height, each.depth, facts.plan.border, {}};
-    }
+TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures) {
+    TargetFacts facts{target, planLevels(texture, pictures, target), {}, baseFormat(texture.internalFormat)};
     if (facts.plan.blocks)
         facts.format = baseFormat(*facts.plan.blocks);
     else if (isDepth(texture.internalFormat))
         facts.format = baseFormat(texture.depthMode);
-    sampled.format = facts.format;
-    AppliedTexture applied = appliedTexture(texture, std::move(sampled), facts.plan.lastLevel, driver);
-    facts.completeness = std::move(applied.completeness);
-    facts.heldBack = std::move(applied.heldBack);
+    facts.completeness =
+        appliedTexture(texture, shapeOf(facts, texture.internalFormat), facts.plan.lastLevel, {})
+            .completeness;
     return facts;
+}
+
+reference::SampledTexture shapeOf(const TargetFacts& facts, InternalFormat format) {
+    reference::SampledTexture shape;
+    shape.target = facts.target;
+    for (const PlannedLevel& each : facts.plan.levels) {
+        for (int face = 0; face < facesOf(facts.target); ++face)
+            shape.levelToFill(each.number,
+                              face) = {each.width, each.height, each.depth, facts.plan.border, {}};
+    }
+    shape.format = facts.format;
+    shape.internalFormat = format;
+    return shape;
 }
 
 namespace {
@@ -83,10 +85,10 @@ std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images,
         facts.seamless = facts.shown && seamless;
         forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
             if (binds(unit) && unit.enabled == facts.shown && !facts.hasTarget(unit.target))
-                facts.targets.push_back(factsAs(unit.target, texture, facts.pictures, driver));
+                facts.targets.push_back(factsAs(unit.target, texture, facts.pictures));
         });
         if (facts.targets.empty())
-            facts.targets.push_back(factsAs(Target::Texture2D, texture, facts.pictures, driver));
+            facts.targets.push_back(factsAs(Target::Texture2D, texture, facts.pictures));
     }
     return all;
 }
@@ -101,7 +103,7 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     Report report(findings);
     for (const std::span<const Rule> rules :
          {textureRules(), formatRules(), unitRules(), cubeRules(), combineRules(), passRules(), modelRules(),
-          lightRules(), sideRules(), fogRules(), depthRules(), textureEffectRules()}) {
+          vertexRules(), lightRules(), sideRules(), fogRules(), depthRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);

@@ -21,8 +21,7 @@ struct TargetFacts {
     Target target = Target::Texture2D;
     LevelPlan plan;
     reference::Completeness completeness;
-    std::vector<std::string_view> heldBack; ///< what the driver is not given
-    BaseFormat format = BaseFormat::Rgba;   ///< that the environment sees
+    BaseFormat format = BaseFormat::Rgba; ///< that the environment sees
 };
 
 /// What the rules ask about a texture again and again.
@@ -38,9 +37,11 @@ struct TextureFacts {
     [[nodiscard]] const TargetFacts* as(Target target) const;
 };
 
-/// What `texture` is as one target takes it. Whether it is complete is no driver's concern.
-[[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures,
-                                  const DriverFacts& driver = {});
+/// What `texture` is as one target takes it, whatever the driver is.
+[[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures);
+
+/// The same to sample: its extents, without texels and parameters.
+[[nodiscard]] reference::SampledTexture shapeOf(const TargetFacts& facts, InternalFormat format);
 
 struct Case {
     const Scene& scene;
@@ -94,6 +95,8 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
 [[nodiscard]] std::span<const Rule> modelRules();
+[[nodiscard]] std::span<const Rule>
+vertexRules(); ///< normals and coordinates without a value, or without bits
 [[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
 [[nodiscard]] std::span<const Rule> sideRules();  ///< front and back
 [[nodiscard]] std::span<const Rule> fogRules();

@@ -1,9 +1,12 @@
 // What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
 
+#include "core/diagnosis/applied_texture.h"
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/image/power_of_two.h"
 #include "core/reference/sampling/lod.h"
+#include "core/scene/animation.h"
 #include "core/scene/params/param_text.h"
+#include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 
@@ -216,15 +219,73 @@ void anisotropyLimit(const Case& about, Report& report) {
     });
 }
 
+/// When a scene is looked at: as it is now, and where it moves, at all of its keys and as long as most go on.
+std::vector<double> timesOf(const Scene& scene) {
+    if (!isAnimated(scene))
+        return {0};
+    std::vector<double> times{0, 0.25, 0.5, 1, 2, 4, 8, 16};
+    constexpr std::size_t most = 64;
+    for (std::size_t i = 0; i < scene.timeline.keys.size() && i < most; ++i)
+        times.push_back(scene.timeline.keys[i].time);
+    return times;
+}
+
+/// Whether some texture is ever filtered anisotropically: no driver lacks anything else.
+bool isEverAnisotropic(const Scene& scene) {
+    return std::ranges::any_of(scene.textures, [](const Texture& each) { return each.maxAnisotropy > 1; }) ||
+           std::ranges::any_of(scene.timeline.keys, [](const KeyFrame& key) {
+               return key.path.ends_with(keyOf<&Texture::maxAnisotropy>());
+           });
+}
+
+/// What a driver isn't given of the textures, at one time or another.
+void addHeldBack(const Case& about, std::string_view driver, Report& report) {
+    if (!isEverAnisotropic(about.scene))
+        return;
+    DriverFacts named;
+    named.renderer = driver;
+    std::vector<std::vector<std::string_view>> sentences(about.textures.size());
+    for (const double time : timesOf(about.scene)) {
+        const StandingScene scene(about.scene, time);
+        for (std::size_t i = 0; i < about.textures.size(); ++i) {
+            const TextureFacts& facts = about.textures[i];
+            if (!facts.shown || !facts.image)
+                continue;
+            const Texture& texture = scene->textures[i];
+            for (const TargetFacts& each : facts.targets) {
+                const TextureUse use{*scene, i, time};
+                const AppliedTexture applied = appliedTexture(texture, shapeOf(each, texture.internalFormat),
+                                                              each.plan.lastLevel, named, &use);
+                for (const std::string_view sentence : applied.heldBack) {
+                    if (std::ranges::find(sentences[i], sentence) == sentences[i].end())
+                        sentences[i].push_back(sentence);
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < sentences.size(); ++i) {
+        const std::string path =
+            fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::maxAnisotropy>());
+        for (const std::string_view sentence : sentences[i])
+            report.add(path, std::string(sentence), Fix{"Set anisotropy to 1", {{path, "1"}}});
+    }
+}
+
 /// What this driver doesn't survive.
 void heldBack(const Case& about, Report& report) {
-    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
-        for (const TargetFacts& each : facts.targets) {
-            for (const std::string_view sentence : each.heldBack)
-                report.add(path + keyOf<&Texture::maxAnisotropy>(), std::string(sentence),
-                           Fix{"Set anisotropy to 1", {{path + keyOf<&Texture::maxAnisotropy>(), "1"}}});
-        }
-    });
+    addHeldBack(about, about.driver.renderer, report);
+}
+
+/// Where the driver isn't known: what some don't.
+void heldBackElsewhere(const Case& about, Report& report) {
+    if (!about.driver.renderer.empty())
+        return;
+    std::string_view last;
+    for (const DriverFlaw& flaw : driverFlaws()) {
+        if (flaw.driver != last)
+            addHeldBack(about, flaw.driver, report);
+        last = flaw.driver;
+    }
 }
 
 std::string extentsOf(const PlannedLevel& level) {
@@ -321,6 +382,7 @@ constexpr std::array textureRuleRows{
     Rule{"lod-range", Severity::Warning, lodRange},
     Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},
     Rule{"held-back", Severity::Warning, heldBack, true},
+    Rule{"held-back-elsewhere", Severity::Note, heldBackElsewhere},
     Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
     Rule{"lost-border", Severity::Warning, lostBorder},

@@ -29,9 +29,6 @@ struct RandomSkip {
 
 [[nodiscard]] std::span<const RandomSkip> randomSkips();
 
-/// The name of what isEndless finds.
-inline constexpr std::string_view endless = "endless-ellipse";
-
 struct Skipped {
     std::string_view name;
     std::string_view reason;
@@ -39,11 +36,6 @@ struct Skipped {
 
 /// Why these two can't be compared by this scene; an empty name: they can.
 [[nodiscard]] Skipped skipOf(const Comparison& comparison);
-
-/// Whether a scene is one that llvmpipe takes for ever to draw: it adds up all texels of an ellipse in its
-/// coarsest level, however many there are where coordinates run fast. OpenGL is given such a scene without
-/// anisotropy.
-[[nodiscard]] bool isEndless(const RandomScene& random, const conform::Driver& driver);
 
 /// Whether a mesh has the same triangle, line or point twice, as random indices may have it, or a torus is
 /// flat and lies on itself.

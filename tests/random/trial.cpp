@@ -65,7 +65,6 @@ struct Trial::State::Run {
     State& state;
     const RandomScene& random;
     Journal& journal;
-    Scene forOpenGl = random.scene; ///< without what its driver never gets through
     ImageSource images{state.files};
     std::vector<Finding> findings{}; ///< on this driver
     std::map<RendererKind, Image> pictures{};
@@ -114,7 +113,7 @@ struct Trial::State::Run {
     void draw(RendererKind kind) {
         journal.step(nameOf(kind));
         render::SceneRenderer& renderer = state.renderers.at(kind);
-        const Result<view::Frame> frame = renderer.draw(forOpenGl, images, 0, {extent, extent});
+        const Result<view::Frame> frame = renderer.draw(scene(), images, 0, {extent, extent});
         Result<Image> image = frame ? renderer.read() : fail(frame.error());
         if (!image)
             return broken(nameOf(kind) + ": " + describe(image.error()));
@@ -240,11 +239,6 @@ void Trial::run(const RandomScene& random, Journal& journal) {
     run.writeAndRead();
     run.load();
     run.check();
-    if (isEndless(random, driver)) {
-        journal.note("skip", "anisotropy of fixed and shader: " + std::string(endless));
-        for (Texture& texture : run.forOpenGl.textures)
-            texture.maxAnisotropy = 1;
-    }
     run.draw(RendererKind::Fixed);
     run.draw(RendererKind::Shader);
     run.drawReference();

@@ -135,6 +135,21 @@ TEST_F(DepthTexture, IsALineAsWell) {
     EXPECT_TRUE(problems.empty());
 }
 
+// llvmpipe's anisotropic filter averages depths and compares none.
+TEST_F(DepthTexture, IsComparedWhateverTheAnisotropyIs) {
+    const auto at = [&](float r) {
+        Scene scene = sceneAt(centreOf(1), r);
+        scene.textures[0].compareMode = CompareMode::RToTexture;
+        scene.textures[0].maxAnisotropy = 4;
+        return scene;
+    };
+    EXPECT_TRUE(isColor(onlyColor(at(0.1F)), {1, 1, 1, 1}));
+    EXPECT_TRUE(isColor(onlyColor(at(0.3F)), {0, 0, 0, 1}));
+    if (capabilities.renderer.starts_with("llvmpipe")) {
+        EXPECT_THAT(problems, Contains(HasSubstr("compares no depths")));
+    }
+}
+
 TEST_F(DepthTexture, IsLeftOutOfOtherTargetsWithASentence) {
     for (const Target target : {Target::Texture3D, Target::CubeMap}) {
         Scene scene = sceneAt(centreOf(1), 0);

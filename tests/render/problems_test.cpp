@@ -82,6 +82,29 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Problems : public RenderTest {};
 
+// It would visit texels for hours; what it draws is as without anisotropy.
+TEST_F(Problems, NameAnisotropyThatLlvmpipeIsNotGiven) {
+    images.put("image",
+               rgbaImage(2, 2, 1, {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 255}}));
+    if (!capabilities.renderer.starts_with("llvmpipe"))
+        GTEST_SKIP() << capabilities.renderer << " gets through it";
+    const auto endless = testing::HasSubstr("visits every texel that a pixel covers");
+    for (const float lower : {1.0F, -1.0F}) {
+        Scene scene = texturedScene();
+        scene.models[0].texCoords[0] = quadCoords({0, 0, 0, 1}, {1, 1, 0, 1});
+        scene.models[0].texCoords[0][0].q = lower;
+        const Image plain = picture(scene, 64);
+        scene.textures[0].maxAnisotropy = 16;
+        const Image found = picture(scene, 64);
+        if (lower > 0) {
+            EXPECT_THAT(problems, IsEmpty());
+            continue;
+        }
+        EXPECT_THAT(problems, ElementsAre(endless));
+        EXPECT_EQ(found.pixels, plain.pixels);
+    }
+}
+
 TEST_F(Problems, OfTextureParametersNameTheTexture) {
     images.put("image", plainImage(1, 1, {255, 0, 0, 255}));
     Scene scene = texturedScene();

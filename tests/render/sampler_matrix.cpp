@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <random>
 #include <span>
 #include <string>
@@ -115,6 +116,59 @@ std::vector<Case> levelCases(bool all) {
     return cases;
 }
 
+/// Coordinates that run fast, or without end because q runs through 0.
+std::vector<Case> footprintCases() {
+    const auto generated = [](TexGenMode mode) {
+        return [mode](Scene& scene) {
+            scene.passes[0].units[0].texGenQ = {
+                .enabled = true, .mode = mode, .objectPlane = {1, 0, 0, 0}, .eyePlane = {1, 0, 0, 0}};
+        };
+    };
+    struct Spoiled {
+        const char* name;
+        std::function<void(Scene&)> spoil;
+    };
+    const std::array ways{
+        Spoiled{"q of vertices", [](Scene& scene) { scene.models[0].texCoords[0][0].q = -1; }},
+        Spoiled{"q near 0", [](Scene& scene) { scene.models[0].texCoords[0][0].q = 1e-6F; }},
+        Spoiled{"q of the object", generated(TexGenMode::ObjectLinear)},
+        Spoiled{"q of the eye", generated(TexGenMode::EyeLinear)},
+        Spoiled{"q of a matrix",
+                [](Scene& scene) {
+                    MatrixStep step{.op = MatrixOp::Multiply};
+                    step.matrix[0].w = 1;
+                    step.matrix[3].w = -0.4F;
+                    scene.passes[0].units[0].matrix = {step};
+                }},
+        Spoiled{"1000 repeats",
+                [](Scene& scene) {
+                    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {1000, 1000, 1000}}};
+                }},
+        Spoiled{"1000 repeats of generated coordinates",
+                [](Scene& scene) {
+                    Unit& unit = scene.passes[0].units[0];
+                    unit.texGenS = unit.texGenT = {
+                        .enabled = true, .mode = TexGenMode::ObjectLinear, .objectPlane = {1000, 300, 0, 0}};
+                }},
+    };
+    std::vector<Case> cases;
+    for (const EnumRow& target : rows<Target>) {
+        for (const MinFilter filter : {MinFilter::Linear, MinFilter::LinearMipmapLinear}) {
+            for (const Spoiled& each : ways) {
+                Texture texture;
+                texture.mipmaps = MipPolicy::Generated;
+                texture.minFilter = filter;
+                texture.maxAnisotropy = 16;
+                const auto where = static_cast<Target>(target.value);
+                Scene scene = drawnScene(where, texture, 0);
+                each.spoil(scene);
+                cases.push_back({describe(where, texture, 0) + ", " + each.name, scene});
+            }
+        }
+    }
+    return cases;
+}
+
 /// Draws the cases from `first` on and writes the index of each before it does. In a child.
 [[noreturn]] void drawFrom(std::span<const Case> cases, std::size_t first, std::size_t last, int progress) {
     constexpr view::Size size{48, 48};
@@ -131,6 +185,7 @@ std::vector<Case> levelCases(bool all) {
     const ImageSource images;
     for (std::size_t i = first; i < last; ++i) {
         for (render::SceneRenderer* renderer : {&*fixed, &*shader}) {
+            alarm(300); // for who draws without end
             const auto mark = static_cast<unsigned>(2 * i + (renderer == &*shader ? 1 : 0));
             if (write(progress, &mark, sizeof mark) != sizeof mark ||
                 !renderer->draw(cases[i].scene, images, 0, size) || !renderer->read())
@@ -180,7 +235,7 @@ int countDeaths(std::span<const Case> cases) {
 int main(int argc, char** argv) {
     const bool all = argc > 1 && std::string_view(argv[1]) == "--all";
     int deaths = 0;
-    for (const std::vector<Case>& cases : {filterCases(all), levelCases(all)}) {
+    for (const std::vector<Case>& cases : {filterCases(all), levelCases(all), footprintCases()}) {
         const int died = countDeaths(cases);
         std::printf("%zu scenes with two renderers: %d not survived\n", cases.size(), died);
         deaths += died;

@@ -1,4 +1,5 @@
 #include "core/diagnosis/applied_texture.h"
+#include "tests/support/flat_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,43 @@ TEST(AppliedTexture, LeavesAllOtherAnisotropyAsItIs) {
             EXPECT_TRUE(applied.heldBack.empty());
         }
     }
+}
+
+TEST(AppliedTexture, GivesLlvmpipeNoAnisotropyForDepthsThatAreCompared) {
+    Texture texture = anisotropic(MinFilter::Linear, MagFilter::Linear);
+    texture.internalFormat = InternalFormat::DepthComponent24;
+    EXPECT_EQ(appliedTexture(texture, shapeWith(4), 1000, llvmpipe).texture.maxAnisotropy, 4);
+    texture.compareMode = CompareMode::RToTexture;
+    const AppliedTexture held = appliedTexture(texture, shapeWith(4), 1000, llvmpipe);
+    EXPECT_EQ(held.texture.maxAnisotropy, 1);
+    ASSERT_EQ(held.heldBack.size(), 1U);
+    EXPECT_NE(held.heldBack[0].find("compares no depths"), std::string_view::npos);
+    EXPECT_EQ(appliedTexture(texture, shapeWith(4), 1000, named("softpipe")).texture.maxAnisotropy, 4);
+}
+
+TEST(AppliedTexture, GivesLlvmpipeNoAnisotropyWhereItWouldVisitTexelsWithoutEnd) {
+    const Texture texture = anisotropic(MinFilter::Linear, MagFilter::Linear);
+    Scene scene = test::texturedScene();
+    scene.textures[0] = texture;
+    const TextureUse use{scene, 0, 0, 64, 64};
+    EXPECT_EQ(appliedTexture(texture, shapeWith(7), 1000, llvmpipe, &use).texture.maxAnisotropy, 4);
+    scene.models[0].texCoords[0] = test::quadCoords({0, 0, 0, 1}, {1000, 1000, 0, 1});
+    const AppliedTexture held = appliedTexture(texture, shapeWith(7), 1000, llvmpipe, &use);
+    EXPECT_EQ(held.texture.maxAnisotropy, 1);
+    ASSERT_EQ(held.heldBack.size(), 1U);
+    EXPECT_NE(held.heldBack[0].find("visits every texel"), std::string_view::npos);
+    const Texture mipmapped = anisotropic(MinFilter::LinearMipmapLinear, MagFilter::Linear);
+    EXPECT_EQ(appliedTexture(mipmapped, shapeWith(7), 1000, llvmpipe, &use).texture.maxAnisotropy, 4);
+    scene.models[0].texCoords[0][0].q = -1;
+    EXPECT_EQ(appliedTexture(mipmapped, shapeWith(7), 1000, llvmpipe, &use).texture.maxAnisotropy, 1);
+    EXPECT_EQ(appliedTexture(texture, shapeWith(7), 1000, named("AMD Radeon"), &use).texture, texture);
+}
+
+// Mesa makes a whole number of it, downwards.
+TEST(AppliedTexture, LeavesAnisotropyBelowTwoAsItIs) {
+    Texture texture = anisotropic(MinFilter::Linear, MagFilter::Nearest);
+    texture.maxAnisotropy = 1.9F;
+    EXPECT_EQ(appliedTexture(texture, shapeWith(4, Target::Texture1D), 1000, llvmpipe).texture, texture);
 }
 
 // The filters are all that llvmpipe's anisotropy ignores.

@@ -166,6 +166,43 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit().target = Target::Texture1D;
                 s.texture().maxAnisotropy = 2;
             }},
+        Row{"AnisotropyThatTheDriverIgnores", "held-back", Warning, "textures[0].maxAnisotropy",
+            "compares no depths",
+            [](Stage& s) {
+                s.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+                s.texture().internalFormat = InternalFormat::DepthComponent24;
+                s.texture().compareMode = CompareMode::RToTexture;
+                s.texture().maxAnisotropy = 2;
+            }},
+        Row{"AnisotropyWithoutEndAnywhere", "held-back-elsewhere", Note, "textures[0].maxAnisotropy",
+            "q runs through 0",
+            [](Stage& s) {
+                s.texture().maxAnisotropy = 2;
+                s.unit().texGenQ.enabled = true;
+                s.unit().texGenQ.mode = TexGenMode::ObjectLinear;
+                s.unit().texGenQ.objectPlane = {1, 0, 0, 0};
+            }},
+        Row{"AnisotropyWithoutEndLater", "held-back-elsewhere", Note, "textures[0].maxAnisotropy",
+            "q runs through 0",
+            [](Stage& s) {
+                s.texture().maxAnisotropy = 2;
+                MatrixStep row{.op = MatrixOp::Multiply};
+                row.matrix[0].w = 1;
+                row.matrix[3].w = -3.5F; // q = s - 3.5
+                s.unit().matrix = {row,
+                                   {.op = MatrixOp::Translate, .amount = {0, 0, 0}, .rate = {1.5F, 0, 0}}};
+            }},
+        Row{"AnisotropyWithoutEndAtAKey", "held-back-elsewhere", Note, "textures[0].maxAnisotropy",
+            "q runs through 0",
+            [](Stage& s) {
+                s.texture().maxAnisotropy = 2;
+                s.unit().texGenQ.enabled = true;
+                s.unit().texGenQ.mode = TexGenMode::ObjectLinear;
+                s.unit().texGenQ.objectPlane = {1, 0, 0, 10};
+                s.scene.timeline.keys = {
+                    {30, "passes[0].units[0].texGenQ.objectPlane", "1,0,0,10", Easing::Hold},
+                    {31, "passes[0].units[0].texGenQ.objectPlane", "1,0,0,0", Easing::Hold}};
+            }},
         Row{"NonPowerOfTwo", "non-power-of-two", Warning, "textures[0].npot", "6 x 4",
             [](Stage& s) {
                 s.driver.nonPowerOfTwo = false;
@@ -1043,6 +1080,58 @@ void castShadows(Stage& s) {
         each->eyePlane[axis++] = 1;
     }
 }
+
+/// A triangle of its own vertices that is seen straight on.
+MeshData& triangle(Stage& s) {
+    Model& model = s.scene.models[0];
+    model = Model{.shape = Shape::Mesh, .attachment = Attachment::Eye};
+    model.mesh.positions = {{0, 0, -3}, {1, 0, -3}, {0, 1, -3}};
+    model.mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    return model.mesh;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Vertices, Diagnosis,
+    testing::Values(
+        Row{"NormalWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
+            "the normal of vertex 1 has no length",
+            [](Stage& s) {
+                triangle(s).normals[1] = glm::vec3(0);
+                s.pass().lighting = true;
+            }},
+        Row{"NormalsWithoutLength", "zero-normal", Warning, "models[0].mesh.normals", "so it is with 2 more",
+            [](Stage& s) {
+                triangle(s).normals.assign(3, glm::vec3(0));
+                s.unit().texGenS = {.enabled = true, .mode = TexGenMode::SphereMap};
+            }},
+        Row{"NormalThatNothingReads", "zero-normal", Warning, "models[0].mesh.normals", "vertex 0",
+            [](Stage& s) {
+                triangle(s).normals[0] = glm::vec3(0);
+                s.pass().lighting = true;
+            },
+            [](Stage& s) { s.pass().lighting = false; }},
+        Row{"ReflectionAwayFromTheEye", "sphere-map-rim", Warning, "passes[0].units[0].texGenS",
+            "at vertex 0 of models[0]",
+            [](Stage& s) {
+                triangle(s).normals[0] = {1, 0, 0}; // seen along the surface
+                s.unit().texGenT = {.enabled = true, .mode = TexGenMode::SphereMap};
+            },
+            [](Stage& s) {
+                s.scene.models[0].mesh.normals[0] = {0, 0, 1};
+            }},
+        Row{"CoordinatesFarAway", "far-coordinates", Note, "passes[0].units[0].matrix",
+            "reach 871, 55744 texels",
+            [](Stage& s) {
+                s.unit().matrix = {{.op = MatrixOp::Translate, .amount = {870, 0, 0}}};
+            },
+            [](Stage& s) { s.unit().matrix[0].amount.x = 400; }},
+        Row{"LineOfAMillionPixels", "long-line", Note, "models[0].mesh", "more than a million pixels",
+            [](Stage& s) {
+                triangle(s).primitive = Primitive::Lines;
+                s.scene.models[0].mesh.positions[1].x = 1e6F;
+            },
+            [](Stage& s) { s.driver.renderer = "softpipe"; }}),
+    [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Depth, Diagnosis,

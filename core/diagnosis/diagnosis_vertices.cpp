@@ -1,0 +1,194 @@
+// Vertices whose normals or coordinates OpenGL leaves undefined, or that drivers lack the bits for.
+
+#include "core/diagnosis/diagnosis_rules.h"
+#include "core/reference/shading/coordinate_reach.h"
+#include "core/reference/shading/coordinates.h"
+#include "core/reference/shading/tex_gen.h"
+#include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace texplorer::diagnosis {
+namespace {
+
+/// Whether a unit generates s, t or r in one of these modes.
+bool generates(const Unit& unit, std::initializer_list<TexGenMode> modes) {
+    return unit.enabled && std::ranges::any_of(std::array{&unit.texGenS, &unit.texGenT, &unit.texGenR},
+                                               [&](const TexGen* each) {
+                                                   return each->enabled &&
+                                                          std::ranges::find(modes, each->mode) != modes.end();
+                                               });
+}
+
+bool readsNormals(const Pass& pass) {
+    return pass.lighting || std::ranges::any_of(pass.units, [](const Unit& unit) {
+               return generates(unit,
+                                {TexGenMode::SphereMap, TexGenMode::ReflectionMap, TexGenMode::NormalMap});
+           });
+}
+
+std::string andMore(std::string sentence, std::size_t others) {
+    return others > 0 ? fmt::format("{}; so it is with {} more", sentence, others) : sentence;
+}
+
+/// With (0, 0, 1) in the place of what has no length, which is what glNormal begins with. A long list makes
+/// no fix that one would read.
+std::vector<Fix> normalFixes(const Scene& scene, std::size_t model, const std::string& path) {
+    constexpr std::size_t longest = 64;
+    Scene mended;
+    mended.models.assign(model + 1, {});
+    std::vector<glm::vec3>& normals = mended.models[model].mesh.normals;
+    normals = scene.models[model].mesh.normals;
+    if (normals.size() > longest)
+        return {};
+    std::ranges::replace_if(
+        normals, [](glm::vec3 each) { return !(glm::length(each) > 0); }, glm::vec3(0, 0, 1));
+    const Result<std::string> value = getParam(mended, path);
+    return value ? std::vector{Fix{"Make them 0,0,1", {{path, *value}}}} : std::vector<Fix>();
+}
+
+/// Section 2.11.3 divides by the length; section 2.1.1 leaves open what comes of it.
+void zeroNormal(const Case& about, Report& report) {
+    std::map<std::size_t, std::vector<std::size_t>> found; // by models
+    for (const Pass& pass : about.scene.passes) {
+        if (!pass.enabled || !readsNormals(pass))
+            continue;
+        for (const std::size_t m : drawnModels(about.scene, pass)) {
+            const Model& model = about.scene.models[m];
+            if (model.shape != Shape::Mesh || found.contains(m))
+                continue;
+            const reference::EyeSpace eye(modelViewMatrix(about.scene.view, model, 0));
+            const Mesh mesh = meshOf(model);
+            for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+                if (eye(mesh.vertices[v]).normal == glm::vec3(0))
+                    found[m].push_back(v);
+            }
+        }
+    }
+    for (const auto& [m, vertices] : found) {
+        const std::string path =
+            fmt::format("{}.{}", elementOf<&Scene::models>(m), pathOf<&Model::mesh, &MeshData::normals>());
+        report.add(
+            path,
+            andMore(fmt::format("the normal of vertex {} has no length, and OpenGL leaves undefined what "
+                                "lighting and generated coordinates make of it",
+                                vertices.front()),
+                    vertices.size() - 1),
+            normalFixes(about.scene, m, path));
+    }
+}
+
+/// Section 2.11.4: m is 0 where the reflection points straight away from the eye.
+void sphereMapRim(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
+        if (!generates(unit, {TexGenMode::SphereMap}))
+            return;
+        for (const std::size_t m : drawnModels(about.scene, about.scene.passes[p])) {
+            const Model& model = about.scene.models[m];
+            const reference::EyeSpace eye(modelViewMatrix(about.scene.view, model, 0));
+            const Mesh mesh = meshOf(model);
+            const auto isOnRim = [&](const Vertex& vertex) {
+                const glm::vec3 away = reference::reflectionVector(eye(vertex)) + glm::vec3(0, 0, 1);
+                return glm::length(away) < 1e-6F; // of two directions of length 1 no more is certain
+            };
+            const auto first = std::ranges::find_if(mesh.vertices, isOnRim);
+            if (first == mesh.vertices.end())
+                continue;
+            report.add(
+                path + keyOf<&Unit::texGenS>(),
+                andMore(fmt::format("at vertex {} of models[{}] the reflection points straight away from "
+                                    "the eye, and {} divides by 0: s and t are undefined there",
+                                    first - mesh.vertices.begin(), m, nameOf(TexGenMode::SphereMap)),
+                        static_cast<std::size_t>(std::count_if(first + 1, mesh.vertices.end(), isOnRim))));
+        }
+    });
+}
+
+/// Of a float's 24 bits dEQP grants the last four of a coordinate to what computes it.
+void farCoordinates(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
+        const TextureFacts* texture = about.textureOf(unit);
+        const TargetFacts* facts = texture ? texture->as(unit.target) : nullptr;
+        if (!about.works(unit) || facts->plan.levels.empty() || unit.target == Target::CubeMap)
+            return;
+        const Pass& pass = about.scene.passes[p];
+        const auto index = static_cast<std::size_t>(&unit - pass.units.data());
+        const glm::vec3 reach = reference::coordinateReach(about.scene, pass, index, 0);
+        const PlannedLevel& base = facts->plan.levels.front();
+        const glm::vec3 texels = reach * glm::vec3(base.width, base.height, base.depth);
+        float most = 0;
+        float farthest = 0;
+        for (int axis = 0; axis < axesOf(unit.target); ++axis) {
+            farthest = texels[axis] > most ? reach[axis] : farthest;
+            most = std::max(most, texels[axis]);
+        }
+        if (most < 0x1p15F) // 1/32 of a texel
+            return;
+        report.add(
+            unit.matrix.empty() ? path.substr(0, path.size() - 1) : path + keyOf<&Unit::matrix>(),
+            fmt::format("coordinates reach {}, {} texels from 0, where a float has few bits left for a "
+                        "part of a texel: renderers may be off by {} of one",
+                        formatNumber(farthest), formatNumber(std::round(most)),
+                        formatNumber(std::ceil(most * 0x1p-20F * 100) / 100)));
+    });
+}
+
+/// How long a line is in the window, in halves of its extent; none where an end isn't before the eye.
+float lengthInView(const glm::vec4& from, const glm::vec4& to) {
+    if (!(from.w > 0 && to.w > 0))
+        return 0;
+    const glm::vec2 difference = glm::abs(glm::vec2(to) / to.w - glm::vec2(from) / from.w);
+    return std::max(difference.x, difference.y);
+}
+
+/// What Mesa 22.3 draws of them.
+void longLines(const Case& about, Report& report) {
+    if (!about.driver.renderer.empty() && !about.driver.renderer.starts_with("llvmpipe"))
+        return;
+    constexpr float longest = 1e6F; // pixels
+    constexpr float extent = 128;   // of the smallest picture that shows it
+    const glm::mat4 projection = projectionMatrix(about.scene.view, 1);
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Model& model = about.scene.models[m];
+        if (partCorners(model) != 2 || !isDrawn(about.scene, m))
+            continue;
+        const Mesh mesh = meshOf(model);
+        const glm::mat4 clip = projection * modelViewMatrix(about.scene.view, model, 0);
+        const auto at = [&](std::uint32_t vertex) {
+            return clip * glm::vec4(mesh.vertices[vertex].position, 1);
+        };
+        for (std::size_t i = 0; i + 1 < mesh.lines.size(); i += 2) {
+            if (!(lengthInView(at(mesh.lines[i]), at(mesh.lines[i + 1])) * extent / 2 > longest))
+                continue;
+            report.add(
+                fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::mesh>()),
+                "a line is more than a million pixels long: llvmpipe loses pixels at the ends of such");
+            break;
+        }
+    }
+}
+
+constexpr std::array vertexRuleRows{
+    Rule{"zero-normal", Severity::Warning, zeroNormal},
+    Rule{"sphere-map-rim", Severity::Warning, sphereMapRim},
+    Rule{"far-coordinates", Severity::Note, farCoordinates},
+    Rule{"long-line", Severity::Note, longLines},
+};
+
+} // namespace
+
+std::span<const Rule> vertexRules() {
+    return vertexRuleRows;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,148 @@
+#include "core/diagnosis/visited_texels.h"
+
+#include "core/reference/raster/raster.h"
+#include "core/reference/raster/scene_triangles.h"
+#include "core/reference/sampling/cube.h"
+#include "core/reference/sampling/ellipse.h"
+#include "core/reference/sampling/lod.h"
+#include "core/reference/shading/coordinates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+namespace texplorer {
+
+namespace {
+
+using reference::PassState;
+using reference::Plane;
+using reference::SampledTexture;
+using reference::Triangle;
+using reference::UnitState;
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// llvmpipe shades blocks of four pixels across, and takes derivatives from two by two, whether the triangle
+/// covers all of them or not.
+constexpr int blockExtent = 4;
+constexpr int placesInRow = 8; ///< that are looked at
+
+/// The passes that show a texture, with the units that do.
+std::vector<PassState> passesOf(const SampledTexture& texture, const TextureUse& use) {
+    std::vector<PassState> states;
+    for (const Pass& pass : use.scene.passes) {
+        PassState state;
+        state.pass = &pass;
+        state.perspective = use.scene.view.perspectiveHint != HintMode::Fastest;
+        for (std::size_t u = 0; u < pass.units.size() && pass.enabled; ++u) {
+            const Unit& unit = pass.units[u];
+            if (!unit.enabled || !std::cmp_equal(unit.texture, use.texture) || unit.target != texture.target)
+                continue;
+            UnitState& shown = state.units[u];
+            shown.texture = &texture;
+            shown.unit = &unit;
+            shown.sampling.unitBias = unit.lodBias;
+            shown.sampling.anisotropy = reference::AnisotropyMethod::Ellipse;
+            shown.matrix = reference::coordinateMatrix(unit, LateFlip::None, use.time, use.scene.light);
+            state.unitsUsed = static_cast<int>(u) + 1;
+        }
+        if (state.unitsUsed > 0)
+            states.push_back(state);
+    }
+    return states;
+}
+
+/// What a unit looks up in a triangle.
+class Lookups {
+public:
+    Lookups(const Triangle& triangle, std::size_t unit)
+        : plane_(triangle.texCoords[unit])
+        , origin_(triangle.origin)
+        , unit_(triangle.pass->units[unit]) {}
+
+    /// Of the covered pixels of a row and of those that are shaded with them.
+    [[nodiscard]] double visitedInRow(int first, int y, int count) const {
+        const int left = first / blockExtent * blockExtent;
+        const int right = (first + count - 1) / blockExtent * blockExtent + blockExtent - 1;
+        const int low = y / 2 * 2;
+        const std::array corners{overW(left, low).q, overW(right, low).q, overW(left, low + 1).q,
+                                 overW(right, low + 1).q};
+        const auto [least, most] = std::ranges::minmax(corners);
+        if (!(least > 0 || most < 0))
+            return endless;
+        // Next to q = 0 the box is largest: that is at one of the ends, because q is linear. Between them it
+        // changes slowly, and some places stand for all.
+        const int step = blockExtent * std::max(1, (right - left) / (blockExtent * placesInRow));
+        double visited = blockExtent * visitedAt(right - 1, low);
+        for (int x = left; x < right; x += step)
+            visited += step * visitedAt(x, low);
+        return visited;
+    }
+
+private:
+    [[nodiscard]] glm::dvec4 overW(int x, int y) const {
+        const glm::dvec2 offset = glm::dvec2(x, y) - glm::dvec2(origin_);
+        return glm::dvec4(plane_.origin) + glm::dvec4(plane_.dx) * offset.x +
+               glm::dvec4(plane_.dy) * offset.y;
+    }
+    [[nodiscard]] glm::dvec3 coords(int x, int y) const {
+        const glm::dvec4 found = overW(x, y);
+        const glm::dvec3 given = glm::dvec3(found) / found.q;
+        if (unit_.texture->target != Target::CubeMap)
+            return given;
+        return glm::dvec3(reference::cubePlace(glm::vec3(given), {}).coords); // on whichever face it is
+    }
+
+    [[nodiscard]] double visitedAt(int x, int y) const {
+        const SampledTexture& texture = *unit_.texture;
+        const glm::dvec3 here = coords(x, y);
+        const reference::Derivatives moves{glm::vec3(coords(x + 1, y) - here),
+                                           glm::vec3(coords(x, y + 1) - here)};
+        const reference::LevelChoice choice =
+            reference::chooseLevels(texture, reference::levelOfDetail(texture, moves, unit_.sampling));
+        const reference::Level* level = texture.level(choice.first);
+        if (!level)
+            return 0;
+        const glm::dvec2 size(level->size());
+        const glm::dvec2 half =
+            reference::Ellipse(glm::dvec2(moves.dx) * size, glm::dvec2(moves.dy) * size).halfExtent();
+        const double box = (2 * half.x + 2) * (2 * half.y + 2);
+        return std::isnan(box) ? endless : box;
+    }
+
+    const Plane<glm::vec4>& plane_;
+    glm::vec2 origin_;
+    const UnitState& unit_;
+};
+
+} // namespace
+
+double visitedTexels(const SampledTexture& texture, const TextureUse& use, double enough) {
+    const std::vector<PassState> states = passesOf(texture, use);
+    const reference::Box picture{0, use.width - 1, 0, use.height - 1};
+    double visited = 0;
+    std::stop_source done;
+    reference::eachTriangle(use.scene, states, use.time, {use.width, use.height}, done.get_token(),
+                            [&](const Triangle& triangle) {
+                                for (std::size_t u = 0; u < maxUnits; ++u) {
+                                    if (!triangle.pass->units[u].texture)
+                                        continue;
+                                    const Lookups lookups(triangle, u);
+                                    reference::eachCoveredRow(
+                                        triangle, picture, [&](int first, int y, int count) {
+                                            if (visited <= enough)
+                                                visited += lookups.visitedInRow(first, y, count);
+                                        });
+                                }
+                                if (visited > enough)
+                                    done.request_stop();
+                            });
+    return visited;
+}
+
+} // namespace texplorer
