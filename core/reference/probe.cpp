@@ -16,10 +16,12 @@
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace texplorer::reference {
 
@@ -83,11 +85,14 @@ struct Cover {
 
 class Prober {
 public:
-    Prober(Explanation& explanation, const Scene& scene, Viewport viewport)
+    /// Explains mostExplainedFragments from number `first` on, and draws all.
+    Prober(Explanation& explanation, const Scene& scene, Viewport viewport, std::size_t first)
         : explanation_(explanation)
         , scene_(scene)
-        , viewport_(viewport) {
+        , viewport_(viewport)
+        , first_(first) {
         store(scene.view.background, framebuffer_.color.data());
+        explanation_.firstFragment = first;
     }
 
     void draw(const PassState& pass, std::size_t passIndex, std::size_t modelIndex,
@@ -95,14 +100,23 @@ public:
 
     [[nodiscard]] PixelBytes bytes() const { return framebuffer_.bytes(); }
 
+    /// Of all fragments, with coordinates and lambda rounded to these sides (ties.h).
+    [[nodiscard]] PixelBytes bytesRounded(glm::vec4 signs) const;
+
+    /// The number of the first fragment to explain, so that the last one is that which one sees.
+    [[nodiscard]] std::size_t firstWanted() const {
+        const std::size_t end = seen_ ? *seen_ + 1 : explanation_.fragmentCount;
+        return end - std::min(end, mostExplainedFragments);
+    }
+
 private:
     /// One set of coordinates a unit, for each corner of a part.
     using Coords = std::vector<std::array<glm::vec4, maxUnits>>;
 
     [[nodiscard]] std::vector<Cover> cover(std::span<const ShadedVertex> corners, const PassState& pass,
                                            const Model& model) const;
-    void draw(FragmentExplanation fragment, const Cover& cover, const PassState& pass,
-              const std::vector<VertexRecord>& records, const Coords& given, const Coords& embossed);
+    void explain(FragmentExplanation& fragment, const Cover& cover, const PassState& pass,
+                 const std::vector<VertexRecord>& records, const Coords& given, const Coords& embossed) const;
     void explainUnits(FragmentExplanation& fragment, const Cover& cover, const PassState& pass,
                       const std::vector<VertexRecord>& records, const Coords& given,
                       const Coords& embossed) const;
@@ -114,7 +128,10 @@ private:
     Explanation& explanation_;
     const Scene& scene_;
     Viewport viewport_;
+    std::size_t first_;
     Framebuffer framebuffer_;
+    std::optional<std::size_t> seen_{}; ///< the last fragment that was drawn
+    std::vector<Triangle> explained_{};
 };
 
 /// As a picture's triangles, lines and points are made: see scene_triangles.cpp.
@@ -196,7 +213,16 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
             corners.push_back(records[c].shaded);
         }
         for (const Cover& covering : cover(corners, pass, model)) {
+            const std::size_t count = explanation_.fragmentCount++;
+            const bool isExplained = count >= first_ && count - first_ < mostExplainedFragments;
             FragmentExplanation fragment;
+            // The picture's own arithmetic has the last word: it may round otherwise than what explains it.
+            fragment.color = fragmentColor(covering.triangle, offsetOf(covering.triangle));
+            test(fragment, covering.triangle);
+            if (fragment.outcome == FragmentOutcome::Drawn)
+                seen_ = count;
+            if (!isExplained)
+                continue;
             fragment.pass = static_cast<int>(passIndex);
             fragment.model = static_cast<int>(modelIndex);
             fragment.shape = model.shape;
@@ -220,7 +246,9 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
                 vertex.primary = back ? shaded.back.primary : shaded.primary;
                 vertex.secondary = back ? shaded.back.secondary : shaded.secondary;
             }
-            draw(std::move(fragment), covering, pass, records, given, embossed);
+            explain(fragment, covering, pass, records, given, embossed);
+            explanation_.fragments.push_back(std::move(fragment));
+            explained_.push_back(covering.triangle);
         }
     });
 }
@@ -278,6 +306,7 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.sampler = static_cast<const SamplerState&>(*state.texture);
         unit.lodBias = state.sampling.unitBias;
         unit.sample = explainSample(*state.texture, place.coords, place.derivatives, state.sampling);
+        unit.ties = tiesOf(*state.texture, place.coords, place.derivatives, state.sampling, unit.sample);
         unit.extents = extentsOf(*state.texture, unit.sample);
         unit.patches = levelPatches(*state.texture, unit.sample, place.coords);
         samples[u] = unit.sample.color;
@@ -343,8 +372,35 @@ void Prober::test(FragmentExplanation& fragment, const Triangle& triangle) {
     explanation_.color = mixed.result;
 }
 
-void Prober::draw(FragmentExplanation fragment, const Cover& cover, const PassState& pass,
-                  const std::vector<VertexRecord>& records, const Coords& given, const Coords& embossed) {
+PixelBytes Prober::bytesRounded(glm::vec4 signs) const {
+    Explanation scratch;
+    scratch.pixel = explanation_.pixel;
+    Prober other(scratch, scene_, viewport_, 0);
+    for (const Triangle& drawn : explained_) {
+        PassState pass = *drawn.pass;
+        Triangle moved = drawn;
+        moved.pass = &pass;
+        for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u) {
+            UnitState& unit = pass.units[u];
+            if (!unit.texture)
+                continue;
+            unit.sampling = rounded(unit.sampling, signs);
+            const glm::vec3 coords = texturePlace(drawn, u, offsetOf(drawn)).coords;
+            const glm::vec3 by = rounded(unit.texture->target, coords, signs) - coords;
+            Plane<glm::vec4>& plane = moved.texCoords[u]; // s over q is to become s over q + by
+            for (glm::vec4* each : {&plane.origin, &plane.dx, &plane.dy})
+                *each += glm::vec4(by * each->q, 0);
+        }
+        FragmentExplanation fragment;
+        fragment.color = fragmentColor(moved, offsetOf(moved));
+        other.test(fragment, moved);
+    }
+    return other.bytes();
+}
+
+void Prober::explain(FragmentExplanation& fragment, const Cover& cover, const PassState& pass,
+                     const std::vector<VertexRecord>& records, const Coords& given,
+                     const Coords& embossed) const {
     const Triangle& triangle = cover.triangle;
     const glm::vec2 offset = offsetOf(triangle);
     fragment.lighting = pass.pass->lighting;
@@ -356,16 +412,12 @@ void Prober::draw(FragmentExplanation fragment, const Cover& cover, const PassSt
         fragment.secondary =
             glm::clamp(triangle.secondary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
     explainUnits(fragment, cover, pass, records, given, embossed);
-    // The picture's own arithmetic has the last word: it may round otherwise than what explains it.
     fragment.summed = summedColor(triangle, offset);
-    fragment.color = fragmentColor(triangle, offset);
     if (pass.fog) {
         const float distance = fogDistance(triangle, offset);
         fragment.fog = {*pass.fog, distance, fogEquation(*pass.fog, distance),
                         fogFactor(*pass.fog, distance)};
     }
-    test(fragment, triangle);
-    explanation_.fragments.push_back(std::move(fragment));
 }
 
 /// Units that are on and have nothing to sample. The same for every fragment of a pass.
@@ -392,6 +444,28 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
     return idle;
 }
 
+void addIdleUnits(Explanation& explanation, const std::vector<PassState>& passes, const DrawRequest& request,
+                  const LevelWork& work, TextureStore& textures) {
+    std::vector<std::optional<std::vector<IdleUnit>>> known(passes.size());
+    for (FragmentExplanation& fragment : explanation.fragments) {
+        const auto pass = static_cast<std::size_t>(fragment.pass);
+        if (!known[pass])
+            known[pass] = idleUnits(request.scene, passes[pass], request.images, work, textures);
+        fragment.idle = *known[pass];
+    }
+}
+
+/// What ties of any unit depend on. Of a pixel whose first fragments aren't explained it isn't known.
+glm::bvec4 tiedInAll(const Explanation& explanation) {
+    glm::bvec4 tied(false);
+    for (const FragmentExplanation& fragment : explanation.fragments) {
+        if (fragment.outcome != FragmentOutcome::FailedDepthTest)
+            for (const UnitExplanation& unit : fragment.units)
+                tied = glm::bvec4(glm::ivec4(tied) + glm::ivec4(tiedIn(unit.ties.ties, unit.target)));
+    }
+    return explanation.firstFragment == 0 ? tied : glm::bvec4(false);
+}
+
 } // namespace
 
 Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, const DrawOptions& options,
@@ -411,23 +485,34 @@ Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, c
         return stopped();
     const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
                                                                   static_cast<float>(viewport.height));
-    Prober prober(explanation, scene, viewport);
-    for (std::size_t p = 0; p < passes.size(); ++p) {
-        const std::size_t first = explanation.fragments.size();
-        for (const std::size_t m : drawnModels(scene, scene.passes[p])) {
-            if (!options.stop.stop_requested())
-                prober.draw(passes[p], p, m, projection);
+    const Explanation nothing = explanation;
+    std::optional<Prober> prober;
+    const auto probeFrom = [&](std::size_t first) {
+        explanation = nothing;
+        prober.emplace(explanation, scene, viewport, first);
+        for (std::size_t p = 0; p < passes.size(); ++p) {
+            for (const std::size_t m : drawnModels(scene, scene.passes[p])) {
+                if (!options.stop.stop_requested())
+                    prober->draw(passes[p], p, m, projection);
+            }
         }
-        if (explanation.fragments.size() == first)
-            continue;
-        const std::vector<IdleUnit> idle =
-            idleUnits(scene, passes[p], request.images, options.levels, textures);
-        for (std::size_t i = first; i < explanation.fragments.size(); ++i)
-            explanation.fragments[i].idle = idle;
-    }
+    };
+    probeFrom(0);
+    if (const std::size_t first = prober->firstWanted(); first > 0)
+        probeFrom(first);
     if (options.isStopped())
         return stopped();
-    explanation.bytes = prober.bytes();
+    explanation.bytes = prober->bytes();
+    std::vector<PixelBytes> known{explanation.bytes};
+    const glm::bvec4 tied = tiedInAll(explanation);
+    for (const glm::vec4& signs : glm::any(tied) ? roundingsOf(tied) : std::vector<glm::vec4>()) {
+        const PixelBytes other = prober->bytesRounded(signs);
+        if (std::ranges::find(known, other) != known.end())
+            continue;
+        known.push_back(other);
+        explanation.asRight.push_back(other);
+    }
+    addIdleUnits(explanation, passes, request, options.levels, textures);
     return explanation;
 }
 

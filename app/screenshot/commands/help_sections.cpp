@@ -204,10 +204,15 @@ const std::vector<CommandTable>& commandTables() {
           {{"at, window, size, time",
             "The pixel, from the upper left and as OpenGL counts, and the picture."},
            {"reference, fixed, shader", "Its colour as the specification and each renderer have it."},
+           {"asRight",
+            "The colours that it may have as well, where a coordinate or the level of detail is on a tie."},
            {"color, background", "The same before it is stored, and what was there at first."},
+           {"fragmentCount, firstFragment",
+            "How many fragments cover it; at most 32 are explained, up to the one that one sees, and so many "
+            "were left out before."},
            {"fragments",
             "Of each fragment pass, model, shape, face, part, vertices, lighting, units (texture, "
-            "coords, sample with lod, levels, probes, wrapped and taps, environment), fog, outcome and "
+            "coords, sample with lod, levels, probes, wrapped and taps, ties, environment), fog, outcome and "
             "color."},
            {"pass, unit, level, texel, pixels",
             "With --texel in their place: the pixels that it has a share in."}}}},

@@ -7,11 +7,19 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+
 namespace texplorer::screenshot {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using namespace reference;
+
+/// An average over an ellipse has thousands.
+constexpr std::size_t mostListedTaps = 1024;
 
 Json listOf(glm::vec3 v) {
     return Json::array({v.x, v.y, v.z});
@@ -99,7 +107,7 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
                            {"given", each.given},
                            {"texels", each.texels}});
     Json& taps = json["taps"] = Json::array();
-    for (const Tap& tap : sample.taps) {
+    for (const Tap& tap : std::span(sample.taps).first(std::min(sample.taps.size(), mostListedTaps))) {
         Json entry{{"level", tap.level},
                    {"index", listOf(tap.index)},
                    {"weight", tap.weight},
@@ -112,11 +120,24 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
             entry["depth"] = tap.depth;
         taps.push_back(std::move(entry));
     }
+    json["tapCount"] = sample.taps.size();
     if (sample.cube) {
         json["face"] = rowOf(cubeFaceAt(sample.cube->face)).label;
         json["seamless"] = sample.seamless;
     }
     json["color"] = listOf(sample.color);
+    return json;
+}
+
+Json jsonOf(const Tie& tie) {
+    constexpr std::array names{"texels", "levels", "filters", "faces"};
+    Json json{{"between", names.at(static_cast<std::size_t>(tie.between))},
+              {"chosen", tie.chosen},
+              {"other", tie.other}};
+    if (tie.between == Tie::Between::Texels) {
+        json["level"] = tie.level;
+        json["axis"] = std::string(1, "str"[tie.axis]);
+    }
     return json;
 }
 
@@ -153,6 +174,7 @@ Json jsonOf(const UnitExplanation& unit) {
         json["depthMode"] = nameOf(unit.sampler.depthMode);
     }
     json["sample"] = jsonOf(unit.sample, unit);
+    json["ties"] = arrayOf(unit.ties.ties);
     json["environment"] = {{"mode", nameOf(unit.mode)},
                            {"previous", listOf(unit.inputs.previous)},
                            {"source", listOf(unit.inputs.source)},
@@ -246,6 +268,9 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
               {"size", Json::array({explanation.width, explanation.height})},
               {"time", explanation.time},
               {"reference", listOf(explanation.bytes)}};
+    Json& asRight = json["asRight"] = Json::array();
+    for (const PixelBytes& each : explanation.asRight)
+        asRight.push_back(listOf(each));
     for (const ReadBack& each : readBacks) {
         const std::string name(rowOf(each.renderer).name);
         if (each.bytes)
@@ -255,6 +280,8 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
     }
     json["color"] = listOf(explanation.color);
     json["background"] = listOf(explanation.background);
+    json["fragmentCount"] = explanation.fragmentCount;
+    json["firstFragment"] = explanation.firstFragment;
     Json& fragments = json["fragments"] = Json::array();
     for (const FragmentExplanation& fragment : explanation.fragments)
         fragments.push_back(jsonOf(fragment));

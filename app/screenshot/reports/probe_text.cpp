@@ -15,6 +15,9 @@ using reference::PixelBytes;
 using reference::Step;
 using reference::StepRow;
 
+/// What two renderers may round differently in a byte.
+constexpr int sameTie = 1;
+
 /// Numbers stand to the right, so that their signs and points are below each other.
 bool isNumber(std::string_view text) {
     return !text.empty() && text.find_first_not_of("-0123456789.") == std::string_view::npos;
@@ -60,15 +63,18 @@ std::string textOf(const Step& step, bool whole) {
                        whole ? tableOf(step.rows) : "");
 }
 
-std::string differenceText(const PixelBytes& ours, const PixelBytes& theirs) {
+std::string differenceText(const reference::Explanation& explanation, const PixelBytes& theirs) {
     constexpr std::array names{"red", "green", "blue", "alpha"};
+    const PixelBytes& ours = explanation.bytes;
     std::string text;
     for (std::size_t i = 0; i < ours.size(); ++i) {
         const int by = int{theirs[i]} - int{ours[i]};
         if (by != 0)
             text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", names.at(i), by > 0 ? " +" : " ", by);
     }
-    return text.empty() ? "the same" : text;
+    return text.empty()                              ? "the same"
+           : isAsRight(explanation, theirs, sameTie) ? fmt::format("{}: as right, on a tie", text)
+                                                     : text;
 }
 
 std::string placeText(const reference::TexelQuestion& question) {
@@ -85,19 +91,23 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
         fmt::format("pixel {}, {} of {} x {}, from the top left (in OpenGL's window {}, {})\n", x,
                     explanation.height - 1 - y, explanation.width, explanation.height, x, y);
     text += fmt::format("  reference  {}\n", bytesText(explanation.bytes));
+    for (const PixelBytes& each : explanation.asRight)
+        text += fmt::format("  or         {}  as right, on a tie\n", aligned(bytesText(each), 15));
     for (const ReadBack& each : readBacks) {
         text += fmt::format("  {}  ", aligned(std::string(rowOf(each.renderer).name), 9));
         text += each.bytes ? fmt::format("{}  {}", aligned(bytesText(*each.bytes), 15),
-                                         differenceText(explanation.bytes, *each.bytes))
+                                         differenceText(explanation, *each.bytes))
                            : describe(each.bytes.error());
         text += "\n";
     }
     const auto fragments = stepsOf(explanation);
     if (fragments.empty())
         text += "\nNothing covers it: it shows the background.\n";
+    const std::string cut = cutSentence(explanation);
+    text += cut.empty() ? "" : fmt::format("\n{}\n", cut);
     for (std::size_t i = 0; i < fragments.size(); ++i) {
-        text += fmt::format("\nfragment {} of {}: {}: {}\n", i + 1, fragments.size(), fragments[i].title,
-                            fragments[i].outcome);
+        text += fmt::format("\nfragment {} of {}: {}: {}\n", explanation.firstFragment + i + 1,
+                            explanation.fragmentCount, fragments[i].title, fragments[i].outcome);
         for (const Step& step : fragments[i].steps)
             text += textOf(step, fragments[i].drawn);
     }

@@ -89,6 +89,16 @@ Scene sceneBesidePictures(const suite::CaseScene& of, const fs::path& report) {
     return scene;
 }
 
+/// What a record has room for, up to the end of a line. The command says all of it.
+std::string fitted(std::string text) {
+    constexpr std::size_t longest = std::size_t{64} << 10;
+    if (text.size() <= longest)
+        return text;
+    const std::size_t end = text.rfind('\n', longest - 1);
+    text.resize(end == std::string::npos ? longest : end + 1);
+    return text + fmt::format("\nThis is cut after {} bytes; texshot probe says all of it.\n", longest);
+}
+
 CaseRecord problemOf(CaseRecord record, const Error& error) {
     record.state = State::Error;
     record.sentence = describe(error);
@@ -250,6 +260,7 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
     if (record.state == State::Failed && record.worst)
         record.explanation +=
             explanationOf(of, scene, *record.worst, actual, isSeenOpaque(plan_->settingsOf(of)));
+    record.explanation = fitted(std::move(record.explanation));
     if (order.update && isUpdatable(judged)) {
         // The nearest of several, which it was held against; of none that is there, the first.
         if (const std::string golden = record.golden; !golden.empty())

@@ -1,6 +1,7 @@
 #include "app/ui/details/explain_cards.h"
 
 #include "core/base/word.h"
+#include "core/reference/explain/sampling_steps.h"
 
 #include <fmt/core.h>
 
@@ -49,10 +50,6 @@ Stage stageOf(StepKind kind) {
 
 using Lines = std::vector<CardLine>;
 
-std::string percentText(float share) {
-    return reference::numberText(std::round(share * 1000) / 10);
-}
-
 CardLine colorLine(glm::vec4 color) {
     return {fmt::format("{:.2f} {:.2f} {:.2f}", color.r, color.g, color.b)};
 }
@@ -60,7 +57,7 @@ CardLine colorLine(glm::vec4 color) {
 Lines verticesLines(const FragmentExplanation& fragment) {
     Lines lines;
     for (const reference::VertexExplanation& vertex : fragment.vertices)
-        lines.push_back({fmt::format("{}: {} %", vertex.vertex, percentText(vertex.weight))});
+        lines.push_back({fmt::format("{}: {} %", vertex.vertex, reference::percentText(vertex.weight))});
     return lines;
 }
 
@@ -80,7 +77,7 @@ Lines coordinatesLines(const UnitExplanation& unit) {
 
 Lines lodLines(const UnitExplanation& unit) {
     const reference::Lod& lod = unit.sample.lod;
-    Lines lines{{fmt::format("λ {}", reference::numberText(lod.lambda))}};
+    Lines lines{{fmt::format("λ {}", reference::lambdaText(lod))}};
     const bool isFactor = std::isfinite(lod.rho) && lod.rho > 0;
     lines.push_back({lod.magnified ? isFactor && lod.rho < 1 ? fmt::format("magnified {:.3g}×", 1 / lod.rho)
                                                              : std::string(word("magnified"))
@@ -112,6 +109,8 @@ Lines texelsLines(const UnitExplanation& unit) {
         lines.push_back({fmt::format("levels {}, {}", levels[0].level, levels[1].level)});
     if (border)
         lines.push_back({"with border"});
+    else if (!unit.ties.ties.empty())
+        lines.push_back({"a tie: either"});
     return lines;
 }
 
@@ -125,7 +124,7 @@ Lines filterLines(const UnitExplanation& unit) {
                 {fmt::format("alpha {:.2f}", color.a)}};
     Lines lines;
     for (const reference::LevelShare& share : levels)
-        lines.push_back({fmt::format("level {}: {} %", share.level, percentText(share.weight))});
+        lines.push_back({fmt::format("level {}: {} %", share.level, reference::percentText(share.weight))});
     lines.push_back(colorLine(color)); // what isn't opaque says so: a card has no fourth line
     if (std::lround(color.a * 100) < 100)
         lines.back().text += fmt::format(" {:.2f}", color.a);

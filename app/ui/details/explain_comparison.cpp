@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace texplorer::ui {
@@ -16,13 +15,6 @@ using reference::StepRow;
 
 glm::vec4 comparedColor(const PixelBytes& bytes) {
     return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
-}
-
-int differenceOf(const PixelBytes& expected, const PixelBytes& found) {
-    int most = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i)
-        most = std::max(most, std::abs(int{expected[i]} - int{found[i]}));
-    return most;
 }
 
 } // namespace
@@ -49,13 +41,15 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
                 std::to_integer<std::uint8_t>(view.image->at(explanation.pixel.x, explanation.pixel.y)[i]);
         reference::StepCell remark;
         if (comparable) {
-            const int most = differenceOf(explanation.bytes, bytes);
-            comparison.most = std::max(comparison.most, most);
+            const int most = reference::differenceOf(explanation.bytes, bytes);
+            const int tolerance = session.window.view.tolerance;
+            const bool isTie = most > tolerance && reference::isAsRight(explanation, bytes, tolerance);
+            comparison.most = std::max(comparison.most, isTie ? 0 : most);
             comparison.compared.emplace_back(rowOf(view.renderer).label);
-            remark = most == 0
-                         ? reference::StepCell{"the same", Ink::Dim}
-                         : reference::StepCell{fmt::format("off by {}", most),
-                                               most > session.window.view.tolerance ? Ink::Bad : Ink::Plain};
+            remark = most == 0 ? reference::StepCell{"the same", Ink::Dim}
+                     : isTie   ? reference::StepCell{fmt::format("off by {}: a tie, either is right", most)}
+                               : reference::StepCell{fmt::format("off by {}", most),
+                                                   most > tolerance ? Ink::Bad : Ink::Plain};
         }
         add(view.renderer, bytes, std::move(remark));
     }

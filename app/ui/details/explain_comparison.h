@@ -13,7 +13,7 @@ namespace texplorer::ui {
 struct Comparison {
     std::vector<reference::StepRow> rows;
     std::vector<std::string> compared; ///< labels of the renderers that are held against the reference
-    int most = 0;                      ///< the largest difference
+    int most = 0;                      ///< the largest difference that is no tie
 };
 
 /// Of the explained pixel. While the answer is about an earlier picture, nothing is compared.

@@ -166,7 +166,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
     if (fragments.size() < 2)
         return;
     ImGui::AlignTextToFramePadding();
-    inkText(fmt::format("{} fragments cover it:", fragments.size()), color::dim);
+    inkText(fmt::format("{} fragments cover it:", explanation.fragmentCount), color::dim);
     ImGui::SameLine();
     const std::string title = titleOf(fragments[shown]);
     const float arrow = ImGui::GetFrameHeight();
@@ -198,12 +198,11 @@ Lane laneOf(const Explanation& explanation, const std::vector<reference::Fragmen
     return {std::move(title), fragment, fragments[shown], cardsOf(fragment, fragments[shown])};
 }
 
-void drawLanes(ExplainTabState& state, const Explanation* pinned, const Explanation& explanation,
+void drawLanes(ExplainTabState& state, const Explanation* pinned,
+               const std::vector<reference::FragmentSteps>& pinnedFragments, const Explanation& explanation,
                const std::vector<reference::FragmentSteps>& fragments) {
     const std::size_t shown = shownFragment(state, explanation);
     chooseFragment(state, explanation, fragments, shown);
-    const std::vector<reference::FragmentSteps> pinnedFragments =
-        pinned ? reference::stepsOf(*pinned) : std::vector<reference::FragmentSteps>{};
     std::vector<Lane> lanes;
     if (pinned && !pinnedFragments.empty()) {
         const ExplainTabState seen;
@@ -214,10 +213,8 @@ void drawLanes(ExplainTabState& state, const Explanation* pinned, const Explanat
     drawPipeline(state.pipeline, lanes);
 }
 
-void drawLists(const Explanation* pinned, const Explanation& explanation,
-               const std::vector<reference::FragmentSteps>& fragments) {
-    const auto pinnedFragments =
-        pinned ? reference::stepsOf(*pinned) : std::vector<reference::FragmentSteps>{};
+void drawLists(const Explanation* pinned, const std::vector<reference::FragmentSteps>& pinnedFragments,
+               const Explanation& explanation, const std::vector<reference::FragmentSteps>& fragments) {
     const bool comparable = pinned && pinned->seen();
     const ExplainTabState seen;
     drawFragmentList(explanation, fragments,
@@ -266,14 +263,20 @@ void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pi
     } else {
         drawHead(session, pictures, *explanation, wide);
         drawTexelLine(session);
-        const auto fragments = reference::stepsOf(*explanation);
+        const auto& fragments = state.steps.of(answer);
         const Explanation* pinned = pinnedExplanation(session);
+        const auto& pinnedFragments =
+            pinned ? state.pinnedSteps.of(session.window.explaining.pinned) : state.pinnedSteps.steps;
+        if (const std::string cut = cutSentence(*explanation); !cut.empty()) {
+            wrappedText(cut);
+            noteItem("explain:cut");
+        }
         if (fragments.empty())
             wrappedText("Nothing covers it: it shows the background.");
         if (wide && !fragments.empty())
-            drawLanes(state, pinned, *explanation, fragments);
+            drawLanes(state, pinned, pinnedFragments, *explanation, fragments);
         else
-            drawLists(pinned, *explanation, fragments);
+            drawLists(pinned, pinnedFragments, *explanation, fragments);
     }
     ImGui::EndChild();
 }

@@ -3,6 +3,7 @@
 // Why a pixel has its colour: every number between a scene and a byte, as a plain value.
 
 #include "core/reference/explain/tap_places.h"
+#include "core/reference/explain/ties.h"
 #include "core/reference/sampling/sample_record.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/environment.h"
@@ -81,6 +82,7 @@ struct UnitExplanation {
     float lodBias = 0;    ///< of the unit
 
     SampleRecord sample;
+    Ties ties;                        ///< what rounding decided of it
     std::vector<LevelExtent> extents; ///< of the levels in `sample`
     std::vector<LevelPatch> patches;  ///< what lies around the texels
 
@@ -162,16 +164,24 @@ struct FragmentExplanation {
     PixelBytes after{};
 };
 
+/// So many fragments of a pixel are explained at most.
+inline constexpr std::size_t mostExplainedFragments = 32;
+
 struct Explanation {
     PixelPlace pixel;
     int width = 0; ///< of the picture
     int height = 0;
     double time = 0;
     glm::vec4 background{0};
-    std::vector<FragmentExplanation> fragments; ///< every one that covers the pixel, in the order of drawing
-    glm::vec4 color{0};                         ///< what was stored last, before rounding
-    PixelBytes bytes{};                         ///< what the picture has
-    std::vector<std::string> problems;          ///< sentences: what could not be drawn
+    std::size_t fragmentCount = 0; ///< that cover the pixel
+    /// In the order of drawing: all, or the last up to the one that one sees, of which `firstFragment` were
+    /// left out before.
+    std::vector<FragmentExplanation> fragments;
+    std::size_t firstFragment = 0;
+    glm::vec4 color{0};                ///< what was stored last, before rounding
+    PixelBytes bytes{};                ///< what the picture has
+    std::vector<PixelBytes> asRight{}; ///< what it may have as well, where ties fall otherwise
+    std::vector<std::string> problems; ///< sentences: what could not be drawn
 
     /// The last fragment that was drawn: the one that one sees, unless it was blended. nullptr: the
     /// background.

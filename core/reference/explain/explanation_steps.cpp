@@ -1,12 +1,15 @@
 #include "core/reference/explain/explanation_steps.h"
 
 #include "core/reference/explain/sampling_steps.h"
+#include "core/reference/sampling/comparison.h"
 #include "core/reference/shading/equation_text.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace texplorer::reference {
 
@@ -61,8 +64,7 @@ Step triangleStep(const FragmentExplanation& fragment) {
     Step step{StepKind::Triangle, -1, partWords(fragment).title, {}};
     std::string shares;
     for (const VertexExplanation& vertex : fragment.vertices) {
-        shares += fmt::format("{}{} %", shares.empty() ? "" : ", ",
-                              numberText(std::round(vertex.weight * 1000) / 10));
+        shares += fmt::format("{}{} %", shares.empty() ? "" : ", ", percentText(vertex.weight));
     }
     step.summary = shares;
     step.rows = {
@@ -171,10 +173,9 @@ Step colorSumStep(const FragmentExplanation& fragment) {
     Step step{StepKind::ColorSum, -1, "Colour sum", colorText(fragment.summed), fragment.summed};
     for (int i = 0; i < 3; ++i) {
         const float sum = fragment.textured[i] + fragment.secondary[i];
-        const std::string numbers = fmt::format("{} + {} = {}", numberText(fragment.textured[i]),
-                                                numberText(fragment.secondary[i]), numberText(sum));
-        step.rows.push_back({componentNames.at(static_cast<std::size_t>(i)),
-                             {{sum > 1 ? fmt::format("{}, clamped to 1", numbers) : numbers}}});
+        const std::string addends =
+            fmt::format("{} + {}", numberText(fragment.textured[i]), numberText(fragment.secondary[i]));
+        step.rows.push_back({componentNames.at(static_cast<std::size_t>(i)), {{withResult(addends, sum)}}});
     }
     return step;
 }
@@ -218,6 +219,17 @@ Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, 
                   false,
                   test.passed ? Ink::Good : Ink::Bad}};
     return step;
+}
+
+/// Alphas as they are compared: in bytes, where these decide otherwise than the numbers that they stand for.
+Step alphaTestStep(const TestExplanation<float>& test) {
+    const bool needsBytes = passes<float>(test.function, test.value, test.with) != test.passed;
+    const auto shown = [&](float alpha, float other) {
+        return needsBytes ? fmt::format("{:.0f}/255", std::floor(glm::clamp(alpha, 0.0F, 1.0F) * 255 + 0.5F))
+                          : numberText(alpha, other);
+    };
+    return testStep(StepKind::AlphaTest, "Alpha test", test, shown(test.value, test.with),
+                    shown(test.with, test.value));
 }
 
 std::string depthText(std::uint32_t depth) {
@@ -264,6 +276,19 @@ std::string numberText(float value) {
     if (std::abs(value) < largest || !std::isfinite(value))
         return shortNumber(value);
     return fmt::format("{:.3g}", value);
+}
+
+std::string numberText(float value, float other) {
+    const std::string number = numberText(value);
+    return value != other && number == numberText(other) ? fmt::format("{}", value) : number;
+}
+
+std::string percentText(float share) {
+    constexpr float rounding = 1e-5F; // what is nearer is 0 or 1 and was interpolated
+    const float percent = std::round(share * 1000) / 10;
+    if (percent == 0 && share > rounding)
+        return "< 0.1";
+    return percent == 100 && share < 1 - rounding ? "> 99.9" : numberText(percent);
 }
 
 std::string amountText(float value) {
@@ -327,8 +352,7 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
         steps.push_back(colorSumStep(fragment));
     if (fragment.fog)
         steps.push_back(fogStep(fragment, *fragment.fog));
-    steps.push_back(testStep(StepKind::AlphaTest, "Alpha test", fragment.alphaTest,
-                             numberText(fragment.alphaTest.value), numberText(fragment.alphaTest.with)));
+    steps.push_back(alphaTestStep(fragment.alphaTest));
     steps.push_back(testStep(StepKind::DepthTest, "Depth test", fragment.depthTest,
                              depthText(fragment.depthTest.value), depthText(fragment.depthTest.with)));
     if (text.drawn) {
@@ -336,6 +360,27 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
         steps.push_back(framebufferStep(fragment));
     }
     return text;
+}
+
+std::string cutSentence(const Explanation& explanation) {
+    const std::size_t count = explanation.fragments.size();
+    return count == explanation.fragmentCount
+               ? std::string()
+               : fmt::format("{} fragments cover it. Explained are numbers {} to {}: at most {}.",
+                             explanation.fragmentCount, explanation.firstFragment + 1,
+                             explanation.firstFragment + count, mostExplainedFragments);
+}
+
+int differenceOf(const PixelBytes& one, const PixelBytes& other) {
+    int most = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        most = std::max(most, std::abs(int{one[i]} - int{other[i]}));
+    return most;
+}
+
+bool isAsRight(const Explanation& explanation, const PixelBytes& bytes, int tolerance) {
+    return std::ranges::any_of(
+        explanation.asRight, [&](const PixelBytes& each) { return differenceOf(each, bytes) <= tolerance; });
 }
 
 std::vector<FragmentSteps> stepsOf(const Explanation& explanation) {

@@ -67,6 +67,15 @@ struct FragmentSteps {
 [[nodiscard]] FragmentSteps stepsOf(const FragmentExplanation& fragment);
 [[nodiscard]] std::vector<FragmentSteps> stepsOf(const Explanation& explanation);
 
+/// Which of a pixel's fragments are explained; empty: all.
+[[nodiscard]] std::string cutSentence(const Explanation& explanation);
+
+/// Whether a renderer's pixel is what the reference has where ties fall otherwise, within `tolerance`.
+[[nodiscard]] bool isAsRight(const Explanation& explanation, const PixelBytes& bytes, int tolerance);
+
+/// The largest difference of a component.
+[[nodiscard]] int differenceOf(const PixelBytes& one, const PixelBytes& other);
+
 /// The components of a colour, as readers know them.
 inline constexpr std::array componentNames{word("red"), word("green"), word("blue"), word("alpha")};
 
@@ -81,6 +90,12 @@ inline constexpr std::array componentNames{word("red"), word("green"), word("blu
 
 /// A number for a reader: at most four digits after the point, a power of ten for what is large.
 [[nodiscard]] std::string numberText(float value);
+
+/// The same, with as many digits as tell it from `other`, which it is compared with.
+[[nodiscard]] std::string numberText(float value, float other);
+
+/// "12.5", of a share of 0.125. What isn't 0 or 100 doesn't read so: "< 0.1".
+[[nodiscard]] std::string percentText(float share);
 
 /// The same, of which one wants to know that it isn't 0: "< 0.0001".
 [[nodiscard]] std::string amountText(float value);

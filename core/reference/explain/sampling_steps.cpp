@@ -36,12 +36,13 @@ StepRow coordinates(std::string label, glm::vec4 values, int count = 4, int digi
 
 /// Of depths, whose last digits decide.
 constexpr int depthDigits = 6;
+constexpr int allDigits = 9; ///< of a float
 
 /// Of the coordinates of one pixel and the next, in which small numbers count.
 constexpr int derivativeDigits = 6;
 
 std::string percent(float share) {
-    return numberText(std::round(share * 1000) / 10) + " %";
+    return percentText(share) + " %";
 }
 
 /// Whether r is compared with what the texture holds.
@@ -86,6 +87,10 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
         step.rows.push_back(
             coordinates(fmt::format("a direction, which hits face {} at", rowOf(cubeFaceAt(face)).label),
                         glm::vec4(place, 0), 2));
+        for (const Tie& tie : unit.ties.ties)
+            if (tie.between == Tie::Between::Faces)
+                step.rows.push_back({fmt::format("It hits the edge of face {}: either face is right.",
+                                                 rowOf(cubeFaceAt(tie.other)).label)});
     }
     if (unit.pixel.transformed.q < 0)
         step.rows.push_back({"q is below 0: this point lies behind what projects the image."});
@@ -112,8 +117,8 @@ Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
     Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
-    step.summary = fmt::format("lambda {}: {}", numberText(lod.lambda),
-                               lod.magnified ? word("magnified") : word("minified"));
+    step.summary =
+        fmt::format("lambda {}: {}", lambdaText(lod), lod.magnified ? word("magnified") : word("minified"));
     const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     step.rows.push_back(
         heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
@@ -148,9 +153,20 @@ Step lodStep(const UnitExplanation& unit) {
     if (lod.lambda != lod.biased)
         step.rows.push_back({fmt::format("clamped to {} ... {}", numberText(unit.sampler.minLod),
                                          numberText(unit.sampler.maxLod)),
-                             {{numberText(lod.lambda)}}});
+                             {{lambdaText(lod)}}});
     if (!lod.ellipse)
         step.rows.push_back({whyMagnified(unit)});
+    for (const Tie& tie : unit.ties.ties) {
+        if (tie.between == Tie::Between::Levels)
+            step.rows.push_back(
+                {fmt::format("lambda is half-way between level {} and level {}, within 1/64: "
+                             "either is right.",
+                             std::min(tie.chosen, tie.other), std::max(tie.chosen, tie.other))});
+        else if (tie.between == Tie::Between::Filters)
+            step.rows.push_back(
+                {fmt::format("lambda is where {} meets {}, within 1/64: either is right.",
+                             rowOf(unit.sampler.magFilter).name, rowOf(unit.sampler.minFilter).name)});
+    }
     if (lod.undefined)
         step.rows.push_back({unit.sampler.minLod > unit.sampler.maxLod
                                  ? "The least LOD is above the greatest: undefined. The greatest wins here."
@@ -168,11 +184,49 @@ std::string texelText(int index, int size, bool seamless) {
                                       : "the border";
 }
 
-/// Which texels of a row `u` falls on. The centre of texel i is at i + 0.5, which a linear filter goes by.
-std::string texelsText(bool linear, const WrappedCoordinate& coordinate, int size, bool seamless) {
+/// What wrapping makes of a coordinate, and where that is in a row of texels: "1.5179 → clamped to 1 → × 8 =
+/// 8". Just below a whole number, which four digits would show, with all digits.
+std::string wrapText(const WrappedCoordinate& coordinate, int size) {
+    const auto n = static_cast<float>(size);
     const float u = coordinate.texels;
-    if (!linear)
-        return fmt::format("its whole part: {}", texelText(nearestTexel(u, size), size, seamless));
+    const std::string texels = numberText(u, std::max(u, std::round(u)));
+    const auto text = [&](float number) {
+        return texels == numberText(u) ? numberText(number) : fmt::format("{}", number);
+    };
+    const float s = definedCoordinate(coordinate.given);
+    const bool counts = s == coordinate.given;
+    const float place = coordinate.wrap == Wrap::MirroredRepeat ? mirror(s)
+                        : coordinate.wrap == Wrap::Repeat       ? s - std::floor(s)
+                                                                : u / n;
+    const std::string given = counts ? text(s) : fmt::format("{}, which counts as 0", coordinate.given);
+    if (coordinate.wrap == Wrap::Repeat)
+        return place == s ? fmt::format("{} → × {} = {}", given, size, texels)
+                          : fmt::format("{} → fraction {} → × {} = {}", given, text(place), size, texels);
+    if (coordinate.wrap == Wrap::MirroredRepeat) {
+        const bool isClamped = place * n != u;
+        const std::string product = isClamped ? numberText(place * n, u) : texels;
+        const std::string steps =
+            place == s ? fmt::format("{} → × {} = {}", given, size, product)
+                       : fmt::format("{} → mirrored to {} → × {} = {}", given, text(place), size, product);
+        return isClamped ? fmt::format("{}, clamped to {}", steps, texels) : steps;
+    }
+    return s * n == u ? fmt::format("{} → × {} = {}", given, size, texels)
+                      : fmt::format("{} → clamped to {} → × {} = {}", given, text(place), size, texels);
+}
+
+/// The same, and which texel GL_NEAREST takes there.
+std::string nearestText(const WrappedCoordinate& coordinate, int size, bool seamless) {
+    const std::string steps = wrapText(coordinate, size);
+    const int index = nearestTexel(coordinate.texels, size);
+    if (index < 0 || index >= size)
+        return seamless ? fmt::format("{} → the next face", steps) : fmt::format("{} → the border", steps);
+    return coordinate.texels == static_cast<float>(size) ? fmt::format("{} → last texel, {}", steps, index)
+                                                         : fmt::format("{} → texel {}", steps, index);
+}
+
+/// Between which texels of a row a linear filter blends. The centre of texel i is at i + 0.5.
+std::string linearText(const WrappedCoordinate& coordinate, int size, bool seamless) {
+    const float u = coordinate.texels;
     const auto [first, second, share] = linearTexels(coordinate.wrap, u, size);
     return fmt::format("- 0.5 = {}: {} and {}, shares {} and {}", numberText(u - 0.5F),
                        texelText(first, size, seamless), texelText(second, size, seamless),
@@ -211,17 +265,25 @@ Step wrapStep(const UnitExplanation& unit) {
             });
             if (found == unit.sample.wrapped.end())
                 continue;
-            const std::string wrapped = fmt::format("{} lands at texel {} of {}", numberText(found->given),
-                                                    numberText(found->texels), extent.size[axis]);
-            step.rows.push_back(
-                {indented(fmt::format("{}, {}", coordinateNames.at(i),
-                                      unit.sample.seamless ? word("seamless") : rowOf(found->wrap).name)),
-                 {{wrapped, coordinateInks.at(i)}}});
-            if (!unit.sample.lod.ellipse) // which weighs all texels in it
-                step.rows.push_back(
-                    {"",
-                     {{texelsText(isLinearHere(unit), *found, extent.size[axis], unit.sample.seamless),
-                       coordinateInks.at(i)}}});
+            const int row = extent.size[axis];
+            const bool seamless = unit.sample.seamless;
+            const bool isNearest = !isLinearHere(unit) && !unit.sample.lod.ellipse; // which weighs all in it
+            step.rows.push_back({indented(fmt::format("{}, {}", coordinateNames.at(i),
+                                                      seamless ? word("seamless") : rowOf(found->wrap).name)),
+                                 {{isNearest ? nearestText(*found, row, seamless) : wrapText(*found, row),
+                                   coordinateInks.at(i)}}});
+            if (isLinearHere(unit) && !unit.sample.lod.ellipse)
+                step.rows.push_back({"", {{linearText(*found, row, seamless), coordinateInks.at(i)}}});
+            const auto tie = std::ranges::find_if(unit.ties.ties, [&](const Tie& each) {
+                return each.between == Tie::Between::Texels && each.level == extent.level &&
+                       each.axis == axis && each.chosen == nearestTexel(found->texels, row);
+            });
+            if (tie != unit.ties.ties.end())
+                step.rows.push_back({"",
+                                     {{fmt::format("on the edge of {} and {}: either is right",
+                                                   texelText(tie->chosen, row, seamless),
+                                                   texelText(tie->other, row, seamless)),
+                                       coordinateInks.at(i)}}});
         }
         if (isAtCorner(unit, extent.level, extent.size.x))
             step.rows.push_back(
@@ -276,19 +338,25 @@ Step depthsStep(const UnitExplanation& unit) {
     const std::string function(rowOf(unit.sampler.compareFunc).name);
     step.summary =
         asks ? fmt::format("r {} the depth: {}", function, numberText(result)) : numberText(result);
+    const float r = comparedDepth(unit.coords.p);
+    const bool isClose =
+        asks && std::ranges::any_of(unit.sample.taps, [&](const Tap& tap) {
+            return tap.depth != r && columnText(tap.depth, depthDigits) == columnText(r, depthDigits);
+        });
+    const int digits = isClose ? allDigits : depthDigits;
     if (asks)
-        step.rows.push_back({"r over q, clamped to 0 ... 1",
-                             {{columnText(comparedDepth(unit.coords.p), depthDigits), Ink::R}}});
+        step.rows.push_back({"r over q, clamped to 0 ... 1", {{columnText(r, digits), Ink::R}}});
     StepRow head{word("texel"), {{word("weight"), Ink::Dim}, {word("depth"), Ink::Dim}}, {}, true};
     if (asks)
         head.cells.push_back({function, Ink::Dim});
     step.rows.push_back(std::move(head));
     const std::vector<Tap> taps = mergedTaps(unit.sample);
+    const auto depthText = [&](float depth) { return columnText(depth, digits); };
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
         const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
         StepRow row{tap.border ? fmt::format("{} border", place) : place,
-                    {{columnText(tap.weight)}, {columnText(tap.depth, depthDigits)}},
+                    {{columnText(tap.weight)}, {depthText(tap.depth)}},
                     tap.color};
         if (asks) {
             const bool passed = (unit.format == BaseFormat::Alpha ? tap.color.a : tap.color.r) != 0;
@@ -346,6 +414,13 @@ Step texelsStep(const UnitExplanation& unit) {
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});
     step.rows.push_back(std::move(sum));
+    for (const Tap& tap : unit.ties.others) {
+        StepRow row{
+            fmt::format("as right: {}", placeText(tap, unit.target, true)), {{"", Ink::Dim}}, tap.color};
+        for (int c = 0; c < 4; ++c)
+            row.cells.push_back({shorter(tap.color[c]), Ink::Dim});
+        step.rows.push_back(std::move(row));
+    }
     return step;
 }
 
@@ -353,6 +428,12 @@ Step texelsStep(const UnitExplanation& unit) {
 
 std::vector<Step> samplingSteps(const FragmentExplanation& fragment, const UnitExplanation& unit) {
     return {coordinatesStep(fragment, unit), lodStep(unit), wrapStep(unit), texelsStep(unit)};
+}
+
+std::string lambdaText(const Lod& lod) {
+    // What decides is c, or how far it is half-way between two levels.
+    const bool isByFilters = std::abs(lod.lambda - lod.switchOver) < 0.25F;
+    return numberText(lod.lambda, isByFilters ? lod.switchOver : std::floor(lod.lambda) + 0.5F);
 }
 
 std::string whyMagnified(const UnitExplanation& unit) {

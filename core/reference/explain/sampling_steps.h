@@ -8,6 +8,9 @@ namespace texplorer::reference {
 [[nodiscard]] std::vector<Step> samplingSteps(const FragmentExplanation& fragment,
                                               const UnitExplanation& unit);
 
+/// Lambda, with as many digits as tell on which side it is of what decides.
+[[nodiscard]] std::string lambdaText(const Lod& lod);
+
 /// Why the sample is magnified or minified, as a sentence.
 [[nodiscard]] std::string whyMagnified(const UnitExplanation& unit);
 

@@ -18,6 +18,11 @@ std::string shortNumber(float value) {
     return number == "-0" ? "0" : number;
 }
 
+std::string shortNumber(float value, float other) {
+    const std::string number = shortNumber(value);
+    return value != other && number == shortNumber(other) ? fmt::format("{}", value) : number;
+}
+
 std::string withHandSigns(std::string equation) {
     constexpr std::array<std::array<std::string_view, 2>, 2> signs{{{" * ", " × "}, {" - ", " − "}}};
     for (const auto& [from, to] : signs) {
@@ -29,7 +34,7 @@ std::string withHandSigns(std::string equation) {
 
 std::string withResult(std::string_view numbers, float result) {
     const float clamped = std::clamp(result, 0.0F, 1.0F);
-    const std::string equation = fmt::format("{} = {}", numbers, shortNumber(result));
+    const std::string equation = fmt::format("{} = {}", numbers, shortNumber(result, clamped));
     return clamped == result ? equation : fmt::format("{}, clamped to {}", equation, shortNumber(clamped));
 }
 

@@ -24,4 +24,7 @@ struct Operand {
 /// "0.25", "1", "0.3333": at most four digits after the point.
 [[nodiscard]] std::string shortNumber(float value);
 
+/// The same, with as many digits as tell it from `other`: 0.50001 isn't 0.5.
+[[nodiscard]] std::string shortNumber(float value, float other);
+
 } // namespace texplorer::reference

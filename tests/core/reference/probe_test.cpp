@@ -104,6 +104,60 @@ TEST(Probe, FindsTheLevelOfDetail) {
     EXPECT_TRUE(unit.sample.lod.magnified);
 }
 
+// The middle of the middle pixel of 3 x 3 is where the four texels meet: each is right.
+TEST(Probe, GivesWhatIsAsRightOnATie) {
+    Flat flat;
+    flat.scene.textures[0].minFilter = MinFilter::Nearest;
+    flat.scene.textures[0].magFilter = MagFilter::Nearest;
+    const Explanation found = flat.at(1, 1, 3);
+    std::vector<PixelBytes> all = found.asRight;
+    all.push_back(found.bytes);
+    EXPECT_THAT(all, testing::UnorderedElementsAre(PixelBytes{0, 0, 0, 255}, PixelBytes{51, 51, 51, 255},
+                                                   PixelBytes{102, 102, 102, 255},
+                                                   PixelBytes{255, 255, 255, 255}));
+    EXPECT_EQ(found.fragments.at(0).units.at(0).ties.others.size(), 3U);
+    EXPECT_THAT(flat.at(0, 0, 4).asRight, testing::IsEmpty());
+    flat.scene.textures[0].magFilter = MagFilter::Linear;
+    EXPECT_THAT(flat.at(1, 1, 3).asRight, testing::IsEmpty());
+}
+
+/// So many triangles over the whole picture, one on the other; those from number `hidden` on behind the
+/// others.
+Flat pileOf(int count, int hidden) {
+    Flat flat;
+    Model& model = flat.scene.models[0];
+    model.shape = Shape::Mesh;
+    model.mesh.primitive = Primitive::Triangles;
+    model.mesh.positions = {{-3, -1, 0},     {3, -1, 0},     {0, 5, 0},
+                            {-3, -1, -0.5F}, {3, -1, -0.5F}, {0, 5, -0.5F}};
+    for (int i = 0; i < count; ++i)
+        for (int corner = 0; corner < 3; ++corner)
+            model.mesh.indices.push_back(i < hidden ? corner : corner + 3);
+    flat.scene.passes[0].depthTest = true;
+    flat.scene.passes[0].depthFunc = CompareFunc::LessEqual;
+    return flat;
+}
+
+// All are drawn, and the last ones are explained, up to that which one sees.
+TEST(Probe, ExplainsNoMoreFragmentsThanItSays) {
+    const Explanation all = pileOf(500, 500).at(1, 1);
+    EXPECT_EQ(all.fragmentCount, 500U);
+    EXPECT_EQ(all.firstFragment, 500 - mostExplainedFragments);
+    ASSERT_EQ(all.fragments.size(), mostExplainedFragments);
+    EXPECT_EQ(all.seen(), &all.fragments.back());
+    EXPECT_EQ(all.fragments.back().part, 499U);
+    const Explanation hidden = pileOf(500, 100).at(1, 1);
+    EXPECT_EQ(hidden.fragmentCount, 500U);
+    EXPECT_EQ(hidden.firstFragment, 100 - mostExplainedFragments);
+    ASSERT_EQ(hidden.fragments.size(), mostExplainedFragments);
+    EXPECT_EQ(hidden.seen(), &hidden.fragments.back());
+    EXPECT_EQ(hidden.bytes, all.bytes);
+    const Explanation few = pileOf(5, 5).at(1, 1);
+    EXPECT_EQ(few.fragments.size(), 5U);
+    EXPECT_EQ(few.fragmentCount, 5U);
+    EXPECT_EQ(few.bytes, all.bytes);
+}
+
 TEST(Probe, SaysWhichTexelsAreTheBorder) {
     Flat flat;
     flat.scene.textures[0].wrapS = flat.scene.textures[0].wrapT = Wrap::Clamp;

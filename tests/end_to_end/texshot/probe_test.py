@@ -108,6 +108,42 @@ class Probe(Texshot):
         self.assertEqual(len(found["pixels"]), 1500 * 1500)  # only at the others' very centres it has no share
         self.assertLess(used.ru_maxrss, (300 if SANITIZED else 150) * 1024)  # KiB
 
+    def test_what_is_as_right_on_a_tie_is_no_difference(self):
+        # The middle of 3 x 3 pixels is where four texels meet; llvmpipe takes one of them.
+        scene = json.loads(self.scene.read_text())
+        scene["textures"][0].update(minFilter="GL_NEAREST", magFilter="GL_NEAREST")
+        self.scene.write_text(json.dumps(scene))
+        call = ("probe", self.scene, "--size", "3x3", "--at", "1,1")
+        found = json.loads(self.succeeds(*call, "--json"))
+        every = [[grey, grey, grey, 255] for grey in (0, 51, 102, 255)]
+        self.assertEqual(sorted([found["reference"], *found["asRight"]]), every)
+        self.assertIn(found["fixed"], every)
+        ties = found["fragments"][0]["units"][0]["ties"]
+        self.assertEqual([(tie["between"], tie["axis"], {tie["chosen"], tie["other"]}) for tie in ties],
+                         [("texels", "s", {0, 1}), ("texels", "t", {0, 1})])
+        said = self.succeeds(*call).decode()
+        self.assertIn("either is right", said)
+        self.assertEqual(said.count("as right, on a tie"), 3 + 2 * (found["fixed"] != found["reference"]), said)
+
+    def test_a_pixel_of_many_fragments_is_explained_in_part(self):
+        scene = json.loads(self.scene.read_text())
+        scene["models"] = [{"shape": "mesh", "mesh": {"positions": [[-3, -1, 0], [3, -1, 0], [0, 5, 0]],
+                                                      "indices": [0, 1, 2] * 43_690}}]
+        scene["passes"][0]["depthFunc"] = "GL_LEQUAL"
+        self.scene.write_text(json.dumps(scene))
+        probe = subprocess.Popen([TEXSHOT, "probe", self.scene, "--size", "4x4", "--json", "--at", "1,1", "--no-gl"],
+                                 stdout=subprocess.PIPE)
+        found = json.loads(probe.stdout.read())
+        probe.stdout.close()
+        _, code, used = os.wait4(probe.pid, 0)
+        probe.returncode = code
+        self.assertEqual((code, found["fragmentCount"], found["firstFragment"], len(found["fragments"])),
+                         (0, 43_690, 43_658, 32))
+        self.assertLess(used.ru_maxrss, (400 if SANITIZED else 200) * 1024)  # KiB
+        said = self.succeeds("probe", self.scene, "--size", "4x4", "--at", "1,1", "--no-gl").decode()
+        self.assertIn("43690 fragments cover it. Explained are numbers 43659 to 43690: at most 32.", said)
+        self.assertIn("fragment 43690 of 43690", said)
+
     def test_what_it_does_not_have_is_refused(self):
         for code, expected, *arguments in (
             (2, "expected either --at or --texel"),

@@ -76,6 +76,23 @@ class Test(Suites):
         self.assertEqual(json.loads((report / "run.json").read_text())["status"], 1)
         self.assertNotIn(str(self.path), (report / "run.json").read_text().replace(str(suite), ""))
 
+    def test_a_failure_where_many_fragments_lie_is_a_failure(self):
+        scene = self.path / "pile.json"
+        scene.write_text(json.dumps({
+            "version": 1, "models": [{"shape": "mesh", "mesh": {
+                "positions": [[-9, -9, 0], [9, -9, 0], [0, 9, 0]], "indices": [0, 1, 2] * 500}}],
+            "textures": [{}], "passes": [{"depthFunc": "GL_LEQUAL", "units": [{"enabled": True}]}]}))
+        suite = self.suite([{"name": "pile", "scene": "pile.json"}])
+        self.passes(suite, "--update")
+        golden = next((self.path / "golden").glob("pile*"))
+        picture = Image.open(golden).convert("RGB")
+        picture.putpixel((12, 8), (1, 254, 1))
+        picture.save(golden)
+        case = self.record(suite, code=1)["pile"]
+        self.assertEqual(case["state"], "failed", case.get("sentence"))
+        self.assertIn("500 fragments cover it. Explained are numbers 469 to 500: at most 32.", case["explanation"])
+        self.assertLess(len(case["explanation"]), 70_000)
+
     def test_a_failed_case_can_be_drawn_again_and_opened_from_its_report(self):
         texture = self.path / "scenes" / "brick.png"
         texture.parent.mkdir()

@@ -643,6 +643,25 @@ TEST_F(ExplainTab, ADifferenceStandsOutBeyondTheToleranceAlone) {
     EXPECT_EQ(inkAt(1).ink, reference::Ink::Bad);
 }
 
+// What a renderer has where a tie falls otherwise is no warning.
+TEST_F(ExplainTab, ATieIsNoWarning) {
+    clickAt(onTheCube());
+    reference::Explanation explanation = *explanationOf(*session);
+    Image image = Image::uninitialised(PixelFormat::Rgba8, explanation.width, explanation.height);
+    reference::PixelBytes other = explanation.bytes;
+    other[1] = static_cast<std::uint8_t>(other[1] ^ 0x80U);
+    for (std::size_t i = 0; i < 4; ++i)
+        image.at(explanation.pixel.x, explanation.pixel.y)[i] = std::byte{other[i]};
+    const std::vector<ViewFrame> views{{RendererKind::Fixed, {}, std::make_shared<const Image>(image), true}};
+    const auto compared = [&] { return compareRenderers(*session, {.frames = views}, explanation); };
+    EXPECT_EQ(compared().rows.at(1).cells.at(1).text, "off by 128");
+    EXPECT_EQ(compared().rows.at(1).cells.at(1).ink, reference::Ink::Bad);
+    explanation.asRight = {other};
+    EXPECT_EQ(compared().rows.at(1).cells.at(1).text, "off by 128: a tie, either is right");
+    EXPECT_EQ(compared().rows.at(1).cells.at(1).ink, reference::Ink::Plain);
+    EXPECT_EQ(compared().most, 0);
+}
+
 // llvmpipe averages over an ellipse, the reference probes along a line.
 TEST_F(ExplainTab, OffersTheEllipseWhereThatIsWhatDiffers) {
     texture().pattern = Pattern::Checker;

@@ -66,6 +66,23 @@ void showSeamlessCube(Scene& scene) {
     scene.textures[0].minFilter = MinFilter::Linear;
 }
 
+/// All of the square has this s and t = 0.3, of 8 x 8 texels.
+void showNearestAt(Scene& scene, float s, Wrap wrap) {
+    Texture& texture = scene.textures[0];
+    texture.minFilter = MinFilter::Nearest;
+    texture.magFilter = MagFilter::Nearest;
+    texture.baseLevel = 3;
+    texture.wrapS = wrap;
+    scene.models[0].texCoords[0] = TexCoords(4, {s, 0.3F, 0, 1});
+}
+
+/// Whatever the size of the picture is, by the bias.
+void showLambda(Scene& scene, float lambda) {
+    scene.passes[0].units[0].lodBias = 0;
+    const Result<Explanation> found = probe({scene, {}, 0, 9, 9}, {4, 4});
+    scene.passes[0].units[0].lodBias = lambda - found->fragments.at(0).units.at(0).sample.lod.base;
+}
+
 struct Case {
     const char* name;
     void (*change)(Scene& scene);
@@ -107,15 +124,46 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Clamped", [](Scene& it) { it.textures[0].minLod = 4; }, "clamped to 4 ... 1000 | 4"},
         // In the middle of the middle pixel of a square with 64 x 64 texels s is 0.5: where texel 32 begins.
         Case{"Linear", [](Scene& it) { it.textures[0].minFilter = MinFilter::Linear; },
-             "0.5 lands at texel 32 of 64\n | - 0.5 = 31.5: texel 31 and texel 32, shares 0.5 and 0.5"},
+             "0.5 → × 64 = 32\n | - 0.5 = 31.5: texel 31 and texel 32, shares 0.5 and 0.5"},
         Case{"Nearest",
              [](Scene& it) {
                  it.textures[0].minFilter = MinFilter::Nearest, it.textures[0].magFilter = MagFilter::Nearest;
              },
-             "0.5 lands at texel 32 of 64\n | its whole part: texel 32"},
+             "0.5 → × 64 = 32 → texel 32\n | on the edge of texel 32 and texel 31: either is right"},
+        // 3.99999 isn't 4, whatever four digits say.
+        Case{"JustBelowATexel", [](Scene& it) { showNearestAt(it, 0.49999875F, Wrap::Repeat); },
+             "0.49999875 → × 8 = 3.99999 → texel 3\n | on the edge of texel 3 and texel 4: either is right"},
+        Case{"TheOtherTexel", [](Scene& it) { showNearestAt(it, 0.49999875F, Wrap::Repeat); },
+             "\nas right: level 3 (4, 2)"},
+        Case{"Repeated", [](Scene& it) { showNearestAt(it, 2.3F, Wrap::Repeat); },
+             "s, GL_REPEAT | 2.3 → fraction 0.3 → × 8 = 2.4 → texel 2\n"},
+        Case{"Mirrored", [](Scene& it) { showNearestAt(it, 1.7F, Wrap::MirroredRepeat); },
+             "s, GL_MIRRORED_REPEAT | 1.7 → mirrored to 0.3 → × 8 = 2.4 → texel 2\n"},
+        Case{"MirroredAtTheRim", [](Scene& it) { showNearestAt(it, 1.01F, Wrap::MirroredRepeat); },
+             "s, GL_MIRRORED_REPEAT | 1.01 → mirrored to 0.99 → × 8 = 7.92, clamped to 7.5 → texel 7\n"},
+        Case{"ClampedToTheEdge", [](Scene& it) { showNearestAt(it, 1.5179F, Wrap::ClampToEdge); },
+             "s, GL_CLAMP_TO_EDGE | 1.5179 → clamped to 0.9375 → × 8 = 7.5 → texel 7\n"},
+        Case{"ClampedToOne", [](Scene& it) { showNearestAt(it, 1.5179F, Wrap::Clamp); },
+             "s, GL_CLAMP | 1.5179 → clamped to 1 → × 8 = 8 → last texel, 7\n"},
+        Case{"ClampedToTheBorder", [](Scene& it) { showNearestAt(it, -0.5F, Wrap::ClampToBorder); },
+             "s, GL_CLAMP_TO_BORDER | -0.5 → clamped to -0.0625 → × 8 = -0.5 → the border\n"},
+        Case{"Inside", [](Scene& it) { showNearestAt(it, 0.3F, Wrap::ClampToEdge); },
+             "s, GL_CLAMP_TO_EDGE | 0.3 → × 8 = 2.4 → texel 2\n"},
+        Case{"HalfWayBetweenLevels",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::NearestMipmapNearest;
+                 showLambda(it, 1.5F);
+             },
+             "lambda is half-way between level 1 and level 2, within 1/64: either is right."},
+        Case{"AboveC",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::NearestMipmapNearest;
+                 showLambda(it, 0.50001F);
+             },
+             "Level of detail: lambda 0.5000"},
         // (0.5, 0.5, 0) is on the edge of +x and +y, half-way along it.
         Case{"Seamless", showSeamlessCube,
-             "  t, seamless | 0 lands at texel 0 of 64\n | - 0.5 = -0.5: the next face and texel 0, shares "
+             "  t, seamless | 0 → × 64 = 0\n | - 0.5 = -0.5: the next face and texel 0, shares "
              "0.5 and 0.5"},
         Case{"AcrossTheEdge", showSeamlessCube, "\n+y (63, 31) across the edge | 0.2500"},
         Case{"LinearAcrossTheRim",
