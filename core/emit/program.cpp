@@ -93,12 +93,22 @@ private:
                 start.timeline.keys.push_back(*key);
         KeyFrames keys(start);
         start.timeline.keys.clear();
+        std::vector<Moving> params;
         std::size_t most = 1;
-        for (const auto& [path, param] : keys.params())
-            most = std::max(most, stancesOf(param).size());
+        for (const auto& [path, param] : keys.params()) {
+            params.push_back({&param, path, stancesOf(param)});
+            most = std::max(most, params.back().stances.size());
+            if (params.back().stances.size() > mostSwitchedValues)
+                return fail(ErrorCode::Unsupported,
+                            fmt::format("expected at most {} values that its key frames jump to, found {}",
+                                        mostSwitchedValues, params.back().stances.size()),
+                            path);
+        }
         Lines program;
         for (std::size_t i = 0; i < most; ++i) {
-            const Scene stands = standing(start, keys, i);
+            if (options_.stop.stop_requested())
+                return fail(ErrorCode::Cancelled, "writing the program was stopped");
+            const Scene stands = standing(start, params, i);
             keys.standAt(stands);
             Result<Lines> lines = of(stands, keys);
             if (!lines)
@@ -116,6 +126,12 @@ private:
         double share;
 
         auto operator<=>(const Stance&) const = default;
+    };
+
+    struct Moving {
+        const MovingParam* param;
+        std::string path;
+        std::vector<Stance> stances;
     };
 
     /// Where a program would differ if it did anywhere: at each name that there is, at the least and the
@@ -150,7 +166,8 @@ private:
 
     /// Everything that moves in one of its stances. What is on at times is on, where the program can switch
     /// it.
-    [[nodiscard]] Scene standing(const Scene& start, const KeyFrames& keys, std::size_t number) const {
+    [[nodiscard]] Scene standing(const Scene& start, std::span<const Moving> params,
+                                 std::size_t number) const {
         static constexpr std::array switchesOfAll{memberId<&Pass::depthTest>, memberId<&Pass::blend>};
         static constexpr std::array switchesOfFixed{memberId<&Pass::lighting>, memberId<&Pass::alphaTest>,
                                                     memberId<&Fog::enabled>, memberId<&Unit::enabled>};
@@ -158,12 +175,11 @@ private:
             return std::ranges::find(members, member) != members.end();
         };
         Scene stands = start;
-        for (const auto& [path, param] : keys.params()) {
-            const std::vector<Stance> stances = stancesOf(param);
+        for (const auto& [param, path, stances] : params) {
             const auto [key, share] = stances[number % stances.size()];
-            const std::string& from = param.keys[key].text;
-            const std::string& to = param.keys[std::min(key + 1, param.keys.size() - 1)].text;
-            const MemberId member = param.row->member;
+            const std::string& from = param->keys[key].text;
+            const std::string& to = param->keys[std::min(key + 1, param->keys.size() - 1)].text;
+            const MemberId member = param->row->member;
             const bool isOn =
                 isIn(switchesOfAll, member) || (flavour_ == Flavour::Fixed && isIn(switchesOfFixed, member));
             static_cast<void>(isOn ? putBetween(stands, path, "true", "true", 0)

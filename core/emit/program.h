@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ struct ProgramOptions {
     /// Files that lie in no folder, as those of the program's lessons, are read as well: somebody writes them
     /// beside the program.
     bool readsFilesInMemory = false;
+    std::stop_token stop{}; ///< ends the work of key frames, with Cancelled
 };
 
 /// What a program has to be given of a texture object.
@@ -82,13 +84,16 @@ private:
 /// The program, which moves as the scene's key frames say. What the scene's textures hold comes from
 /// `images`; one that has none is left out, as renderers leave it out. Those of OpenGL 3.3's core profile and
 /// of WebGL 2 have the shaders of the shader renderer. Unsupported: what the scene says that such a program
-/// can't, in one sentence.
+/// can't, in one sentence; key frames with more than mostSwitchedValues values of a parameter that jumps.
 [[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene,
                                                 const ImageSource& images, const ProgramOptions& options,
                                                 TextureCodes& codes);
 
 /// The files of a scene's textures that its program reads, as the scene spells them.
 [[nodiscard]] std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene);
+
+/// A program with key frames is written once for each value that one of them jumps to: so many at most.
+inline constexpr std::size_t mostSwitchedValues = 128;
 
 /// Meshes of more vertices are data at the end of the program.
 inline constexpr std::size_t mostWrittenVertices = 64;

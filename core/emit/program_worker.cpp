@@ -10,6 +10,16 @@ namespace texplorer::emit {
 namespace {
 
 constexpr FailureWords texelsFailure{"there is no memory for its texels", "its texels can't be made"};
+constexpr FailureWords programFailure{"there is no memory for the program", "the program can't be written"};
+
+/// Whether the program of a scene is written in a few milliseconds: once, and without large meshes.
+bool isQuickToWrite(const Scene& scene) {
+    constexpr std::size_t mostVertices = 4096;
+    std::size_t vertices = 0;
+    for (const Model& model : scene.models)
+        vertices += model.mesh.positions.size();
+    return scene.timeline.keys.empty() && vertices <= mostVertices;
+}
 
 /// A program shows what a unit shows that key frames switch on at times.
 Scene withSwitchedUnits(const Scene& scene) {
@@ -25,13 +35,19 @@ Scene withSwitchedUnits(const Scene& scene) {
 } // namespace
 
 struct ProgramWorker::State {
-    State(When when, std::function<void()> wake, LevelWork how)
+    State(When when, const std::function<void()>& wake, LevelWork how)
         : levels(std::move(how))
         , worker(
-              {when, JobOrder::Queue, texelsFailure, std::move(wake), levels.stop},
+              {when, JobOrder::Queue, texelsFailure, wake, levels.stop},
               [this](const Making::Task& task) { return work(task); },
               [](const TexelRequest& request, const Error& error) {
                   return Made{request, std::make_shared<const Result<TextureCode>>(fail(error))};
+              })
+        , writer(
+              {when, JobOrder::NewestWins, programFailure, wake, levels.stop},
+              [](const Writing::Task& task) { return write(task); },
+              [](const ProgramRequest& request, const Error& error) {
+                  return Written{request.wanted, fail(error)};
               }) {}
 
     struct Made {
@@ -40,16 +56,40 @@ struct ProgramWorker::State {
     };
     using Making = Worker<TexelRequest, Made>;
 
+    struct Wanted {
+        Flavour flavour;
+        Scene scene;
+        ImageSource images;
+
+        bool operator==(const Wanted&) const = default;
+    };
+    struct ProgramRequest {
+        Wanted wanted;
+        ProgramOptions options;
+        TextureCodes codes;
+    };
+    struct Written {
+        Wanted wanted;
+        Program program;
+    };
+    using Writing = Worker<ProgramRequest, Written>;
+
     // Of the thread that asks.
+    std::optional<Wanted> wanted;   ///< of the thread that writes
+    std::optional<Program> written; ///< what came of it
     TextureCodes codes;
     std::vector<TexelRequest> asked; ///< of the thread that works
 
     const LevelWork levels;
-    Making worker; // last: it ends before the rest does
+    Making worker; // last: they end before the rest does
+    Writing writer;
 
     [[nodiscard]] std::optional<Made> work(const Making::Task& task) const;
+    [[nodiscard]] static std::optional<Written> write(const Writing::Task& task);
     void receive();
-    void ask(std::vector<TexelRequest> wanted);
+    void ask(std::vector<TexelRequest> missing);
+    [[nodiscard]] std::optional<Program> writtenBeside(Wanted now, const ProgramOptions& options);
+    void forgetProgram();
 };
 
 std::optional<ProgramWorker::State::Made> ProgramWorker::State::work(const Making::Task& task) const {
@@ -58,29 +98,62 @@ std::optional<ProgramWorker::State::Made> ProgramWorker::State::work(const Makin
     return Made{task.job(), TextureCodes(std::move(how)).of(task.job())};
 }
 
+std::optional<ProgramWorker::State::Written> ProgramWorker::State::write(const Writing::Task& task) {
+    const auto& [wanted, given, known] = task.job();
+    ProgramOptions options = given;
+    options.stop = task.superseded();
+    TextureCodes codes = known;
+    Program made = emit::program(wanted.flavour, wanted.scene, wanted.images, options, codes);
+    if (!made && made.error().code == ErrorCode::Cancelled)
+        return std::nullopt;
+    return Written{wanted, std::move(made)};
+}
+
 void ProgramWorker::State::receive() {
     for (Made& made : worker.take()) {
         std::erase(asked, made.request);
         codes.keep(std::move(made.request), std::move(made.code));
     }
+    for (Written& each : writer.take()) {
+        if (wanted == each.wanted)
+            written = std::move(each.program);
+    }
+}
+
+void ProgramWorker::State::forgetProgram() {
+    if (wanted)
+        writer.clear();
+    wanted.reset();
+    written.reset();
+}
+
+std::optional<ProgramWorker::Program> ProgramWorker::State::writtenBeside(Wanted now,
+                                                                          const ProgramOptions& options) {
+    if (wanted != now) {
+        wanted = std::move(now);
+        written.reset();
+        writer.ask({*wanted, options, codes});
+        receive(); // what was written at once
+    }
+    return written;
 }
 
 /// Of what was asked for before, what nobody wants any more is given up.
-void ProgramWorker::State::ask(std::vector<TexelRequest> wanted) {
+void ProgramWorker::State::ask(std::vector<TexelRequest> missing) {
     const auto isUnwanted = [&](const TexelRequest& request) {
-        return std::ranges::find(wanted, request) == wanted.end();
+        return std::ranges::find(missing, request) == missing.end();
     };
     if (std::ranges::any_of(asked, isUnwanted))
         worker.drop(isUnwanted);
-    for (const TexelRequest& request : wanted) {
+    for (const TexelRequest& request : missing) {
         if (std::ranges::find(asked, request) == asked.end())
             worker.ask(request);
     }
-    asked = std::move(wanted);
+    asked = std::move(missing);
 }
 
 ProgramWorker::ProgramWorker(When when, std::function<void()> wake, LevelWork levels)
-    : state_(std::make_unique<State>(when, std::move(wake), std::move(levels))) {}
+    : state_(std::make_unique<State>(when, wake, std::move(levels))) {}
 
 ProgramWorker::~ProgramWorker() = default;
 
@@ -91,24 +164,36 @@ std::optional<ProgramWorker::Program> ProgramWorker::program(Flavour flavour, co
     state.receive();
     std::vector<TexelRequest> missing;
     for (std::optional<TexelRequest>& request : texelRequests(withSwitchedUnits(scene), images, options)) {
-        if (request && !isQuick(request->levels) && !state.codes.has(*request) &&
-            std::ranges::find(missing, *request) == missing.end())
+        if (!request || isQuick(request->levels))
+            continue;
+        if (state.codes.has(*request))
+            static_cast<void>(state.codes.of(*request)); // it is still used
+        else if (std::ranges::find(missing, *request) == missing.end())
             missing.push_back(*std::move(request));
     }
     state.ask(std::move(missing));
     state.receive(); // what was made at once
-    if (!state.asked.empty())
+    if (!state.asked.empty()) {
+        state.forgetProgram();
         return std::nullopt;
-    Program made = emit::program(flavour, scene, images, options, state.codes);
+    }
+    std::optional<Program> made;
+    if (isQuickToWrite(scene)) {
+        state.forgetProgram();
+        made = emit::program(flavour, scene, images, options, state.codes);
+    } else {
+        made = state.writtenBeside({flavour, scene, images}, options);
+    }
     state.codes.forgetUnused();
     return made;
 }
 
 bool ProgramWorker::isMaking() const {
-    return !state_->asked.empty();
+    return !state_->asked.empty() || (state_->wanted && !state_->written);
 }
 
 void ProgramWorker::rest() {
+    state_->forgetProgram();
     if (!state_->asked.empty())
         state_->worker.clear();
     state_->asked.clear();
@@ -117,6 +202,7 @@ void ProgramWorker::rest() {
 
 void ProgramWorker::wait() const {
     state_->worker.wait();
+    state_->writer.wait();
 }
 
 } // namespace texplorer::emit

@@ -21,7 +21,7 @@ namespace texplorer::ui {
 namespace {
 
 constexpr const char* commandsHint = "Drag numbers, click names and switches";
-constexpr const char* makingHint = "Making the texels…";
+constexpr const char* makingHint = "Making the program…";
 
 void toolRow(Session& session, CommandsTabState& state) {
     const char* copy = "Copy";

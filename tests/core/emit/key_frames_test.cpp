@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <sstream>
+#include <stop_token>
 
 namespace texplorer::key_frames_test {
 namespace {
@@ -238,6 +239,31 @@ TEST(EmittedKeyFrames, AreRefusedWhereOpenGlIsGivenAnotherNumber) {
     const auto lines = programOf(scene);
     ASSERT_FALSE(lines);
     EXPECT_EQ(lines.error().where, "textures[0].maxLevel");
+}
+
+TEST(EmittedKeyFrames, OfMoreValuesThanAProgramIsWrittenForAreRefused) {
+    Scene scene = defaultScene();
+    for (int i = 0; i < 300; ++i) {
+        std::string indices = "0"; // and those of the bits that are set
+        for (int bit = 0; bit < 9; ++bit)
+            indices += (i >> bit & 1) != 0 ? "," + std::to_string(bit + 1) : "";
+        scene.timeline.keys.push_back({static_cast<float>(i), "passes[0].models", indices});
+    }
+    scene.models.resize(10);
+    const auto lines = programOf(scene);
+    ASSERT_FALSE(lines);
+    EXPECT_EQ(lines.error().where, "passes[0].models");
+    EXPECT_THAT(lines.error().message, HasSubstr("at most 128 values that its key frames jump to"));
+}
+
+TEST(EmittedKeyFrames, AreGivenUpWhenAsked) {
+    const Scene scene = sceneWith({{0, "view.fieldOfView", "40"}, {2, "view.fieldOfView", "70"}});
+    std::stop_source stop;
+    stop.request_stop();
+    emit::TextureCodes codes;
+    const auto lines = emit::program(Flavour::Fixed, scene, {}, {.stop = stop.get_token()}, codes);
+    ASSERT_FALSE(lines);
+    EXPECT_EQ(lines.error().code, ErrorCode::Cancelled);
 }
 
 TEST(EmittedKeyFrames, HaveVariablesNamedByTheirPath) {

@@ -143,6 +143,8 @@ TEST(ProgramWorker, MakesWhatAUnitShowsThatKeyFramesSwitchOn) {
     EXPECT_FALSE(ask(worker, scene));
     worker.wait();
     const std::size_t faces = paused.shares.size();
+    EXPECT_FALSE(ask(worker, scene)) << "with all texels it is written";
+    worker.wait();
     expectProgram(ask(worker, scene), scene);
     EXPECT_EQ(paused.shares.size(), faces) << "none on the thread that asks";
 }
@@ -168,6 +170,48 @@ TEST(ProgramWorker, WorksWithoutAThread) {
     const test::NoThreads none;
     ProgramWorker worker(When::WhenReady);
     expectProgram(ask(worker, compressed()), compressed());
+}
+
+Scene keyed(float fieldOfView) {
+    Scene scene = defaultScene();
+    scene.timeline.keys = {{0, "view.fieldOfView", "40"},
+                           {2, "view.fieldOfView", std::to_string(fieldOfView)}};
+    return scene;
+}
+
+// What is written several times, or has much to say, is written beside the window.
+TEST(ProgramWorker, WritesKeyFramesAndLargeMeshesBeside) {
+    Scene large = defaultScene();
+    large.models[0].shape = Shape::Mesh;
+    large.models[0].mesh.positions.resize(6000);
+    for (const Scene& scene : {keyed(70), large}) {
+        ProgramWorker worker(When::WhenReady);
+        EXPECT_FALSE(ask(worker, scene));
+        EXPECT_TRUE(worker.isMaking());
+        worker.wait();
+        expectProgram(ask(worker, scene), scene);
+        EXPECT_FALSE(worker.isMaking());
+    }
+}
+
+TEST(ProgramWorker, WritesTheNewestProgram) {
+    ProgramWorker worker(When::WhenReady);
+    for (int i = 0; i < 50; ++i)
+        EXPECT_FALSE(ask(worker, keyed(static_cast<float>(70 + i))));
+    worker.wait();
+    expectProgram(ask(worker, keyed(119)), keyed(119));
+    EXPECT_FALSE(ask(worker, keyed(70))) << "earlier ones are forgotten";
+    worker.rest();
+    EXPECT_FALSE(worker.isMaking());
+    expectProgram(ask(worker, defaultScene()), defaultScene());
+}
+
+TEST(ProgramWorker, WritesKeyFramesAtOnceForAProgramWithoutAUser) {
+    ProgramWorker worker(When::AtOnce);
+    expectProgram(ask(worker, keyed(70)), keyed(70));
+    const test::NoThreads none;
+    ProgramWorker alone(When::WhenReady);
+    expectProgram(ask(alone, keyed(70)), keyed(70));
 }
 
 TEST(ProgramWorker, PassesOnWhatAProgramCantSay) {
