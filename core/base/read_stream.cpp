@@ -34,7 +34,7 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
                          const IsWorthReading& isWorthReading) {
     Bytes bytes;
     std::size_t filled = 0;
-    bool asked = false;
+    std::size_t asked = startBytes; // with the first so many bytes
     try {
         for (;;) {
             if (filled == bytes.size()) // one byte more than is accepted tells that there are more
@@ -47,9 +47,10 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
             if (filled > maxBytes)
                 return fail(ErrorCode::TooLarge,
                             fmt::format("at most {} bytes are read, there are more", maxBytes), where);
-            const bool isStart = !asked && filled >= startBytes;
-            asked = asked || isStart;
-            if (got == 0 || (isStart && isWorthReading && !isWorthReading({bytes.data(), filled}))) {
+            const bool isAsked = filled >= asked;
+            if (isAsked)
+                asked = 2 * filled;
+            if (got == 0 || (isAsked && isWorthReading && !isWorthReading({bytes.data(), filled}))) {
                 bytes.resize(filled);
                 return bytes;
             }

@@ -8,7 +8,8 @@
 
 namespace texplorer {
 
-/// Asked once, with the first megabyte of what is longer: whether it is worth reading on.
+/// Asked with the first megabyte of what is longer, and each time that it has doubled: whether it is worth
+/// reading on.
 using IsWorthReading = std::function<bool(ByteView start)>;
 
 /// All that comes from something that is open and has no size of its own: a pipe, a terminal, standard input.

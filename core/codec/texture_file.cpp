@@ -1,14 +1,25 @@
 #include "core/codec/texture_file.h"
 
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
 
 #include <fmt/core.h>
 
 namespace texplorer {
 
+Result<Bytes> readImageFile(const std::filesystem::path& path, std::size_t maxBytes,
+                            const ReadObserver& observer) {
+    const Result<Bytes> start = readFileStart(path, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (!recogniseImage(*start)) {
+        const Error refused = decodeTexture(*start).error();
+        return fail(refused.code, refused.message, path.string());
+    }
+    return readFile(path, maxBytes, observer);
+}
+
 Result<TextureImage> loadTexture(const std::filesystem::path& path, const DecodeLimits& limits) {
-    const Result<Bytes> file = readFile(path);
+    const Result<Bytes> file = readImageFile(path);
     if (!file)
         return fail(file.error());
     Result<TextureImage> texture = decodeTexture(*file, limits);

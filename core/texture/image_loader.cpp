@@ -1,8 +1,8 @@
 #include "core/texture/image_loader.h"
 
-#include "core/base/file_io.h"
 #include "core/base/worker.h"
 #include "core/codec/registry.h"
+#include "core/codec/texture_file.h"
 #include "core/image/thumbnail.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/image_budget.h"
@@ -28,7 +28,7 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
     const std::size_t most =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
     Result<Content> content = tried(loadingFailure, [&]() -> Result<Content> {
-        Result<Bytes> bytes = readFile(path, most, observer);
+        Result<Bytes> bytes = readImageFile(path, most, observer);
         if (!bytes)
             return fail(bytes.error());
         if (decoding)

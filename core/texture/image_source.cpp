@@ -1,7 +1,7 @@
 #include "core/texture/image_source.h"
 
 #include "core/base/file_fingerprint.h"
-#include "core/base/file_io.h"
+#include "core/codec/texture_file.h"
 #include "core/image/patterns/pattern.h"
 
 #include <fmt/core.h>
@@ -25,7 +25,7 @@ TextureImage madeHere(Image image) {
 using SharedImage = std::shared_ptr<const TextureImage>;
 
 Result<SharedImage> readImage(const std::filesystem::path& path, std::size_t left, Decoding decoding) {
-    const Result<Bytes> file = readFile(path);
+    const Result<Bytes> file = readImageFile(path);
     if (!file)
         return fail(file.error());
     Result<TextureImage> texture = decodeWithin(*file, left, decoding);

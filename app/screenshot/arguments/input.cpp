@@ -5,14 +5,17 @@
 #include "core/base/descriptor.h"
 #include "core/base/file_kind.h"
 #include "core/codec/registry.h"
+#include "core/codec/texture_file.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <fcntl.h>
 #include <unistd.h>
+#include <utility>
 
 namespace texplorer::screenshot {
 namespace {
@@ -58,8 +61,27 @@ Result<Bytes> readInput(const std::string& path, std::size_t maxBytes, const IsW
 }
 
 Result<Bytes> readImageInput(const std::string& path) {
-    return readInput(path, defaultMaxFileBytes,
-                     [](ByteView start) { return recogniseImage(start) != nullptr; });
+    if (!isStandardInput(path) && !isNamedPipe(path)) {
+        Result<Bytes> start = readFileStart(path, recognisedBytes);
+        if (!start || !recogniseImage(*start))
+            return start;
+    }
+    return readInput(path, defaultMaxFileBytes, ImageHead());
+}
+
+bool ImageHead::operator()(ByteView start) {
+    if (!recogniseImage(start))
+        return false;
+    const Result<TextureImage> outline = decodeTexture(start, {.pixels = false});
+    if (!outline) // what is said of half of it, too, isn't for want of bytes
+        return std::exchange(last_, outline.error().message) != outline.error().message;
+    constexpr std::uint64_t most = std::uint64_t{16} << 20; // of what isn't pixels
+    constexpr std::uint64_t perTexel = 16;                  // in 16 bits, and twice that
+    std::uint64_t texels = 0;
+    for (const Surface& each : outline->surfaces)
+        texels += static_cast<std::uint64_t>(widthOf(each)) * static_cast<std::uint64_t>(heightOf(each)) *
+                  static_cast<std::uint64_t>(depthOf(each));
+    return start.size() < most + perTexel * texels;
 }
 
 } // namespace texplorer::screenshot

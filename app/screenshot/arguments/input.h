@@ -23,7 +23,17 @@ namespace texplorer::screenshot {
 [[nodiscard]] Result<Bytes> readInput(const std::string& path, std::size_t maxBytes = defaultMaxFileBytes,
                                       const IsWorthReading& isWorthReading = {});
 
-/// The same of an image: a stream that begins as no image does is not read to an end that it may not have.
+/// The same of an image: of what begins as no image does, or has a header that no more bytes make right, only
+/// the start is read. A stream is not read far beyond what its header says, as it may have no end.
 [[nodiscard]] Result<Bytes> readImageInput(const std::string& path);
+
+/// Asked as IsWorthReading is.
+class ImageHead {
+public:
+    [[nodiscard]] bool operator()(ByteView start);
+
+private:
+    std::string last_; ///< what was wrong with half as many bytes
+};
 
 } // namespace texplorer::screenshot

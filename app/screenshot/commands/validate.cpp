@@ -193,8 +193,10 @@ Validity validate(const std::string& in, ByteView file) {
 }
 
 Validity validateFile(const std::string& in) {
-    const Result<Bytes> file = readInput(
-        in, defaultMaxFileBytes, [](ByteView start) { return recogniseImage(start) || beginsAsJson(start); });
+    const Result<Bytes> file =
+        readInput(in, defaultMaxFileBytes, [head = ImageHead()](ByteView start) mutable {
+            return head(start) || beginsAsJson(start);
+        });
     if (!file) {
         noteError(describe(file.error()));
         return {in, {}, {file.error().message}};

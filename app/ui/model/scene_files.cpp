@@ -4,6 +4,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/codec/texture_file.h"
 #include "core/example/example.h"
 #include "core/link/scene_file.h"
 #include "core/link/scene_link.h"
@@ -18,8 +19,6 @@ namespace texplorer::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t recognisedBytes = 4096; // enough of a file to tell what it is
 
 fs::path absolutePath(const fs::path& path) {
     std::error_code failed;

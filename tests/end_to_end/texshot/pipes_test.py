@@ -124,6 +124,36 @@ class Pipes(Texshot):
         self.assertEqual((result.returncode, result.stderr.decode()),
                          (1, f"texshot: standard input: at most {16 << 20} bytes are read, there are more\n"))
 
+    def test_an_image_that_never_ends_is_read_as_far_as_its_header_goes(self):
+        wrong = b"BM" + b"y\n" * 60  # no header that more bytes would make right
+        for begin, code, expected in ((self.bmp, 0, b"16 x 8 texels"), (wrong, 1, b"BMP: ")):
+            with self.subTest(begin[:4]):
+                read, write = os.pipe()
+                os.write(write, begin)
+                endless = subprocess.Popen(["yes"], stdout=write)
+                os.close(write)
+                result = subprocess.run([TEXSHOT, "info", "-"], stdin=read, capture_output=True, timeout=60,
+                                        **within_memory(500))
+                os.close(read)
+                endless.wait(timeout=60)
+                self.assertEqual(result.returncode, code, result.stderr)
+                self.assertIn(expected, result.stdout + result.stderr)
+
+    def test_a_file_that_is_no_image_is_not_read_to_its_end(self):
+        huge = self.path / "huge"
+        with open(huge, "wb") as file:
+            file.write(b"nonsense")
+            file.truncate(1 << 30)
+        scene = self.path / "huge.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "huge"}]}))
+        for call in (["info", huge], ["convert", huge, self.path / "out.png"],
+                     ["shot", scene, "--renderer", "reference", "--size", "4x4", "-o", self.path / "out.png"]):
+            with self.subTest(call[0]):
+                result = subprocess.run([TEXSHOT, *map(str, call)], capture_output=True, timeout=60,
+                                        **within_memory(500))
+                self.assertEqual(result.returncode, 1)
+                self.assertIn(b"begins with 6e 6f 6e 73", result.stderr + result.stdout)
+
     def test_a_closed_standard_input_is_said(self):
         result = subprocess.run([TEXSHOT, "info", "-"], capture_output=True, timeout=60, preexec_fn=lambda: os.close(0))
         self.assertEqual((result.returncode, result.stderr.decode()),
