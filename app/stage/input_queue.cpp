@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace texplorer::stage {
@@ -135,6 +136,20 @@ bool isAnyButtonHeld() {
     return std::ranges::any_of(ImGui::GetIO().MouseDown, [](bool down) { return down; });
 }
 
+std::optional<Press> pressOf(const Input& input) {
+    if (const auto* key = std::get_if<KeyChanged>(&input))
+        return Press{true, key->code};
+    if (const auto* button = std::get_if<ButtonChanged>(&input))
+        return Press{false, button->button};
+    return std::nullopt;
+}
+
+bool isDown(const Input& input) {
+    const auto* key = std::get_if<KeyChanged>(&input);
+    const auto* button = std::get_if<ButtonChanged>(&input);
+    return (key && key->kind == KeyChanged::Kind::Press) || (button && button->down);
+}
+
 void movePointer(const PointerMoved& to) {
     ImGui::GetIO().MousePos = {to.x, to.y};
 }
@@ -157,12 +172,46 @@ std::size_t inputsForOneFrame(const std::deque<Input>& waiting, const InputState
 }
 
 void InputQueue::add(const Input& input) {
-    // Where the pointer was on its way is of no interest, and a hidden window may not look for long.
-    if (!waiting_.empty() && std::holds_alternative<PointerMoved>(waiting_.back()) &&
-        std::holds_alternative<PointerMoved>(input))
-        waiting_.back() = input;
-    else
+    if (!join(input) && !isTooMuch(input))
         waiting_.push_back(input);
+}
+
+/// A hidden or slow window may not look for long.
+bool InputQueue::join(const Input& input) {
+    const auto* key = std::get_if<KeyChanged>(&input);
+    if (key && key->kind == KeyChanged::Kind::Repeat) // Dear ImGui repeats by itself
+        return true;
+    if (waiting_.empty() || waiting_.back().index() != input.index())
+        return false;
+    if (std::holds_alternative<PointerMoved>(input)) { // where it was on its way is of no interest
+        waiting_.back() = input;
+        return true;
+    }
+    const auto* turn = std::get_if<WheelTurned>(&input);
+    auto* last = std::get_if<WheelTurned>(&waiting_.back());
+    if (!turn || turn->modifiers != last->modifiers)
+        return false;
+    last->x += turn->x;
+    last->y += turn->y;
+    return true;
+}
+
+bool InputQueue::isTooMuch(const Input& input) {
+    const bool isText = std::holds_alternative<TextEntered>(input);
+    const std::optional<Press> press = pressOf(input);
+    if (!press && !isText)
+        return false;
+    if (press && !isDown(input))
+        return std::erase(dropped_, *press) > 0;
+    const auto most = isText || ImGui::GetIO().WantTextInput ? mostTyped : mostPresses;
+    const auto isLikeIt = [&](const Input& each) {
+        return isText ? std::holds_alternative<TextEntered>(each) : pressOf(each) && isDown(each);
+    };
+    if (waiting_.size() < most || static_cast<std::size_t>(std::ranges::count_if(waiting_, isLikeIt)) < most)
+        return false;
+    if (press)
+        dropped_.push_back(*press);
+    return true;
 }
 
 void InputQueue::feed() {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <vector>
 
 namespace texplorer::stage {
 
@@ -23,10 +24,23 @@ struct InputState {
 ///   - What a click leads to (a text field, a list) is there before keys and text arrive.
 [[nodiscard]] std::size_t inputsForOneFrame(const std::deque<Input>& waiting, const InputState& before);
 
+/// A key or a button.
+struct Press {
+    bool isKey;
+    int code;
+
+    bool operator==(const Press&) const = default;
+};
+
 /// The inputs on their way to Dear ImGui, whose context must be current.
 class InputQueue {
 public:
+    /// What arrives faster than frames are drawn is joined where nothing is lost by it: moves, turns of the
+    /// wheel, the repetitions of a key. More than mostPresses keys and buttons are not remembered, nor more
+    /// than mostTyped while a text is typed: a window that is so far behind the hand must not fall further.
     void add(const Input& input);
+    static constexpr std::size_t mostPresses = 64;
+    static constexpr std::size_t mostTyped = 4096;
     [[nodiscard]] bool empty() const { return waiting_.empty(); }
 
     /// Gives Dear ImGui what one frame can take. Right before ImGui::NewFrame.
@@ -34,9 +48,12 @@ public:
 
 private:
     void apply(const Input& input);
+    [[nodiscard]] bool join(const Input& input);
+    [[nodiscard]] bool isTooMuch(const Input& input);
 
     std::deque<Input> waiting_;
-    bool outside_ = false; ///< the pointer has left while a button was held
+    std::vector<Press> dropped_; ///< whose ends are dropped as well
+    bool outside_ = false;       ///< the pointer has left while a button was held
 };
 
 } // namespace texplorer::stage

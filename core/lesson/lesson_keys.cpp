@@ -101,7 +101,8 @@ Result<std::vector<float>> numbersAt(const Scene& scene, const Addition& additio
         const auto [stop, error] = std::from_chars(at, end, number);
         if (error != std::errc() || (stop != end && *stop != ','))
             return fail(ErrorCode::Malformed,
-                        fmt::format("expected a parameter of numbers, found \"{}\"", *text), addition.path);
+                        fmt::format("expected a parameter of numbers, found {}", inQuotes(*text)),
+                        addition.path);
         numbers.push_back(number);
         if (stop == end)
             break;

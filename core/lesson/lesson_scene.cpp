@@ -9,6 +9,7 @@
 #include "core/preset/preset.h"
 #include "core/reference/false_colors.h"
 #include "core/scene/params/json.h"
+#include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 #include "core/scene/renderer.h"
 
@@ -37,10 +38,9 @@ Result<Scene> sceneNamed(const LessonFolder& folder, const std::string& name) {
     }
     Result<Scene> example = exampleScene(name + ".json");
     if (!example && example.error().code == ErrorCode::NotFound)
-        return fail(
-            ErrorCode::NotFound,
-            fmt::format("expected a scene in the lesson's folder or the name of an example, found \"{}\"",
-                        name));
+        return fail(ErrorCode::NotFound,
+                    fmt::format("expected a scene in the lesson's folder or the name of an example, found {}",
+                                inQuotes(name)));
     return example;
 }
 
@@ -147,7 +147,7 @@ void checkName(std::string_view name, const Rows& rows, const NameOf& nameOf, co
         names += fmt::format("{}{}", names.empty() ? "" : ", ", nameOf(row));
     }
     problems.push_back(
-        {ErrorCode::NotFound, fmt::format("expected one of {}, found \"{}\"", names, name), where});
+        {ErrorCode::NotFound, fmt::format("expected one of {}, found {}", names, inQuotes(name)), where});
 }
 
 void checkLook(const Look& look, const Scene& scene, const std::string& place, Problems& problems) {

@@ -6,8 +6,30 @@
 
 namespace texplorer {
 
-History::History(Scene initial, std::size_t limit)
-    : limit_(limit) {
+namespace {
+
+/// About as much as a scene's lists take, and a little for the rest.
+std::size_t bytesOf(const Scene& scene) {
+    constexpr std::size_t fixed = std::size_t{32} << 10;
+    const auto all = [](const auto& list) { return list.size() * sizeof(list[0]); };
+    std::size_t bytes = fixed;
+    for (const Model& model : scene.models) {
+        const MeshData& mesh = model.mesh;
+        bytes += all(mesh.positions) + all(mesh.normals) + all(mesh.colors) + all(mesh.texCoords) +
+                 all(mesh.indices);
+        for (const TexCoords& coords : model.texCoords)
+            bytes += all(coords);
+    }
+    for (const KeyFrame& key : scene.timeline.keys)
+        bytes += sizeof key + key.path.size() + key.value.size();
+    return bytes;
+}
+
+} // namespace
+
+History::History(Scene initial, std::size_t limit, std::size_t maxBytes)
+    : limit_(limit)
+    , maxBytes_(maxBytes) {
     steps_.push_back({std::move(initial), {}});
 }
 
@@ -20,14 +42,24 @@ void History::record(const Scene& scene, std::string_view what) {
     if (!sealed_ && !what.empty() && steps_[position_].what == what) {
         steps_[position_].scene = scene;
         steps_[position_].picture.reset();
-        return;
+        return forgetOldest();
     }
     steps_.push_back({scene, std::string(what)});
-    if (steps_.size() > limit_ + 1)
-        steps_.erase(steps_.begin());
-    position_ = steps_.size() - 1;
+    forgetOldest();
     redone_ = std::move(redone);
     sealed_ = false;
+}
+
+void History::forgetOldest() {
+    std::size_t kept = 0;
+    std::size_t bytes = 0;
+    for (auto step = steps_.rbegin(); step != steps_.rend() && kept <= limit_; ++step, ++kept) {
+        bytes += bytesOf(step->scene);
+        if (bytes > maxBytes_ && kept > 1)
+            break;
+    }
+    steps_.erase(steps_.begin(), steps_.end() - static_cast<std::ptrdiff_t>(kept));
+    position_ = steps_.size() - 1;
 }
 
 void History::seal() {

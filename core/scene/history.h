@@ -14,7 +14,8 @@ namespace texplorer {
 /// follow each other without a `seal` between them are one step (a drag is one step, not a hundred).
 class History {
 public:
-    explicit History(Scene initial, std::size_t limit = 200);
+    /// Remembers `limit` steps, of large scenes as many as take `maxBytes`, and one in any case.
+    explicit History(Scene initial, std::size_t limit = 200, std::size_t maxBytes = std::size_t{512} << 20);
 
     [[nodiscard]] const Scene& current() const { return steps_[position_].scene; }
     void record(const Scene& scene, std::string_view what);
@@ -54,10 +55,13 @@ private:
         std::string what; ///< the edit that led here
         std::shared_ptr<const Image> picture{};
     };
+    void forgetOldest();
+
     std::vector<Step> steps_;
     std::vector<Step> redone_; ///< what the edit in progress took away: steps behind it
     std::size_t position_ = 0;
     std::size_t limit_;
+    std::size_t maxBytes_;
     bool sealed_ = true;
 };
 

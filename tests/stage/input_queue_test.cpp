@@ -241,5 +241,52 @@ TEST_F(InputQueueFrames, WhatIsHeldEndsWithTheFocus) {
     EXPECT_FALSE(ImGui::GetIO().KeyCtrl);
 }
 
+/// How many frames it takes until nothing waits.
+int framesFor(InputQueue& queue) {
+    int frames = 0;
+    for (; !queue.empty(); ++frames) {
+        ImGui::GetIO().DeltaTime = 1.0F / 60;
+        queue.feed();
+        ImGui::NewFrame();
+        ImGui::EndFrame();
+    }
+    return frames;
+}
+
+TEST_F(InputQueueFrames, WhatArrivesFasterThanFramesIsJoined) {
+    queue.add(down('A'));
+    for (int i = 0; i < 10'000; ++i) {
+        queue.add(to(static_cast<float>(i), 5));
+        queue.add(again('A'));
+    }
+    EXPECT_LE(framesFor(queue), 3);
+    EXPECT_EQ(ImGui::GetIO().MousePos.x, 9999);
+    EXPECT_TRUE(ImGui::IsKeyDown('A'));
+    float turned = 0;
+    for (int i = 0; i < 10'000; ++i)
+        queue.add(wheel);
+    queue.feed();
+    turned += ImGui::GetIO().MouseWheel;
+    EXPECT_TRUE(queue.empty());
+    EXPECT_EQ(turned, 10'000);
+}
+
+// Each takes frames of its own: a window that is that far behind doesn't catch up with all.
+TEST_F(InputQueueFrames, MoreKeysAndButtonsThanItCanFollowAreDroppedWithTheirEnds) {
+    for (int i = 0; i < 10'000; ++i) {
+        queue.add(down('A'));
+        queue.add(up('A'));
+        queue.add(to(static_cast<float>(i % 50), 5));
+        queue.add(press());
+        queue.add(release());
+    }
+    EXPECT_LE(framesFor(queue), static_cast<int>(4 * InputQueue::mostPresses));
+    EXPECT_FALSE(ImGui::IsKeyDown('A'));
+    EXPECT_FALSE(ImGui::GetIO().MouseDown[0]);
+    int clicks = 0;
+    happen({press(), release()}, [&](const ImGuiIO&) { clicks += ImGui::IsMouseClicked(0) ? 1 : 0; });
+    EXPECT_EQ(clicks, 1) << "what comes later counts again";
+}
+
 } // namespace
 } // namespace texplorer::stage::input_queue_test

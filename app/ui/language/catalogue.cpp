@@ -1,5 +1,7 @@
 #include "app/ui/language/catalogue.h"
 
+#include "core/scene/params/param_text.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,6 +15,8 @@ namespace {
 constexpr int deepestPart = 6;
 constexpr std::size_t leastEffort = 100;    ///< for a part, beside its bytes, which are held against all keys
 constexpr std::size_t mostEffort = 100'000; ///< for a text: several times what any of ours takes
+constexpr std::size_t keysOfEffort = 16;    ///< so many keys with places cost as much as a byte
+constexpr std::size_t mostPlaces = 32;      ///< of a key
 constexpr std::size_t fewestLetters = 3;    ///< of a key with places: "{} × {}" says nothing
 
 /// "a {} b {}" → "a ", " b ", "". A format such as {:.2f} is a place, and {{ a brace.
@@ -194,11 +198,16 @@ Result<void> Catalogue::add(const Draft& draft, std::string_view file) {
     if (draft.forms.empty() || std::ranges::any_of(draft.forms, isMissing))
         return {};
     const std::size_t places = piecesOf(*draft.key).size() - 1;
+    if (places > mostPlaces)
+        return fail(ErrorCode::Malformed,
+                    fmt::format("expected a text with at most {} places, found {}", mostPlaces, places),
+                    fmt::format("{}:{}", file, draft.line));
     for (const std::string& form : draft.forms) {
         if (!hasPlaces(form, places))
-            return fail(ErrorCode::Malformed,
-                        fmt::format("expected a translation with {} places, found \"{}\"", places, form),
-                        fmt::format("{}:{}", file, draft.line));
+            return fail(
+                ErrorCode::Malformed,
+                fmt::format("expected a translation with {} places, found {}", places, inQuotes(form)),
+                fmt::format("{}:{}", file, draft.line));
         letters_ += form;
     }
     addKey(*draft.key, draft);
@@ -286,7 +295,7 @@ std::optional<std::string> Catalogue::lookUp(std::string_view english, Search se
         return std::nullopt;
     if (search.depth > 0 && search.names->contains(english))
         return std::nullopt;
-    const std::size_t effort = leastEffort + english.size();
+    const std::size_t effort = std::max(leastEffort, entries_.size() / keysOfEffort) + english.size();
     if (*search.left < effort)
         return std::nullopt;
     *search.left -= effort;

@@ -7,13 +7,15 @@
 
 #include <cmath>
 #include <locale>
+#include <optional>
 #include <sstream>
 
 namespace texplorer::ui {
 namespace {
 
 constexpr std::string_view between = " \t\r,;()[]";
-constexpr std::size_t longestWord = 40; // of what a message repeats
+constexpr std::size_t longestWord = 40;                   // of what a message repeats
+constexpr std::size_t longestText = std::size_t{8} << 20; // more than the coordinates of any model take
 
 Result<float> numberOf(std::string_view word, std::size_t line) {
     std::istringstream stream{std::string(word)};
@@ -67,6 +69,9 @@ std::string coordText(std::span<const glm::vec4> coords) {
 }
 
 Result<TexCoords> parseCoordText(std::string_view text) {
+    if (text.size() > longestText)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} letters, found {}", longestText, text.size()));
     TexCoords coords;
     std::size_t line = 0;
     while (!text.empty()) {

@@ -181,5 +181,27 @@ TEST(History, AStepsPictureIsGivenUpWhenItGoesOn) {
     EXPECT_EQ(picture.use_count(), 1) << "what is forgotten takes its picture along";
 }
 
+// 1000 vertices take 12 kB: of 20 such steps 10 stay in 500 kB, as each has a little beside.
+TEST(History, RemembersFewerStepsOfLargeScenes) {
+    History history(numbered(0), 200, 500'000);
+    for (int i = 1; i <= 20; ++i) {
+        Scene scene = numbered(static_cast<float>(i));
+        scene.models.resize(1);
+        scene.models[0].mesh.positions.resize(1000);
+        history.record(scene, "");
+    }
+    EXPECT_EQ(number(history.current()), 20);
+    EXPECT_GE(history.size(), 5U);
+    EXPECT_LE(history.size(), 15U);
+    EXPECT_EQ(history.position(), history.size() - 1);
+    EXPECT_EQ(number(history.undo()), 19);
+    Scene huge = numbered(21);
+    huge.models.resize(1);
+    huge.models[0].mesh.positions.resize(100'000);
+    history.record(huge, "");
+    EXPECT_EQ(history.size(), 2U) << "the last edit can be undone in any case";
+    EXPECT_EQ(number(history.undo()), 19);
+}
+
 } // namespace
 } // namespace texplorer::history_test

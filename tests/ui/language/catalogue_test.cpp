@@ -139,6 +139,19 @@ TEST(Catalogue, RefusesATranslationWithOtherPlaces) {
     }
 }
 
+// A text of any length is named by its beginning, and one with more places than ours ever have is refused.
+TEST(Catalogue, SaysLittleOfALongText) {
+    const std::string longText(100'000, 'x');
+    const Error error = refused("msgid \"a place: {}\"\nmsgstr \"" + longText + "\"\n");
+    EXPECT_THAT(error.message, HasSubstr("found \"xxxxxxxx"));
+    EXPECT_LT(error.message.size(), 200U);
+    std::string places;
+    for (int i = 0; i < 100'000; ++i)
+        places += " {}";
+    EXPECT_THAT(refused("msgid \"many" + places + "\"\nmsgstr \"many" + places + "\"\n").message,
+                HasSubstr("at most 32 places, found 100000"));
+}
+
 // Texts of files and drivers are looked up, too: whatever they are, it ends soon.
 TEST(Catalogue, AnswersForTextsThatAreMadeForItWithoutACrash) {
     const Catalogue catalogue = read("msgid \"{} abc {} abc {} abc {} abc {} end\"\nmsgstr \"{}{}{}{}{}\"\n");
