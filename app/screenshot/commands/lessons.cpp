@@ -121,8 +121,10 @@ ExitCode printProblems(const std::string& file, const std::vector<Error>& proble
 ExitCode check(const std::string& path, bool json) {
     const lesson::LessonFolder folder = lesson::LessonFolder::onDisk(path);
     const Result<lesson::Lesson> found = readLesson(folder);
-    if (!found)
-        return complain(found.error());
+    if (!found) {
+        const ExitCode status = complain(found.error());
+        return json ? printProblems(found.error().where, {found.error()}, 0) : status;
+    }
     std::vector<Error> problems = checkLesson(folder, *found);
     for (const ui::LanguageRow& row : ui::languageRows) {
         if (const auto catalogue = readLessonCatalogue(folder, row.language); !catalogue)
