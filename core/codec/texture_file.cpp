@@ -1,22 +1,12 @@
 #include "core/codec/texture_file.h"
 
+#include "core/base/file_io.h"
+#include "core/codec/image_file.h"
 #include "core/codec/registry.h"
 
 #include <fmt/core.h>
 
 namespace texplorer {
-
-Result<Bytes> readImageFile(const std::filesystem::path& path, std::size_t maxBytes,
-                            const ReadObserver& observer) {
-    const Result<Bytes> start = readFileStart(path, recognisedBytes);
-    if (!start)
-        return fail(start.error());
-    if (!recogniseImage(*start)) {
-        const Error refused = decodeTexture(*start).error();
-        return fail(refused.code, refused.message, path.string());
-    }
-    return readFile(path, maxBytes, observer);
-}
 
 Result<TextureImage> loadTexture(const std::filesystem::path& path, const DecodeLimits& limits) {
     const Result<Bytes> file = readImageFile(path);

@@ -2,7 +2,6 @@
 
 // From a file to a texture and back, whichever format it is.
 
-#include "core/base/file_io.h"
 #include "core/base/result.h"
 #include "core/codec/common/decode_limits.h"
 #include "core/codec/common/write_options.h"
@@ -11,15 +10,6 @@
 #include <filesystem>
 
 namespace texplorer {
-
-/// So many bytes tell what a file is.
-inline constexpr std::size_t recognisedBytes = 4096;
-
-/// The bytes of an image file, of which the first are looked at before the others are read: of what is no
-/// image Unsupported, however large it is. Errors name the path: those of readFile.
-[[nodiscard]] Result<Bytes> readImageFile(const std::filesystem::path& path,
-                                          std::size_t maxBytes = defaultMaxFileBytes,
-                                          const ReadObserver& observer = {});
 
 /// Reads a file of any format that codecRows() names, recognised by its content: all faces, levels and
 /// slices, compressed blocks as they are. Of a picture the rows are bottom first, of a DDS file as it has

@@ -1,8 +1,8 @@
 #include "core/texture/image_loader.h"
 
 #include "core/base/worker.h"
+#include "core/codec/image_file.h"
 #include "core/codec/registry.h"
-#include "core/codec/texture_file.h"
 #include "core/image/thumbnail.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/image_budget.h"

@@ -4,8 +4,8 @@
 #include "core/base/count.h"
 #include "core/base/descriptor.h"
 #include "core/base/file_kind.h"
+#include "core/codec/image_file.h"
 #include "core/codec/registry.h"
-#include "core/codec/texture_file.h"
 
 #include <fmt/core.h>
 
