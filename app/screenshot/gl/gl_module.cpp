@@ -76,7 +76,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
         ui::Document changed(request.scene, request.images); // by the call: the step begins with its own
         changed.isLessons = true;
         changed.needsFit = false;
-        ui::replaceDocument(session, std::move(changed));
+        ui::exchangeDocument(session, std::move(changed));
     }
     // What the call says goes before what the lesson's step wants to be looked at.
     if (!request.compared.empty())

@@ -10,11 +10,14 @@
 
 namespace texplorer::ui {
 
-struct EnvironmentTableState {
-    /// Colours that the user has set here; nothing: those of the scene.
+/// Colours that the user has set here; nothing: those of the scene.
+struct OwnColors {
     std::optional<glm::vec4> fragment;
     std::optional<glm::vec4> texel;
     std::optional<glm::vec4> constant;
+};
+
+struct EnvironmentTableState : OwnColors {
     CellText shows = CellText::Symbols; ///< where a cell has no room for both
     bool gradient = false;              ///< the pictures are of every hue and alpha, not of the texture
 };

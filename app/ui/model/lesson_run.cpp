@@ -69,17 +69,17 @@ void look(Session& session, const lesson::Look& wanted) {
         window.figure = figure->figure;
         window.wantedTab = Tab::Figures;
     }
-    window.shownParam.clear();
     if (!wanted.param.empty())
         reveal(session, wanted.param);
+    const ShownPictures before = window.view;
     if (const EnumRow* shown = findRow(EnumTable<reference::Shown>::rows,
                                        wanted.shown.empty() ? std::string_view("picture") : wanted.shown))
         window.view.shown = static_cast<reference::Shown>(shown->value);
-    window.explaining.pixel.reset();
     window.wantedProbe =
         wanted.probeX < 0 ? std::nullopt : std::optional(WantedProbe{wanted.probeX, wanted.probeY});
     if (!wanted.renderer.empty())
         showRenderers(window.view, wanted.renderer);
+    window.lessonPictures = {before, window.view};
 }
 
 /// What the step before has read needs no reading.
@@ -103,7 +103,6 @@ void showScene(Session& session, const lesson::LessonScene& scene) {
     document.used.clear();     // what isn't there is read
     document.needsFit = false; // pictures are compared, and pixels named, as the step's camera sees them
     replaceDocument(session, std::move(document));
-    session.window.playback.time = 0;
 }
 
 /// Which of the lesson's keys do something in its step.
@@ -291,6 +290,7 @@ void closeLesson(Session& session, KeepsTab tab) {
     if (tab == KeepsTab::No)
         closeTab(session.window.settings.workspace, Tab::Lesson);
 }
+    endLessonPictures(session.window);
 
 void goToLessonStep(Session& session, std::size_t step) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;

@@ -82,6 +82,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
 }
 
 void finishImport(Session& session, const Load& load) {
+    session.window.fileView.chosen.clear(); // the new image is what one looks at
     bindFile(session.document.scene, load.pass, load.unit, load.file);
     sealEdit(session);
     recordEdit(session, fmt::format("Open {}", load.path.filename().string()));

@@ -15,13 +15,17 @@ struct Session; // see session.h
 /// How long a recording is that nothing else says it of.
 inline constexpr float usualSeconds = 4;
 
-/// What is recorded, and how.
-struct RecordingChoice {
-    animation::Format format = animation::Format::WebP;
+/// What of a document is recorded.
+struct RecordedTime {
     float begin = 0;                ///< seconds
     std::optional<float> seconds{}; ///< nothing: as long as the key frames are
-    float perSecond = 25;           ///< pictures
-    int width = 640;                ///< of each, in pixels
+};
+
+/// What is recorded, and how.
+struct RecordingChoice : RecordedTime {
+    animation::Format format = animation::Format::WebP;
+    float perSecond = 25; ///< pictures
+    int width = 640;      ///< of each, in pixels
     int height = 400;
 };
 

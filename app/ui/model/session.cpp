@@ -71,12 +71,28 @@ void leaveHiddenModel(Session& session) {
 }
 
 void replaceDocument(Session& session, Document document) {
+    WindowState& window = session.window;
+    if (window.fileView.ticket != 0)
+        session.services.files.cancel(window.fileView.ticket);
+    static_cast<DocumentLook&>(window) = {};
+    static_cast<ShownPart&>(window.view) = {};
+    static_cast<RecordedTime&>(window.recording) = {};
+    endLessonPictures(window);
+    exchangeDocument(session, std::move(document));
+}
+
+void exchangeDocument(Session& session, Document document) {
     cancelLoads(session);
     session.document = std::move(document);
-    session.window.notice = {};
-    session.window.explaining.pinned.reset();
+    ++session.documents;
     leaveHiddenModel(session);
     bringSelectionBack(session);
+}
+
+void endLessonPictures(WindowState& window) {
+    const std::optional<LessonPictures> lesson = std::exchange(window.lessonPictures, std::nullopt);
+    if (lesson && static_cast<ShownPictures&>(window.view) == lesson->chosen)
+        static_cast<ShownPictures&>(window.view) = lesson->before;
 }
 
 void bringSelectionBack(Session& session) {

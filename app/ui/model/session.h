@@ -16,11 +16,18 @@ struct Session {
     Services services;
     Document document;
     WindowState window;
+    std::size_t documents = 0; ///< how many have been replaced: what panels remember of those is out of date
 };
 
-/// Another document takes the place of this one, and nothing else changes: what is selected and can't be seen
-/// gives way to what can, and what was said of the old document is taken back. Gives up its loads.
+/// Another document takes the place of this one and is looked at anew, by the renderers that the user has
+/// chosen; the rest of the window stays. Gives up the loads of the old one.
 void replaceDocument(Session& session, Document document);
+/// The same of another state of this document: it is looked at as before.
+void exchangeDocument(Session& session, Document document);
+
+/// The renderers that a lesson's step has chosen give way to those of before, unless the user has chosen
+/// others since.
+void endLessonPictures(WindowState& window);
 
 /// What one sees is what the lists should be about: a model that isn't drawn gives way to the first that is.
 void leaveHiddenModel(Session& session);

@@ -30,23 +30,33 @@ struct PictureZoom {
     bool operator==(const PictureZoom&) const = default;
 };
 
-/// Which renderers draw the scene, and how one looks at what they drew. Belongs to the window, not to the
-/// scene.
-struct ViewSettings {
+/// Which pictures are shown. Belongs to the window, but for what a lesson's step has chosen: see
+/// lesson_run.h.
+struct ShownPictures {
     Arrangement arrangement = Arrangement::One;
     RendererKind renderer = RendererKind::Fixed; ///< of the one picture
     std::array<RendererKind, 2> compared{RendererKind::Fixed, RendererKind::Reference};
     Arrangement comparing = Arrangement::Split; ///< what Compare leads to: Split or Grid, as it was last
-    reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
-    float split = 0.5F;              ///< where the seam is, as a share of the picture's width
-    int tolerance = 2;               ///< differences up to here don't count, in 255ths
-    bool magnifies = false;          ///< the pixels under the mouse are shown enlarged
-    bool stepsThroughPasses = false; ///< those after the chosen one are left out
-    int stripLines = 0; ///< of what is said below compared pictures, as measured with the last frame; 0: none
-    PictureZoom zoom;
     reference::Shown shown = reference::Shown::Picture; ///< false colours lie over the pictures, or none
-    float opacity = 0.85F;                              ///< of the false colours
-    view::OfferedRenderers offered;                     ///< by the host: of the others nothing is shown
+
+    bool operator==(const ShownPictures&) const = default;
+};
+
+/// What of the pictures is shown. Belongs to the document.
+struct ShownPart {
+    PictureZoom zoom;
+    bool stepsThroughPasses = false; ///< those after the chosen one are left out
+};
+
+/// Which renderers draw the scene, and how one looks at what they drew.
+struct ViewSettings : ShownPictures, ShownPart {
+    reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
+    float split = 0.5F;     ///< where the seam is, as a share of the picture's width
+    int tolerance = 2;      ///< differences up to here don't count, in 255ths
+    bool magnifies = false; ///< the pixels under the mouse are shown enlarged
+    int stripLines = 0; ///< of what is said below compared pictures, as measured with the last frame; 0: none
+    float opacity = 0.85F;          ///< of the false colours
+    view::OfferedRenderers offered; ///< by the host: of the others nothing is shown
 
     static constexpr int largestTolerance = 254;
 };

@@ -88,17 +88,37 @@ struct Notice {
 };
 
 /// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
-/// panel alone remembers is beside that panel.
-struct WindowState {
-    Settings settings;                           ///< what outlives the window
-    Language systemLanguage = Language::English; ///< what "like the system" is
-    ViewSettings view; ///< which renderers draw the scene, and how one looks at their frames
+/// How one looks at the document that there is: another one is looked at anew.
+struct DocumentLook {
     Playback playback;
-    bool showsFrameTime = true; ///< off where two pictures of the window should be the same
     Selection selection;
     std::optional<PickedVertex> hoveredInView;  ///< the vertex that the pointer is on, kept by the view
     std::optional<PickedVertex> hoveredInPlane; ///< the same of the texture space
     Plane plane;
+    std::string shownParam;         ///< the parameter that was scrolled to, framed until the next click
+    std::optional<Preview> preview; ///< the view shows it: see preview.h
+    /// A pixel that is explained as soon as the view's size is known, in thousandths from the upper left.
+    std::optional<WantedProbe> wantedProbe;
+    Explaining explaining;
+    LevelView levels;
+    InspectedFile fileView;
+    Notice notice;
+    std::optional<Fix> wantedFix; ///< is applied at the end of the frame, when nobody walks the scene
+};
+
+/// What a lesson's step shows, and what it took the place of.
+struct LessonPictures {
+    ShownPictures before{};
+    ShownPictures chosen{};
+};
+
+/// panel alone remembers is beside that panel.
+struct WindowState : DocumentLook {
+    Settings settings;                           ///< what outlives the window
+    Language systemLanguage = Language::English; ///< what "like the system" is
+    ViewSettings view; ///< which renderers draw the scene, and how one looks at their frames
+    std::optional<LessonPictures> lessonPictures;
+    bool showsFrameTime = true; ///< off where two pictures of the window should be the same
     bool movesVertices = false; ///< in texture space, just now: what would be an edit of its own waits
     bool keyTaken = false;      ///< a panel did something with a key of this frame: it is no shortcut as well
     bool showRq = false;        ///< whether the vertex list shows r and q
@@ -106,8 +126,6 @@ struct WindowState {
     std::optional<Tab> wantedTab; ///< is opened where it lies and comes to the front with the next frame
     std::string wantedParam;      ///< the parameters are scrolled there with the next frame; empty: not
     std::optional<Section> wantedSection; ///< is opened and scrolled to with the next frame
-    std::optional<Fix> wantedFix;         ///< is applied at the end of the frame, when nobody walks the scene
-    std::string shownParam;               ///< the one that was scrolled to, framed until the next click
     std::string
         hoveredParam; ///< under the pointer in the last frame, in whichever panel: all panels light it
     std::string hoveringParam; ///< the same of this frame, said by the panel that draws it
@@ -128,19 +146,12 @@ struct WindowState {
     std::optional<int> tour;              ///< the step of the tour that is shown, from 0
     std::optional<Capture> wantedCapture; ///< is read back and written with the next frame
 
-    std::optional<Preview> preview; ///< the view shows it: see preview.h
     bool wantsSearch = false; ///< the keyboard goes to the search among the parameters with the next frame
 
-    /// A pixel that is explained as soon as the view's size is known, in thousandths from the upper left.
-    std::optional<WantedProbe> wantedProbe;
-    std::shared_ptr<LessonRun> lesson; ///< nullptr: none is open
-    Explaining explaining;
+    std::shared_ptr<LessonRun> lesson;    ///< nullptr: none is open
     Figure figure = Figure::Environments; ///< of the tab of figures
     SheetChoice sheet;
     RecordingChoice recording;
-    LevelView levels;
-    InspectedFile fileView;
-    Notice notice;
     ViewNotes notes;
     bool spotlight = false; ///< all but a disc around the pointer is dim
 

@@ -95,6 +95,18 @@ void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
     ImGui::PopStyleVar();
 }
 
+/// What panels remember of a document goes with it.
+void forgetDocument(PanelStates& states) {
+    states.textureSpace.drag = PlaneDrag::None;
+    states.textureSpace.pressed.reset();
+    states.textureSpace.move.reset();
+    states.details.levels.zoom = 1;
+    states.details.levels.face = 0;
+    states.details.explain.fragmentOf.reset();
+    states.details.timeline.chosen.reset();
+    static_cast<OwnColors&>(states.details.figures.environments) = {};
+}
+
 bool isPopupOpen() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -136,6 +148,8 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
             workspace.maximised = Maximised::None;
     }
     followLesson(session);
+    if (std::exchange(states.documents, session.documents) != session.documents)
+        forgetDocument(states);
     session.window.explaining.isOpen = isShown(workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected

@@ -19,8 +19,9 @@ struct PanelStates {
     DetailsState details;
     DialogsState dialogs;
     KeyboardFocus keyboard;
-    float textWheel = 0;   ///< see resizeTextByWheel
-    bool hadPopup = false; ///< a menu or list was open at the end of the last frame
+    std::size_t documents = 0; ///< Session::documents when they were drawn last
+    float textWheel = 0;       ///< see resizeTextByWheel
+    bool hadPopup = false;     ///< a menu or list was open at the end of the last frame
 };
 
 /// What the window asks of its host.

@@ -1,6 +1,7 @@
 // What stays and what goes when another scene is opened.
 
 #include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
@@ -33,12 +34,12 @@ TEST_F(OpeningAScene, ReplacesTheDocument) {
     EXPECT_EQ(session->document.lastChanged, "");
 }
 
-TEST_F(OpeningAScene, KeepsTheClockAndItsSpeed) {
+TEST_F(OpeningAScene, StartsTheClockAnew) {
     session->window.playback = {.playing = false, .time = 2.5, .speed = 0.25F};
     open(R"({"version": 1, "models": [{"shape": "cube", "spin": [0, 90, 0]}]})");
-    EXPECT_FALSE(session->window.playback.playing);
-    EXPECT_EQ(session->window.playback.time, 2.5);
-    EXPECT_EQ(session->window.playback.speed, 0.25F);
+    EXPECT_TRUE(session->window.playback.playing);
+    EXPECT_EQ(session->window.playback.time, 0);
+    EXPECT_EQ(session->window.playback.speed, 1);
 }
 
 TEST_F(OpeningAScene, KeepsTheColumnsOfTheVertexList) {
@@ -61,23 +62,100 @@ TEST_F(OpeningAScene, KeepsTheStageOfTheShaders) {
     EXPECT_TRUE(isShown(session->window.settings.workspace, Tab::Glsl));
 }
 
-TEST_F(OpeningAScene, KeepsHowOneLooksAtIt) {
+TEST_F(OpeningAScene, KeepsWhatIsTheWindowsOwn) {
     WindowState& window = session->window;
     showComparison(window.view, {RendererKind::Fixed, RendererKind::Reference});
-    window.view.zoom = {4, {0.3F, 0.6F}};
-    window.plane = {1, 2, 3};
     window.settings.workspace.seams = {300, 400, 0.4F, 0.3F};
-    window.selection.unit = 2;
-    window.explaining.pixel = {5, 6};
+    window.recording.width = 99;
     open(R"({"version": 1})");
     EXPECT_EQ(window.view.arrangement, Arrangement::Split);
     EXPECT_EQ(window.view.compared[1], RendererKind::Reference);
-    EXPECT_EQ(window.view.zoom, (PictureZoom{4, {0.3F, 0.6F}}));
-    EXPECT_EQ(window.plane.extent, 3);
     EXPECT_EQ(window.settings.workspace.seams, (Seams{300, 400, 0.4F, 0.3F}));
-    EXPECT_EQ(window.selection.unit, 2);
-    EXPECT_EQ(window.explaining.pixel, (reference::PixelPlace{5, 6}));
+    EXPECT_EQ(window.recording.width, 99);
 }
+
+constexpr std::size_t filtersWithReference = 4; // a step that shows λ, as the reference has it
+
+struct Opening {
+    const char* name;
+    void (*open)(Session& session);
+};
+
+void PrintTo(const Opening& opening, std::ostream* out) {
+    *out << opening.name;
+}
+
+class AnotherDocument : public Workbench, public testing::WithParamInterface<Opening> {
+protected:
+    void open() {
+        GetParam().open(*session);
+        frames(3);
+    }
+};
+
+TEST_P(AnotherDocument, IsLookedAtAnew) {
+    WindowState& window = session->window;
+    showTab(window.settings.workspace, Tab::Figures);
+    window.playback = {.playing = false, .time = 2.5, .speed = 0.25F, .loops = false};
+    window.plane = {1, 2, 3};
+    window.view.zoom = {4, {0.3F, 0.6F}};
+    window.view.stepsThroughPasses = true;
+    window.selection.unit = 2;
+    window.explaining.pixel = {5, 6};
+    window.explaining.texel = reference::TexelQuestion{};
+    window.fileView.chosen = "/damaged.dds";
+    window.recording.begin = 1;
+    window.recording.seconds = 2;
+    states.details.levels.face = 3;
+    states.details.figures.environments.texel = glm::vec4(1);
+    frames(1);
+    open();
+    EXPECT_TRUE(window.playback.playing);
+    EXPECT_EQ(window.playback.time, 0);
+    EXPECT_EQ(window.playback.speed, 1);
+    EXPECT_TRUE(window.playback.loops);
+    EXPECT_EQ(window.plane.extent, Plane{}.extent);
+    EXPECT_EQ(window.view.zoom, PictureZoom{});
+    EXPECT_FALSE(window.view.stepsThroughPasses);
+    EXPECT_EQ(window.selection.unit, 0);
+    EXPECT_NE(window.explaining.pixel, (reference::PixelPlace{5, 6}));
+    EXPECT_FALSE(window.explaining.texel);
+    EXPECT_TRUE(window.fileView.chosen.empty());
+    EXPECT_EQ(window.recording.begin, 0);
+    EXPECT_EQ(window.recording.seconds, std::nullopt);
+    EXPECT_EQ(states.details.levels.face, 0);
+    EXPECT_EQ(states.details.figures.environments.texel, std::nullopt);
+}
+
+/// A key moves vertices with the mouse until a click: those of the scene that is shown.
+TEST_P(AnotherDocument, IsNotWhereVerticesAreMovedThatWereTheOldOnes) {
+    states.textureSpace.move = VertexMove{.byKey = true, .vertices = {0}, .places = {{0, 0}}};
+    open();
+    EXPECT_FALSE(states.textureSpace.move);
+}
+
+TEST_P(AnotherDocument, IsNotDrawnByTheRenderersOfALessonsStep) {
+    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Shader});
+    const ShownPictures own = session->window.view;
+    ASSERT_TRUE(openLessonNamed(*session, "filters", filtersWithReference));
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+    EXPECT_EQ(session->window.view.shown, reference::Shown::Lambda);
+    open();
+    EXPECT_EQ(static_cast<const ShownPictures&>(session->window.view), own);
+
+    ASSERT_TRUE(openLessonNamed(*session, "filters", filtersWithReference));
+    showOne(session->window.view, RendererKind::Shader); // the user's own choice stays
+    open();
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, AnotherDocument,
+    testing::Values(
+        Opening{"New", newScene},
+        Opening{"Example", [](Session& session) { EXPECT_TRUE(openExample(session, "cube.json")); }},
+        Opening{"Lesson", [](Session& session) { EXPECT_TRUE(openLessonNamed(session, "wrap", 0)); }}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(OpeningAScene, TakesBackWhatWasSaidOfTheOldOne) {
     say(*session, "brick.bmp has changed and can't be read now.");
