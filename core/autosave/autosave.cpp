@@ -29,7 +29,8 @@ struct Autosave::State {
     std::jthread thread; // the last: it ends first
 
     void work(const std::stop_token& stop);
-    void note(const std::filesystem::path& file, const std::filesystem::path& base, const Scene& scene);
+    void note(const std::filesystem::path& file, const std::filesystem::path& base, const Scene& scene,
+              const std::string& fileHash);
     void writeWhereNobodyElseDoes();
     bool write();
     Result<void> put(const UnsavedScene& draft);
@@ -122,17 +123,18 @@ bool Autosave::State::write() {
 }
 
 void Autosave::keep(const std::filesystem::path& file, const std::filesystem::path& folder,
-                    const Scene& scene) {
-    state_->note(file, folder, scene);
+                    const Scene& scene, const std::string& fileHash) {
+    state_->note(file, folder, scene, fileHash);
     state_->writeWhereNobodyElseDoes();
 }
 
 void Autosave::State::note(const std::filesystem::path& file, const std::filesystem::path& base,
-                           const Scene& scene) {
+                           const Scene& scene, const std::string& fileHash) {
     const std::scoped_lock lock(mutex);
-    if (told && told->scene == scene && told->file == file && told->folder == base)
+    if (told && told->scene == scene && told->file == file && told->folder == base &&
+        told->fileHash == fileHash)
         return;
-    told = UnsavedScene{file, base, scene};
+    told = UnsavedScene{file, base, scene, fileHash};
     const double then = clock() + delay;
     if (!due || then < *due) {
         due = then;

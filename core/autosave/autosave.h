@@ -29,7 +29,8 @@ public:
     ~Autosave();
 
     /// This is the work that would be lost. Costs a comparison where it is what was told last.
-    void keep(const std::filesystem::path& file, const std::filesystem::path& folder, const Scene& scene);
+    void keep(const std::filesystem::path& file, const std::filesystem::path& folder, const Scene& scene,
+              const std::string& fileHash = {});
     /// A draft that is `told` already goes on as this one's own.
     void adopt(UnsavedPlace place, UnsavedScene told);
     /// Nothing would be lost any more: the draft goes, at once.

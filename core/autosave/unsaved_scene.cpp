@@ -9,7 +9,8 @@
 namespace texplorer {
 namespace {
 
-constexpr std::string_view firstLine = "Texplorer, unsaved scene, version 1";
+constexpr std::string_view firstLine = "Texplorer, unsaved scene, version 2";
+constexpr std::string_view firstLineWithoutHash = "Texplorer, unsaved scene, version 1";
 
 std::string escaped(std::string_view path) {
     constexpr char digits[] = "0123456789ABCDEF";
@@ -68,13 +69,15 @@ Result<std::filesystem::path> takePath(std::string_view& text, const char* what)
 
 std::string writeUnsaved(const UnsavedScene& draft) {
     std::string text(firstLine);
-    for (const std::string& line : {escaped(draft.file.native()), escaped(draft.folder.native())})
+    for (const std::string& line :
+         {escaped(draft.file.native()), escaped(draft.folder.native()), draft.fileHash})
         text.append("\n").append(line);
     return text.append("\n").append(writeScene(draft.scene));
 }
 
 Result<UnsavedScene> parseUnsaved(std::string_view text) {
-    if (takeLine(text) != firstLine)
+    const std::optional<std::string_view> first = takeLine(text);
+    if (first != firstLine && first != firstLineWithoutHash)
         return fail(ErrorCode::Malformed,
                     fmt::format("expected an unsaved scene, which begins with \"{}\"", firstLine));
     const Result<std::filesystem::path> file = takePath(text, "the scene file");
@@ -83,10 +86,17 @@ Result<UnsavedScene> parseUnsaved(std::string_view text) {
     const Result<std::filesystem::path> folder = takePath(text, "the folder of its images");
     if (!folder)
         return fail(folder.error());
+    std::string hash;
+    if (first == firstLine) {
+        const std::optional<std::string_view> line = takeLine(text);
+        if (!line)
+            return fail(ErrorCode::Malformed, "expected the hash of the scene file");
+        hash = *line;
+    }
     Result<Scene> scene = parseScene(text);
     if (!scene)
         return fail(scene.error());
-    return UnsavedScene{*file, *folder, std::move(*scene)};
+    return UnsavedScene{*file, *folder, std::move(*scene), std::move(hash)};
 }
 
 } // namespace texplorer

@@ -50,6 +50,14 @@ enum class Leftovers : bool { Keep, Remove };
                                                const BeforePlacing& beforePlacing = {},
                                                Leftovers leftovers = Leftovers::Remove);
 
+/// Asked when all bytes are on the disk, right before they take their place: whether they may. What other
+/// programs write by `writeFileIf` isn't placed in that folder between the answer and the placing.
+using MayReplace = std::function<bool()>;
+
+/// As `writeFileAtomically`. false: it may not replace what is there now, which stays.
+[[nodiscard]] Result<bool> writeFileIf(const std::filesystem::path& path, ByteView bytes,
+                                       const MayReplace& mayReplace);
+
 /// The same within a directory that is open: `name` is no path, a link of that name is replaced and never
 /// followed. The permissions are 0600. Errors name `where`.
 [[nodiscard]] Result<void> writeFileAtomically(const Descriptor& directory, const std::string& name,

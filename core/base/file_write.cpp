@@ -5,6 +5,7 @@
 #include "core/base/draft.h"
 #include "core/base/file_io.h"
 #include "core/base/file_kind.h"
+#include "core/base/folder_lock.h"
 #include "core/base/new_folders.h"
 #include "core/base/open_directory.h"
 
@@ -47,7 +48,8 @@ Result<fs::path> followLinks(fs::path path) {
 
 /// A place that a file may take.
 struct Place {
-    Descriptor directory;
+    fs::path folder;
+    Descriptor directory; ///< the same, open
     std::string name;
     std::optional<struct stat> replaced; ///< the file that is there now
 };
@@ -65,7 +67,8 @@ Result<Place> findPlace(const fs::path& path) {
     // Replacing needs no permission on the file itself, but a read-only file is meant to stay as it is.
     if (exists && ::faccessat(AT_FDCWD, target->c_str(), W_OK, AT_EACCESS) != 0)
         return unwritable(errno, where);
-    Place place{openDirectory(target->parent_path()), target->filename().string(), {}};
+    const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
+    Place place{folder, openDirectory(folder), target->filename().string(), {}};
     if (!place.directory.valid())
         return unwritable(errno, where);
     if (place.name.empty())
@@ -116,6 +119,22 @@ Result<void> writeFileAtomically(const fs::path& path, ByteView bytes, const Bef
     if (!draft.place(place->directory.get(), place->name))
         return unwritable(errno, path.string());
     return {};
+}
+
+Result<bool> writeFileIf(const fs::path& path, ByteView bytes, const MayReplace& mayReplace) {
+    const Result<Place> place = findPlace(path);
+    if (!place)
+        return fail(place.error());
+    sweepDrafts(place->directory.get());
+    Draft draft(place->directory.get());
+    if (!draft.write(bytes, place->replaced ? &*place->replaced : nullptr))
+        return unwritable(errno, path.string());
+    const FolderLock lock(place->folder);
+    if (!mayReplace())
+        return false;
+    if (!draft.place(place->directory.get(), place->name))
+        return unwritable(errno, path.string());
+    return true;
 }
 
 Result<void> writeFileAtomically(const Descriptor& directory, const std::string& name, ByteView bytes,

@@ -6,7 +6,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/button_width.h"
-#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -26,13 +26,6 @@ void followScene(const Session& session, KeptTabState& state) {
     state.kept = document.kept.scene;
     state.now = document.scene;
     state.changes = changesSinceKept(session);
-}
-
-/// Cut where the column ends; then a tooltip has it all.
-void cell(const std::string& text, ImU32 ink) {
-    ImGui::TableNextColumn();
-    if (fittedText(text, ink))
-        helpTip(text);
 }
 
 bool button(const char* words, std::string_view name, std::string_view help) {
@@ -68,33 +61,21 @@ void keptButtons(Session& session, std::size_t count) {
 
 /// The row whose value was asked for.
 std::optional<std::size_t> drawChanges(Session& session, const std::vector<SceneChange>& changes) {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_NoSavedSettings |
-                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
     std::optional<std::size_t> wanted;
-    if (!ImGui::BeginTable("changes", 4, flags))
-        return wanted;
     const char* take = "Take over";
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn(label("Parameter"), ImGuiTableColumnFlags_WidthStretch, 1.6F);
-    ImGui::TableSetupColumn("A", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn(label("Now"), ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("##take", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoResize,
-                            buttonWidth(take));
-    ImGui::TableHeadersRow();
+    if (!beginChangeTable({.from = "A", .to = "Now", .action = buttonWidth(take)}))
+        return wanted;
     for (std::size_t i = 0; i < changes.size(); ++i) {
         const SceneChange& change = changes[i];
         ImGui::PushID(change.path.c_str());
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        fittedText(fmt::format("{}   {}", tr(change.label), change.path), color::text);
+        changedParam(change);
         noteItem(fmt::format("change:{}", change.path));
         if (ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         helpTip(fmt::format("{}\nClick: show the setting", change.path));
         if (ImGui::IsItemClicked())
             reveal(session, change.path);
-        cell(change.from, color::dim);
-        cell(change.to, color::changed);
+        changedValues(change);
         ImGui::TableNextColumn();
         if (ImGui::SmallButton(label(take)))
             wanted = i;

@@ -2,6 +2,7 @@
 
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "core/link/scene_file.h"
 
 #include <algorithm>
@@ -101,14 +102,24 @@ void askSaveAs(Session& session) {
 void save(Session& session) {
     if (session.document.file.empty())
         return askSaveAs(session);
-    const Result<void> saved = saveScene(session, session.document.file);
+    const Result<void> saved = saveTo(session, session.document.file);
     report(session, saved);
-    if (saved) {
-        session.window.notice = {};
-        finishPending(session);
-    } else {
+    if (!saved)
         session.window.pending = Pending::None;
+}
+
+Result<void> saveTo(Session& session, const std::filesystem::path& file,
+                    const std::optional<FileFingerprint>& replaces) {
+    const Result<Saving> saved = saveScene(session, file, replaces);
+    if (!saved)
+        return fail(saved.error());
+    if (*saved == Saving::FileHasChanged) {
+        session.window.dialog = Dialog::FileHasChanged;
+        return {};
     }
+    session.window.notice = {};
+    finishPending(session);
+    return {};
 }
 
 void requestQuit(Session& session) {

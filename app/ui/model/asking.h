@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "core/base/file_fingerprint.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,10 @@ void askExample(Session& session, std::string_view file); ///< see examples.h
 void askLesson(Session& session, std::string nameOrFolder);
 void askSaveAnswers(Session& session); ///< what was done in which lesson, as a file
 void save(Session& session);           ///< asks for a name where there is none
+/// Saves, asks where somebody else has written the file meanwhile, and goes on with what waits for it.
+/// Errors: those of saveScene.
+[[nodiscard]] Result<void> saveTo(Session& session, const std::filesystem::path& file,
+                                  const std::optional<FileFingerprint>& replaces = {});
 void askSaveAs(Session& session);
 
 /// The user wants to close the window: asks first where something would be lost.

@@ -1,5 +1,6 @@
 #include "app/ui/model/captures.h"
 
+#include "app/ui/model/free_name.h"
 #include "core/base/file_io.h"
 #include "core/base/user_folder.h"
 #include "core/codec/png/png.h"
@@ -18,15 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr FailureWords captureFailure{"there is no memory for the picture", "the picture can't be written"};
 constexpr std::size_t longestUserDirs = 64U << 10;
-
-fs::path freeName(const fs::path& folder, const std::string& name) {
-    std::error_code ignored;
-    for (int number = 1;; ++number) {
-        fs::path file = folder / (number == 1 ? name + ".png" : fmt::format("{}-{}.png", name, number));
-        if (!fs::exists(fs::symlink_status(file, ignored)))
-            return file;
-    }
-}
 
 Captures::News captureProblem(const Error& error) {
     return {fmt::format("The picture can't be written: {}.", describe(error)), false};
@@ -76,12 +68,11 @@ Captures::Captures(fs::path folder, When when, std::function<void()> wake)
           [this](const Writing::Task& task) {
               std::error_code ignored; // the writing says what is wrong
               fs::create_directories(folder_, ignored);
-              const fs::path file = freeName(folder_, task.job().name);
               const Result<Bytes> bytes = encodePng(withoutAlpha(*task.job().image));
               if (!bytes)
                   return captureProblem(bytes.error());
-              const Result<void> written = writeFileAtomically(file, *bytes);
-              return written ? News{fmt::format("Written: {}", file.string()), true}
+              const Result<fs::path> written = writeFreely(folder_ / (task.job().name + ".png"), *bytes);
+              return written ? News{fmt::format("Written: {}", written->string()), true}
                              : captureProblem(written.error());
           },
           [](const Job& /*job*/, const Error& error) { return captureProblem(error); }) {}

@@ -16,6 +16,8 @@
 
 namespace texplorer::ui {
 
+struct ChangedFile;
+
 /// What the findings were made of.
 struct Diagnosis {
     Scene scene;
@@ -54,9 +56,13 @@ struct Document {
     Scene saved; ///< as the file has it
     Kept kept;
     ImageSource images;
-    std::filesystem::path file;        ///< empty: never saved
-    std::filesystem::path suggested;   ///< what it would be saved as, where it was never saved; may be empty
-    bool isLessons = false;            ///< a lesson's: nobody misses what was tried with it
+    std::filesystem::path file;      ///< empty: never saved
+    std::filesystem::path suggested; ///< what it would be saved as, where it was never saved; may be empty
+    /// Of what the file had in it when it was read or written last, to notice what somebody else has written
+    /// since. Empty: not known.
+    std::string fileHash{};
+    std::shared_ptr<const ChangedFile> changedFile{}; ///< of Dialog::FileHasChanged: see scene_saving.h
+    bool isLessons = false;                           ///< a lesson's: nobody misses what was tried with it
     bool needsFit = false;             ///< the camera has not yet been fitted to the view's shape
     Fit fit;                           ///< the last one
     std::string lastChanged;           ///< the path of the parameter that was edited last

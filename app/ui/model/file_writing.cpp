@@ -1,7 +1,7 @@
 #include "app/ui/model/file_writing.h"
 
+#include "app/ui/model/free_name.h"
 #include "core/base/background_thread.h"
-#include "core/base/file_io.h"
 #include "core/base/parallel.h"
 #include "core/base/printable.h"
 
@@ -9,12 +9,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace texplorer::ui {
 namespace {
 
 constexpr FailureWords fileFailure{"there is no memory for it", "it can't be made"};
+
+constexpr const char* meanwhile = "Another program has written the other file meanwhile.";
 
 FileNews unwritten(const FileOrder& order, const Error& error) {
     return {fmt::format(fmt::runtime(order.failure), describe(error)), false};
@@ -35,13 +38,26 @@ struct FileWriting::State {
 
     using Writing = Worker<FileOrder, FileNews, FileProgress>;
 
-    [[nodiscard]] std::optional<FileNews> work(const Writing::Task& task) const;
+    [[nodiscard]] std::optional<FileNews> work(const Writing::Task& task);
+    [[nodiscard]] Result<std::filesystem::path> write(const FileOrder& order, ByteView bytes);
 
     const LevelWork levels;
+    /// What it has written itself, which the next order of that name replaces. Of whoever works.
+    std::map<std::filesystem::path, FileFingerprint> own;
     Writing worker; // last: it ends before the rest does
 };
 
-std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) const {
+Result<std::filesystem::path> FileWriting::State::write(const FileOrder& order, ByteView bytes) {
+    const auto before = own.find(order.file);
+    const bool isOwn = before != own.end() && fingerprintOf(order.file) == before->second;
+    Result<std::filesystem::path> written =
+        writeFreely(order.file, bytes, isOwn ? before->second : order.replaces);
+    if (const auto now = written ? fingerprintOf(*written) : std::nullopt)
+        own[*written] = *now;
+    return written;
+}
+
+std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) {
     const FileOrder& order = task.job();
     if (!task.atOnce())
         giveWay(); // the window goes on
@@ -52,14 +68,17 @@ std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) cons
                       }};
     making.levels.stop = task.stop();
     making.report(0);
-    const Result<MadeFile> made = order.make(making);
+    Result<MadeFile> made = order.make(making);
     if (task.stop().stop_requested())
         return std::nullopt;
     if (!made)
         return unwritten(order, made.error());
-    if (const Result<void> written = writeFileAtomically(order.file, made->bytes); !written)
+    const Result<std::filesystem::path> written = write(order, made->bytes);
+    if (!written)
         return unwritten(order, written.error());
-    const std::string file = printable(order.file.string());
+    if (*written != order.file)
+        made->remark = made->remark.empty() ? meanwhile : fmt::format("{} {}", meanwhile, made->remark);
+    const std::string file = printable(written->string());
     if (made->remark.empty())
         return FileNews{fmt::format("Written: {}", file), true};
     return FileNews{fmt::format("Written: {}. {}", file, made->remark), false};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/file_fingerprint.h"
 #include "core/base/result.h"
 #include "core/base/worker.h"
 #include "core/texture/texture_levels.h"
@@ -29,11 +30,14 @@ struct MadeFile {
 
 /// A file that is to be written.
 struct FileOrder {
-    std::filesystem::path file; ///< is replaced as a whole, or stays
+    std::filesystem::path file; ///< is written as a whole, or stays
     std::string_view failure;   ///< "The sheet can't be written: {}."
     std::size_t pictures = 0;   ///< that are drawn for it; 0: it is none of pictures
     /// On the thread that works. Errors become a sentence with `failure`, but Cancelled.
     std::function<Result<MadeFile>(const FileMaking&)> make;
+    /// What the user has agreed to have replaced. What else is there by then stays, and this file gets a name
+    /// that is free.
+    std::optional<FileFingerprint> replaces{};
 };
 
 /// How far a file is.

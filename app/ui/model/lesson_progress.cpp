@@ -1,5 +1,6 @@
 #include "app/ui/model/lesson_progress.h"
 
+#include "app/ui/model/free_name.h"
 #include "app/ui/model/session.h"
 #include "core/base/file_io.h"
 
@@ -94,8 +95,9 @@ std::string answersText(const Session& session) {
     return Json{{"answers", std::move(list)}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<void> saveAnswers(const Session& session, const std::filesystem::path& file) {
-    return writeFileAtomically(file, viewBytes(answersText(session)));
+Result<std::filesystem::path> saveAnswers(const Session& session, const std::filesystem::path& file,
+                                          const std::optional<FileFingerprint>& replaces) {
+    return writeFreely(file, viewBytes(answersText(session)), replaces);
 }
 
 } // namespace texplorer::ui

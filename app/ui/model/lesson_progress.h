@@ -3,11 +3,13 @@
 // What was done in which step of which lesson: Settings::lessons, which outlives the lesson that is open.
 
 #include "app/ui/model/settings.h"
+#include "core/base/file_fingerprint.h"
 #include "core/base/result.h"
 #include "core/lesson/lesson_files.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace texplorer::ui {
@@ -36,7 +38,9 @@ struct LessonProgress {
 /// What the student answered in which lesson, as JSON, to be kept or handed in.
 [[nodiscard]] std::string answersText(const Session& session);
 
-/// The same as a file. Errors: those of writeFileAtomically.
-[[nodiscard]] Result<void> saveAnswers(const Session& session, const std::filesystem::path& file);
+/// The same as a file, by writeFreely.
+[[nodiscard]] Result<std::filesystem::path> saveAnswers(const Session& session,
+                                                        const std::filesystem::path& file,
+                                                        const std::optional<FileFingerprint>& replaces = {});
 
 } // namespace texplorer::ui

@@ -40,6 +40,8 @@ struct Load {
     Scene scene{};                    ///< Scene: what is to be shown
     Scene before{};                   ///< Scene: what was shown when it was asked for
     ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene
+    std::string fileHash{};                                    ///< Scene: Document::fileHash
+    bool reloads = false;              ///< Scene: the document's own file, which somebody else has written
     std::filesystem::path suggested{}; ///< Scene: of one that has no file, Document::suggested
 };
 

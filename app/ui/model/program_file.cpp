@@ -96,13 +96,16 @@ void askSaveProgram(Session& session, emit::Flavour flavour) {
     session.window.dialog = Dialog::SaveProgram;
 }
 
-Result<void> saveProgram(Session& session, const std::filesystem::path& file) {
+Result<void> saveProgram(Session& session, const std::filesystem::path& file,
+                         const std::optional<FileFingerprint>& replaces) {
     endStanding(session);
     const std::string_view extension = emit::extensionOf(session.window.flavour);
     if (file.extension() != extension)
         return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
                                                         extension, file.filename().string()));
-    session.services.writing.write(programOrder(session, file));
+    FileOrder order = programOrder(session, file);
+    order.replaces = replaces;
+    session.services.writing.write(std::move(order));
     return {};
 }
 

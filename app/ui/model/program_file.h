@@ -28,6 +28,7 @@ namespace texplorer::ui {
 void askSaveProgram(Session& session, emit::Flavour flavour);
 
 /// Has it written. Errors: a name that isn't a program's.
-[[nodiscard]] Result<void> saveProgram(Session& session, const std::filesystem::path& file);
+[[nodiscard]] Result<void> saveProgram(Session& session, const std::filesystem::path& file,
+                                       const std::optional<FileFingerprint>& replaces = {});
 
 } // namespace texplorer::ui

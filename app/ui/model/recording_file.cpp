@@ -102,7 +102,8 @@ std::string recordingFileName(const Session& session) {
     return (name.empty() ? "scene" : name) + std::string(format.extension);
 }
 
-Result<void> saveRecording(Session& session, const std::filesystem::path& file) {
+Result<void> saveRecording(Session& session, const std::filesystem::path& file,
+                           const std::optional<FileFingerprint>& replaces) {
     endStanding(session);
     Result<Recording> recording = recordingOf(session);
     if (!recording)
@@ -111,7 +112,9 @@ Result<void> saveRecording(Session& session, const std::filesystem::path& file) 
     if (file.extension() != format.extension)
         return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
                                                         format.extension, file.filename().string()));
-    session.services.writing.write(fileOrder(*std::move(recording), file));
+    FileOrder order = fileOrder(*std::move(recording), file);
+    order.replaces = replaces;
+    session.services.writing.write(std::move(order));
     return {};
 }
 

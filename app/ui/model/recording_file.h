@@ -53,6 +53,7 @@ struct Recording {
 [[nodiscard]] std::string recordingFileName(const Session& session);
 
 /// Has it written. Errors: those of recordingOf, and a name that isn't the format's.
-[[nodiscard]] Result<void> saveRecording(Session& session, const std::filesystem::path& file);
+[[nodiscard]] Result<void> saveRecording(Session& session, const std::filesystem::path& file,
+                                         const std::optional<FileFingerprint>& replaces = {});
 
 } // namespace texplorer::ui

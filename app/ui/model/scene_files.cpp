@@ -1,6 +1,8 @@
 #include "app/ui/model/scene_files.h"
 
 #include "app/ui/model/loads.h"
+#include "app/ui/model/scene_paths.h"
+#include "app/ui/model/scene_saving.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/base/file_io.h"
 #include "core/codec/image_file.h"
@@ -20,18 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path absolutePath(const fs::path& path) {
-    std::error_code failed;
-    const fs::path result = fs::absolute(path, failed);
-    return failed ? path : result.lexically_normal();
-}
-
-/// How a scene in `directory` names a file: relative where it lies at or below it, absolute elsewhere.
-std::string nameFrom(const fs::path& directory, const fs::path& file) {
-    const fs::path relative = absolutePath(file).lexically_relative(absolutePath(directory));
-    const bool below = !relative.empty() && *relative.begin() != "..";
-    return below ? relative.generic_string() : absolutePath(file).generic_string();
-}
 
 /// The same of a file that becomes one of a source's images; absolute while the scene was never saved.
 std::string nameIn(const ImageSource& images, const fs::path& file) {
@@ -39,59 +29,33 @@ std::string nameIn(const ImageSource& images, const fs::path& file) {
                                       : nameFrom(images.directory(), file);
 }
 
-Result<Scene> readScene(const fs::path& path) {
-    const Result<std::string> text = readSceneText(path);
-    if (!text)
-        return fail(text.error());
-    Result<Scene> scene = parseScene(*text);
-    if (!scene)
-        return fail(scene.error().code, describe(scene.error()), path.string());
-    return scene;
-}
-
-/// The same scene, with its image files named from another folder. Those that lie in none keep their names.
-Scene rebased(const Scene& scene, const ImageSource& images, const fs::path& to) {
-    Scene result = scene;
-    renameFiles(result, [&](const std::string& file) {
-        return images.fileInMemory(file) ? file : nameFrom(to, images.directory() / file);
-    });
-    return result;
-}
-
-/// Images that lie in no folder come into that of the scene, where there is no other file of their name.
-Result<void> saveFilesInMemory(const Scene& scene, const ImageSource& images, const fs::path& folder) {
-    std::vector<std::string> missing;
-    for (const std::string& file : filesOf(scene)) {
-        const std::shared_ptr<const Bytes> bytes = images.fileInMemory(file);
-        if (!bytes)
-            continue;
-        const Result<Bytes> there = readFile(folder / file);
-        if (!there && there.error().code == ErrorCode::NotFound)
-            missing.push_back(file);
-        else if (!there || *there != *bytes)
-            return fail(ErrorCode::Unwritable,
-                        "the scene has an image of this name, and there is another file",
-                        (folder / file).string());
-    }
-    for (const std::string& file : missing) {
-        if (Result<void> written = writeFileAtomically(folder / file, *images.fileInMemory(file)); !written)
-            return written;
-    }
-    return {};
-}
-
 /// As the file has it, where it can be read: what undo and the mark of unsaved changes go by.
-Scene savedScene(const fs::path& file) {
-    if (file.empty())
-        return defaultScene();
-    return readScene(file).value_or(Scene{});
+SceneText savedScene(const fs::path& file) {
+    return file.empty() ? SceneText{defaultScene()} : readScene(file).value_or(SceneText{});
+}
+
+/// What somebody else has written takes the place of the document's scene, as a step of its history: it is
+/// looked at as before.
+void replaceByFile(Session& session, Load load) {
+    Document document(std::move(load.scene), std::move(load.images), load.path);
+    document.fileHash = std::move(load.fileHash);
+    document.needsFit = false; // it is what was saved
+    document.kept = std::move(session.document.kept);
+    document.history = std::move(session.document.history);
+    document.history.seal();
+    document.history.record(document.scene, "Take what the file has");
+    document.history.seal();
+    exchangeDocument(session, std::move(document));
 }
 
 /// Unsaved work takes the place of the document, with its draft as this window's own.
 void replaceByUnsaved(Session& session, Load load) {
-    const UnsavedScene draft{load.path, load.images.directory(), load.scene};
+    const UnsavedScene draft{load.path, load.images.directory(), load.scene, load.fileHash};
     Document document(std::move(load.scene), std::move(load.images), load.path);
-    document.saved = savedScene(document.file);
+    SceneText saved = savedScene(document.file);
+    if (saved.hash == load.fileHash) // else somebody has written it since
+        document.fileHash = std::move(saved.hash);
+    document.saved = std::move(saved.scene);
     document.needsFit = false; // the camera is part of the work
     replaceDocument(session, std::move(document));
     if (UnsavedWork* unsaved = session.services.unsaved)
@@ -127,9 +91,9 @@ Result<void> openExample(Session& session, std::string_view file) {
 }
 
 Result<void> openScene(Session& session, const fs::path& path) {
-    Result<Scene> scene = readScene(path);
-    if (!scene)
-        return fail(scene.error());
+    Result<SceneText> read = readScene(path);
+    if (!read)
+        return fail(read.error());
     const fs::path file = absolutePath(path);
     rememberFile(session.window.settings, file);
     const bool isPicture = isPictureWithScene(file);
@@ -137,9 +101,10 @@ Result<void> openScene(Session& session, const fs::path& path) {
     suggested.replace_extension(sceneExtension);
     start(session, {.kind = Load::Kind::Scene,
                     .path = isPicture ? fs::path() : file,
-                    .scene = std::move(*scene),
+                    .scene = std::move(read->scene),
                     .before = session.document.scene,
                     .images = ImageSource(file.parent_path()),
+                    .fileHash = std::move(read->hash),
                     .suggested = isPicture ? std::move(suggested) : fs::path()});
     return {};
 }
@@ -148,8 +113,11 @@ void showLoadedScene(Session& session, Load load) {
     const bool changedMeanwhile = session.document.scene != load.before && isDirty(session.document);
     if (!changedMeanwhile && load.restores)
         return replaceByUnsaved(session, std::move(load));
+    if (!changedMeanwhile && load.reloads)
+        return replaceByFile(session, std::move(load));
     if (!changedMeanwhile) {
         Document document(std::move(load.scene), std::move(load.images), load.path);
+        document.fileHash = std::move(load.fileHash);
         if (!load.suggested.empty())
             document.needsFit = document.scene.view == defaultScene().view; // it shows what the picture does
         document.suggested = std::move(load.suggested);
@@ -169,41 +137,8 @@ void restoreUnsaved(Session& session, UnsavedScene draft) {
                     .restores = true,
                     .scene = std::move(draft.scene),
                     .before = session.document.scene,
-                    .images = ImageSource(std::move(draft.folder))});
-}
-
-Result<void> saveScene(Session& session, const fs::path& path) {
-    const fs::path file = absolutePath(path);
-    const fs::path folder = file.parent_path();
-    endStanding(session);
-    const Scene scene = rebased(session.document.scene, session.document.images, folder);
-    const std::string text = writeScene(scene);
-    if (text.size() > maxSceneBytes) // and what is there stays
-        return fail(ErrorCode::TooLarge,
-                    fmt::format("the scene takes {} bytes, and no more than {} are read again", text.size(),
-                                maxSceneBytes),
-                    file.string());
-    if (Result<void> images = saveFilesInMemory(scene, session.document.images, folder); !images)
-        return images;
-    if (Result<void> written = writeFileAtomically(file, viewBytes(text)); !written)
-        return written;
-    if (absolutePath(session.document.images.directory()) != folder || session.document.file.empty()) {
-        ImageSource images(folder);
-        const std::vector<FileName> before = fileNamesOf(session.document.scene);
-        const std::vector<FileName> after = fileNamesOf(scene);
-        for (std::size_t i = 0; i < after.size(); ++i)
-            images.share(after[i].file, session.document.images, before[i].file);
-        session.document.images = std::move(images);
-    }
-    if (scene != session.document.scene) {
-        session.document.scene = scene;
-        sealEdit(session);
-        recordScene(session, "Save elsewhere");
-    }
-    session.document.saved = scene;
-    session.document.file = file;
-    rememberFile(session.window.settings, file);
-    return {};
+                    .images = ImageSource(std::move(draft.folder)),
+                    .fileHash = std::move(draft.fileHash)});
 }
 
 void importImage(Session& session, const fs::path& path) {
@@ -280,7 +215,7 @@ Result<bool> checkFile(const fs::path& file) {
     if (!scene)
         return fail(scene.error());
     if (*scene) {
-        if (const Result<Scene> parsed = readScene(file); !parsed)
+        if (const Result<SceneText> parsed = readScene(file); !parsed)
             return fail(parsed.error());
         return true;
     }
@@ -312,14 +247,15 @@ Load sorted(const Session& session, const std::vector<fs::path>& files) {
                 {ErrorCode::OutOfRange,
                  fmt::format("one scene is shown at a time, and {} is opened", load.path.filename().string()),
                  file.string()});
-        } else if (Result<Scene> scene = readScene(file)) {
+        } else if (Result<SceneText> read = readScene(file)) {
             load.kind = Load::Kind::Scene;
             load.path = absolutePath(file);
-            load.scene = std::move(*scene);
+            load.scene = std::move(read->scene);
+            load.fileHash = std::move(read->hash);
             load.images = ImageSource(load.path.parent_path());
             load.pass = load.unit = 0;
         } else {
-            load.refused.push_back(scene.error());
+            load.refused.push_back(read.error());
         }
     }
     const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.document.images;

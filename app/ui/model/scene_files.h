@@ -20,9 +20,6 @@ void newScene(Session& session);
 /// that the picture isn't overwritten.
 [[nodiscard]] Result<void> openScene(Session& session, const std::filesystem::path& path);
 
-/// Writes the scene. Image paths are kept relative to the scene file where they lie below its folder.
-[[nodiscard]] Result<void> saveScene(Session& session, const std::filesystem::path& path);
-
 /// What was asked with Dialog::Picture: the picture is an image.
 void usePicture(Session& session);
 

@@ -147,7 +147,8 @@ Result<glm::ivec2> sheetExtent(const Session& session) {
     return letteredSheet(order->content).map([](const LetteredSheet& on) { return on.layout.size; });
 }
 
-Result<void> saveSheet(Session& session, const std::filesystem::path& file) {
+Result<void> saveSheet(Session& session, const std::filesystem::path& file,
+                       const std::optional<FileFingerprint>& replaces) {
     endStanding(session);
     Result<SheetOrder> order = sheetOrder(session);
     if (!order)
@@ -158,6 +159,7 @@ Result<void> saveSheet(Session& session, const std::filesystem::path& file) {
     Result<FileOrder> written = fileOrder(*std::move(order), file);
     if (!written)
         return fail(written.error());
+    written->replaces = replaces;
     session.services.writing.write(*std::move(written));
     return {};
 }

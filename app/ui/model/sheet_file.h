@@ -34,6 +34,7 @@ struct SheetOrder {
 [[nodiscard]] Result<glm::ivec2> sheetExtent(const Session& session);
 
 /// Has it written. Errors: those, and a name that isn't a PNG's.
-[[nodiscard]] Result<void> saveSheet(Session& session, const std::filesystem::path& file);
+[[nodiscard]] Result<void> saveSheet(Session& session, const std::filesystem::path& file,
+                                     const std::optional<FileFingerprint>& replaces = {});
 
 } // namespace texplorer::ui

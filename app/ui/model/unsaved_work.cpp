@@ -25,7 +25,8 @@ void followEdits(Session& session) {
         return;
     Autosave& autosave = session.services.unsaved->autosave;
     if (isDirty(session.document))
-        autosave.keep(session.document.file, session.document.images.directory(), session.document.scene);
+        autosave.keep(session.document.file, session.document.images.directory(), session.document.scene,
+                      session.document.fileHash);
     else
         autosave.forget();
     if (const std::optional<Error> problem = autosave.takeProblem())

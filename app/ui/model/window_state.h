@@ -58,6 +58,7 @@ enum class Dialog {
     Record,
     SaveRecording,
     Discard,
+    FileHasChanged, ///< see Document::changedFile
     Help,
     Restore,
     Refused,
@@ -87,7 +88,6 @@ struct Notice {
     bool isGood = false;        ///< something was done; else it says what went wrong
 };
 
-/// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
 /// How one looks at the document that there is: another one is looked at anew.
 struct DocumentLook {
     Playback playback;
@@ -112,6 +112,7 @@ struct LessonPictures {
     ShownPictures chosen{};
 };
 
+/// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
 /// panel alone remembers is beside that panel.
 struct WindowState : DocumentLook {
     Settings settings;                           ///< what outlives the window

@@ -10,6 +10,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/changed_file_dialog.h"
 #include "app/ui/window/dialog_button.h"
 #include "app/ui/window/help_dialog.h"
 #include "app/ui/window/record_dialog.h"
@@ -197,19 +198,22 @@ void openWaitingDialog(Session& session) {
         session.window.dialog = Dialog::Restore;
 }
 
-Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path& chosen) {
+Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path& chosen,
+                    const std::optional<FileFingerprint>& replaces) {
     if (dialog == Dialog::OpenScene)
         return openScene(session, chosen);
     if (dialog == Dialog::SaveScene)
-        return saveScene(session, chosen);
+        return saveTo(session, chosen, replaces);
     if (dialog == Dialog::SaveAnswers)
-        return saveAnswers(session, chosen);
+        return saveAnswers(session, chosen, replaces).map([&](const std::filesystem::path& file) {
+            tell(session, fmt::format("Written: {}", file.string()));
+        });
     if (dialog == Dialog::SaveSheet)
-        return saveSheet(session, chosen);
+        return saveSheet(session, chosen, replaces);
     if (dialog == Dialog::SaveProgram)
-        return saveProgram(session, chosen);
+        return saveProgram(session, chosen, replaces);
     if (dialog == Dialog::SaveRecording)
-        return saveRecording(session, chosen);
+        return saveRecording(session, chosen, replaces);
     const std::string param = std::exchange(session.window.imageParam, {});
     if (param.empty())
         importImage(session, chosen);
@@ -230,18 +234,13 @@ void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pi
         session.window.pending = Pending::None;
         return;
     }
-    const Result<void> result = answer(session, dialog, chosen);
+    session.window.notice = {};
+    const Result<void> result = answer(session, dialog, chosen, state.browser.overwrites);
     if (!result) { // back to the list, which says what was wrong
         session.window.dialog = dialog;
         state.browser.error = result.error().message;
         state.browser.focusName = true;
-        return;
     }
-    session.window.notice = {};
-    if (dialog == Dialog::SaveScene)
-        finishPending(session);
-    if (dialog == Dialog::SaveAnswers)
-        tell(session, fmt::format("Written: {}", chosen.string()));
 }
 
 } // namespace
@@ -253,6 +252,8 @@ void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures
         drawBrowserDialog(session, state, pictures);
     else if (dialog == Dialog::Discard)
         drawDiscard(session);
+    else if (dialog == Dialog::FileHasChanged)
+        drawChangedFile(session);
     else if (dialog == Dialog::Picture)
         drawPictureQuestion(session);
     else if (dialog == Dialog::Record)

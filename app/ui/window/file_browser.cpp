@@ -81,8 +81,9 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
             browser.error = fmt::format("There is no folder {}.", path.parent_path().string());
             return Browsing::Open;
         }
-        if (fs::exists(path, failed) && !browser.mayOverwrite) {
-            browser.mayOverwrite = true;
+        const std::optional<FileFingerprint> there = fingerprintOf(path);
+        if (there && there != browser.overwrites) {
+            browser.overwrites = there;
             browser.error =
                 fmt::format("{} exists. Press Overwrite to replace it.", path.filename().string());
             return Browsing::Open;
@@ -97,7 +98,7 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
 
 void mark(FileBrowser& browser, int index) {
     browser.marked = index;
-    browser.mayOverwrite = false;
+    browser.overwrites.reset();
     browser.error.clear();
     const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(index)];
     if (!entry.isFolder || !browser.saving)
@@ -263,7 +264,7 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
     browser.folder = target;
     browser.entries = std::move(entries);
     browser.marked = -1;
-    browser.mayOverwrite = false;
+    browser.overwrites.reset();
     browser.error = cut ? fmt::format("Only the first {} entries are listed.", mostEntries) : "";
 }
 
@@ -326,7 +327,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
                                    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     noteItem("browser:name");
     if (browser.typed != before) {
-        browser.mayOverwrite = false;
+        browser.overwrites.reset();
         browser.error.clear();
     }
     const bool enterElsewhere = ImGui::IsKeyPressed(key::enter, false) && !ImGui::IsAnyItemActive();
@@ -342,7 +343,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
         noteItem("browser:all");
         helpTip(all);
     }
-    const char* verb = !browser.saving ? "Open" : browser.mayOverwrite ? "Overwrite" : "Save";
+    const char* verb = !browser.saving ? "Open" : browser.overwrites ? "Overwrite" : "Save";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -
                     ImGui::GetStyle().ItemSpacing.x);
     if (dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false))

@@ -2,8 +2,10 @@
 
 #include "app/ui/model/files.h"
 #include "app/ui/widgets/pictures.h"
+#include "core/base/file_fingerprint.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +32,12 @@ struct FileBrowser {
 
     std::filesystem::path folder;
     std::vector<Entry> entries;
-    std::string typed;         ///< the name or path in the text field
-    int marked = -1;           ///< index into entries
-    std::string error;         ///< why the folder or the file can't be had; empty: nothing wrong
-    bool mayOverwrite = false; ///< asks once more before an existing file is replaced
-    bool focusName = false;    ///< the text field takes the keyboard at the next frame
+    std::string typed; ///< the name or path in the text field
+    int marked = -1;   ///< index into entries
+    std::string error; ///< why the folder or the file can't be had; empty: nothing wrong
+    std::optional<FileFingerprint>
+        overwrites;         ///< the file that the user was asked about, and may be replaced
+    bool focusName = false; ///< the text field takes the keyboard at the next frame
     bool scrollToMarked = false;
 };
 

@@ -12,6 +12,7 @@ UnsavedScene someDraft() {
     draft.scene.textures[0].source = SourceKind::File;
     draft.scene.textures[0].file = "pictures/brick.png";
     draft.scene.textures[0].wrapS = Wrap::Clamp;
+    draft.fileHash = "99aa06d3014798d86001c324468d497f";
     return draft;
 }
 
@@ -27,6 +28,14 @@ TEST(UnsavedText, OfASceneThatWasNeverSavedHasNoPaths) {
     const Result<UnsavedScene> read = parseUnsaved(writeUnsaved(draft));
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ(*read, draft);
+}
+
+TEST(UnsavedText, OfVersionOneHasNoHash) {
+    const Result<UnsavedScene> read =
+        parseUnsaved("Texplorer, unsaved scene, version 1\n/a/b.json\n/a\n{\"version\": 1}");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->file, "/a/b.json");
+    EXPECT_EQ(read->fileHash, "");
 }
 
 TEST(UnsavedText, TakesEveryNameThatAFileSystemKnows) {
@@ -66,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadUnsaved,
     testing::Values(Bad{"Empty", "", "expected an unsaved scene"},
                     Bad{"Foreign", "{\"version\": 1}\n", "expected an unsaved scene"},
-                    Bad{"OfTheFuture", "Texplorer, unsaved scene, version 2\n\n\n{}", "version 1"},
+                    Bad{"OfTheFuture", "Texplorer, unsaved scene, version 3\n\n\n\n{}", "version 2"},
                     Bad{"Cut", first + "/a.json", "absolute path of the scene file"},
                     Bad{"RelativeFile", first + "a.json\n\n{}", "absolute path of the scene file"},
                     Bad{"RelativeFolder", first + "\nb\n{}", "absolute path of the folder"},

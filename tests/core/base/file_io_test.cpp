@@ -81,6 +81,22 @@ void expectError(const auto& result, ErrorCode code, const fs::path& where, cons
     EXPECT_THAT(result.error().message, HasSubstr(message));
 }
 
+TEST(WriteFileIf, AsksRightBeforeItReplaces) {
+    const test::TempDir folder;
+    const std::filesystem::path file = folder / "a.txt";
+    ASSERT_TRUE(writeFileAtomically(file, viewBytes("old")));
+    const Result<bool> kept = writeFileIf(file, viewBytes("new"), [&] { return readText(file) == "new"; });
+    ASSERT_TRUE(kept);
+    EXPECT_FALSE(*kept);
+    EXPECT_EQ(readText(file).value(), "old");
+    const Result<bool> replaced =
+        writeFileIf(file, viewBytes("new"), [&] { return readText(file) == "old"; });
+    ASSERT_TRUE(replaced);
+    EXPECT_TRUE(*replaced);
+    EXPECT_EQ(readText(file).value(), "new");
+    EXPECT_FALSE(writeFileIf(folder / "none" / "a.txt", viewBytes("new"), [] { return true; }));
+}
+
 TEST_F(FileIo, ReadsTheWholeFile) {
     std::string content = "a line\r\n";
     content += '\0';

@@ -3,6 +3,7 @@
 import json
 import os
 import random
+import time
 import unittest
 
 from texplorer import PATIENCE, Window, wait_for
@@ -31,8 +32,27 @@ class Kills(Window):
 
     def kept(self):
         """The scenes that are on the disk, all of which are whole: the saved one and the drafts."""
-        drafts = [json.loads(draft.read_text().split("\n", 3)[3]) for draft in self.drafts()]
+        drafts = [json.loads(draft.read_text().split("\n", 4)[4]) for draft in self.drafts()]
         return [self.saved(), *drafts]
+
+    def save_restored(self):
+        """Where the window that was killed had saved after it wrote the draft, the file isn't what the draft was made
+        of: it stays, and the scene is saved elsewhere."""
+        wait_for(lambda: not self.dims(self.quiet), "the offer to go")
+        before = self.scene.stat().st_ino
+        self.display.xdotool("key", "ctrl+s")
+        wait_for(lambda: self.scene.stat().st_ino != before or self.dims(self.quiet), "the saved file, or a question")
+        if self.scene.stat().st_ino == before:
+            kept = self.scene.read_text()
+            elsewhere = self.scene.with_name(f"kept-{before}.json")
+            self.display.xdotool("key", "Return")
+            time.sleep(0.5)
+            self.display.xdotool("type", str(elsewhere))
+            self.display.xdotool("key", "Return")
+            wait_for(elsewhere.exists, "the file elsewhere")
+            self.assertEqual(self.scene.read_text(), kept)
+            self.scene = elsewhere
+        return self.saved()
 
     def leftovers(self):
         return [*self.scene.parent.glob(".texplorer-*"), *(self.state / "texplorer" / "unsaved").glob(".texplorer-*")]
@@ -61,7 +81,7 @@ class Kills(Window):
                     wait_for(lambda: self.dims(self.quiet), "the offer, which dims the window")
                     self.display.xdotool("key", "Return")
                     wait_for(lambda: "•" in self.title(), "the restored scene")
-                restored = self.save()
+                restored = self.save_restored()
                 self.assertNotEqual(restored["view"]["azimuth"], azimuth)
                 wait_for(lambda: not self.drafts(), "the draft to go")
                 self.assertEqual(self.leftovers(), [])

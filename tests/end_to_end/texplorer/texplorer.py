@@ -135,7 +135,7 @@ class Window(unittest.TestCase):
 
     def draft(self):
         """The scene in the one draft that there is."""
-        return json.loads(self.drafts()[0].read_text().split("\n", 3)[3])
+        return json.loads(self.drafts()[0].read_text().split("\n", 4)[4])
 
     def edit(self):
         self.orbit()

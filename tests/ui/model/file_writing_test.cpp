@@ -69,6 +69,31 @@ TEST(FileWriting, WhatFailsIsOneSentenceAndTheFileStays) {
     EXPECT_EQ(readText(folder / "a.txt").value(), "before");
 }
 
+TEST(FileWriting, WhatAnotherProgramHasWrittenMeanwhileStays) {
+    const test::TempDir folder;
+    FileWriting writing(When::AtOnce);
+    FileOrder asked = order(folder / "a.txt", "mine");
+    asked.make = [make = asked.make, file = asked.file](const FileMaking& making) {
+        EXPECT_TRUE(writeFileAtomically(file, viewBytes("theirs")));
+        return make(making);
+    };
+    writing.write(asked); // there was no such file
+    asked.replaces = fingerprintOf(folder / "a.txt");
+    writing.write(asked); // there was another one
+    EXPECT_EQ(readText(folder / "a.txt").value(), "theirs");
+    EXPECT_EQ(readText(folder / "a-2.txt").value(), "mine");
+    EXPECT_EQ(readText(folder / "a-3.txt").value(), "mine");
+    const std::optional<FileNews> news = writing.takeNews();
+    ASSERT_TRUE(news);
+    EXPECT_FALSE(news->isGood);
+    EXPECT_THAT(news->text, HasSubstr("a-2.txt. Another program has written"));
+
+    FileOrder agreed = order(folder / "a.txt", "mine");
+    agreed.replaces = fingerprintOf(folder / "a.txt");
+    writing.write(agreed);
+    EXPECT_EQ(readText(folder / "a.txt").value(), "mine");
+}
+
 TEST(FileWriting, TellsHowFarItIs) {
     const test::TempDir folder;
     std::vector<std::size_t> drawn;

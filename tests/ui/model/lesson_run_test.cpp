@@ -6,6 +6,7 @@
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "app/ui/model/settings_file.h"
 #include "core/base/file_io.h"
 #include "core/scene/params/json.h"

@@ -1,6 +1,7 @@
 // Unsaved work of a window that has died: kept while one edits, and offered by the next window.
 
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "app/ui/widgets/keys.h"
 #include "core/base/file_io.h"
 #include "core/image/texture_image.h"

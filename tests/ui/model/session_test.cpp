@@ -3,6 +3,7 @@
 #include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"

@@ -1,4 +1,5 @@
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "app/ui/model/texshot_command.h"
 #include "core/base/file_io.h"
 #include "core/scene/params/json.h"

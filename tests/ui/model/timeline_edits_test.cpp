@@ -1,5 +1,6 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/scene/params/key_edits.h"

@@ -1,4 +1,5 @@
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_saving.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/window/comfort.h"

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+namespace texplorer::ui {
+
+/// Dialog::FileHasChanged.
+void drawChangedFile(Session& session);
+
+} // namespace texplorer::ui
