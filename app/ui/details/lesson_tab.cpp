@@ -37,6 +37,17 @@ void lessonTextIn(ImU32 ink, const std::string& words) {
     ImGui::PopStyleColor();
 }
 
+/// Scrolls just so far that the verdict, from `top` to where the cursor is, is in sight; its beginning where
+/// it is higher than the window. To be called after it.
+void scrollToVerdict(Session& session, float top) {
+    if (session.window.lesson->wantedScroll != LessonRun::Scroll::Verdict)
+        return;
+    session.window.lesson->wantedScroll = LessonRun::Scroll::None;
+    const float below = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - ImGui::GetWindowHeight();
+    const float wanted = std::min(std::max(ImGui::GetScrollY(), below), top);
+    ImGui::SetScrollY(wanted);
+}
+
 void space() {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
 }
@@ -189,14 +200,18 @@ void drawTask(Session& session, const LessonRun& run, const Predict& predict, co
         answerSentences(session, run, predict);
     if (!run.answer)
         return;
+    const float top = ImGui::GetCursorPosY();
     space();
-    if (*run.answer != predict.right)
-        return lessonTextIn(color::problem,
-                            tr(std::string("Not this one. Look again, or try it in the window.")));
-    if (run.reason.empty())
-        return dimText("Working out the numbers…");
-    lessonTextIn(color::text, run.reason);
-    noteItem("reason");
+    if (*run.answer != predict.right) {
+        lessonTextIn(color::problem, tr(std::string("Not this one. Look again, or try it in the window.")));
+        noteItem("not this one");
+    } else if (run.reason.empty()) {
+        dimText("Working out the numbers…");
+    } else {
+        lessonTextIn(color::text, run.reason);
+        noteItem("reason");
+    }
+    scrollToVerdict(session, top);
 }
 
 void drawTask(Session& session, const LessonRun& run, const Match& match, const Pictures& pictures) {
@@ -207,6 +222,7 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, width * pictureShape});
     const bool passed = run.grade && run.grade->passed;
+    const float top = ImGui::GetCursorPosY();
     smallPicture(pictures, run.pictures && !run.pictures->empty() ? run.pictures->front() : nullptr, low,
                  {width, width * pictureShape}, passed ? color::accent : color::dim);
     noteItem("picture to reach");
@@ -226,6 +242,7 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
     if (!passed)
         noteItem("match:hint");
     ImGui::EndDisabled();
+    scrollToVerdict(session, top);
     if (passed || !run.wantsHint)
         return;
     ImGui::SameLine();
@@ -282,6 +299,10 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     const float buttons = ImGui::GetFrameHeightWithSpacing();
     // Flattened: the keyboard walks on from its answers to the buttons below, and back.
     ImGui::BeginChild("step", {0, -buttons}, false, ImGuiWindowFlags_NavFlattened);
+    if (run.wantedScroll == LessonRun::Scroll::Top) {
+        session.window.lesson->wantedScroll = LessonRun::Scroll::None;
+        ImGui::SetScrollY(0);
+    }
     lessonTextIn(color::dim, run.text(run.lesson.title));
     if (run.step == 0 && !run.lesson.source.empty())
         lessonTextIn(color::dim, run.text(run.lesson.source));

@@ -130,6 +130,7 @@ void askPictures(Session& session, const LessonRun& run) {
 void begin(Session& session) {
     LessonRun& run = *session.window.lesson;
     readyKeys(run);
+    run.wantedScroll = LessonRun::Scroll::Top;
     run.answer.reset();
     run.reason.clear();
     run.pictures.reset();
@@ -227,6 +228,8 @@ void followMatch(Session& session, LessonRun& run) {
     LessonWork& work = session.services.lessons;
     Scene compared = comparedScene(run, *run.target, session.document.scene);
     if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
+        if (graded->grade.passed && !(run.grade && run.grade->passed))
+            run.wantedScroll = LessonRun::Scroll::Verdict;
         run.grade = std::move(graded->grade);
         if (run.grade->passed && graded->scene == compared)
             recordOf(session, run).done = true;
@@ -287,10 +290,10 @@ Result<void> openLessonNamed(Session& session, const std::string& nameOrFolder,
 void closeLesson(Session& session, KeepsTab tab) {
     session.window.lesson.reset();
     session.services.lessons.rest();
+    endLessonPictures(session.window);
     if (tab == KeepsTab::No)
         closeTab(session.window.settings.workspace, Tab::Lesson);
 }
-    endLessonPictures(session.window);
 
 void goToLessonStep(Session& session, std::size_t step) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
@@ -310,6 +313,7 @@ void answerQuestion(Session& session, std::size_t answer) {
     if (!predict || answer >= predict->answers.size())
         return;
     run.answer = answer;
+    run.wantedScroll = LessonRun::Scroll::Verdict;
     StepRecord& record = recordOf(session, run);
     const bool right = answer == predict->right;
     if (!record.done) {
@@ -343,8 +347,10 @@ void followLesson(Session& session) {
     LessonWork& work = session.services.lessons;
     if (auto pictures = work.takePictures())
         run->pictures = std::move(pictures);
-    if (std::optional<std::string> reason = work.takeReason())
+    if (std::optional<std::string> reason = work.takeReason()) {
         run->reason = *std::move(reason);
+        run->wantedScroll = LessonRun::Scroll::Verdict;
+    }
     receiveImages(session, *run);
     if (run->target && !run->awaitsImages)
         followMatch(session, *run);

@@ -31,10 +31,13 @@ struct LessonRun {
     std::string key; ///< see progressKey
     lesson::Lesson lesson;
     std::size_t step = 0;
-    lesson::LessonScene start;                            ///< what the step begins with
-    std::optional<Scene> target;                          ///< to be reached; none: the step has no such task
-    std::optional<std::size_t> answer;                    ///< the one that was chosen
-    std::string reason;                                   ///< with its numbers, soon after the right one was
+    lesson::LessonScene start;         ///< what the step begins with
+    std::optional<Scene> target;       ///< to be reached; none: the step has no such task
+    std::optional<std::size_t> answer; ///< the one that was chosen
+    std::string reason;                ///< with its numbers, soon after the right one was
+    /// What the tab comes to be scrolled to with the next frame that shows it.
+    enum class Scroll { None, Top, Verdict };
+    Scroll wantedScroll = Scroll::None;
     bool awaitsImages = false;                            ///< those of `start` are still being read
     std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or the one to be reached
     std::optional<lesson::Grade> grade;                   ///< of the scene that was last compared

@@ -80,12 +80,20 @@ Workspace workspaceOf(const LayoutRow& row) {
     return workspace;
 }
 
+void chooseLayout(Workspace& workspace, const LayoutRow& row) {
+    const TabPlace lesson = placeOf(workspace, Tab::Lesson);
+    workspace = workspaceOf(row);
+    if (lesson.open)
+        moveTab(workspace, Tab::Lesson, lesson.dock);
+}
+
 const LayoutRow* layoutOf(const Workspace& workspace) {
     const auto found = std::ranges::find_if(layoutRows, [&](const LayoutRow& row) {
         Workspace named = workspaceOf(row);
         named.front = workspace.front;
         named.seams = workspace.seams;
         named.maximised = workspace.maximised;
+        placeOf(named, Tab::Lesson) = placeOf(workspace, Tab::Lesson);
         return named == workspace;
     });
     return found == layoutRows.end() ? nullptr : &*found;

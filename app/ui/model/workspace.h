@@ -92,7 +92,10 @@ inline constexpr std::array layoutRows{
 };
 
 [[nodiscard]] Workspace workspaceOf(const LayoutRow& row);
-/// The layout that it still is, wherever the seams are and whichever tab is in front; nullptr: none.
+/// The same, beside a lesson that is open.
+void chooseLayout(Workspace& workspace, const LayoutRow& row);
+/// The layout that it still is, wherever the seams are, whichever tab is in front, and whether there is a
+/// lesson; nullptr: none.
 [[nodiscard]] const LayoutRow* layoutOf(const Workspace& workspace);
 
 /// As JSON, for the settings' file; parseWorkspace(writeWorkspace(w)) == w while nothing is maximised.

@@ -103,7 +103,7 @@ void layoutsMenu(Session& session) {
     for (const LayoutRow& row : layoutRows) {
         const LayoutRow* now = layoutOf(workspace);
         if (panelItem(row.label, nullptr, now && now->name == row.name))
-            workspace = workspaceOf(row);
+            chooseLayout(workspace, row);
         helpTip(row.help);
     }
     ImGui::EndMenu();

@@ -103,6 +103,30 @@ TEST_F(LessonTab, TakesAnswersUntilTheRightOne) {
     EXPECT_EQ(texture().wrapT, Wrap::MirroredRepeat);
 }
 
+TEST_F(LessonTab, ScrollsToTheVerdictAndStartsTheNextStepAtItsTop) {
+    start(defaultScene(), 1024, 640);
+    openWrap();
+    next();
+    for (const int answer : {3, 1}) { // a wrong one, and the right one
+        wheelTo("answer:" + std::to_string(answer));
+        click("answer:" + std::to_string(answer));
+        frames(3);
+        const std::string verdict = answer == 1 ? "reason" : "not this one";
+        ASSERT_TRUE(has(verdict));
+        EXPECT_TRUE(places.items[verdict].visible) << verdict;
+        EXPECT_LE(places.items[verdict].bottom, places.items["lesson:Next"].top) << verdict;
+    }
+    EXPECT_FALSE(places.items["lesson title"].visible) << "the step is higher than the tab";
+    next();
+    frames(2);
+    EXPECT_TRUE(places.items["lesson title"].visible);
+    wheel(place("lesson title"), -100);
+    EXPECT_FALSE(places.items["lesson title"].visible);
+    click("lesson:Restart step");
+    frames(2);
+    EXPECT_TRUE(places.items["lesson title"].visible);
+}
+
 TEST_F(LessonTab, HintsAtWhatIsMissingAndSaysWhenItIsReached) {
     openWrap();
     next(2);

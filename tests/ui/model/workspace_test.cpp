@@ -143,5 +143,20 @@ TEST(Workspace, OfADeepOrLongTextIsRefusedWithAShortSentence) {
     EXPECT_EQ(longName.error().message, "expected an object, found string");
 }
 
+TEST(Layouts, KeepALessonThatIsOpen) {
+    for (const LayoutRow& row : layoutRows) {
+        Workspace workspace;
+        moveTab(workspace, Tab::Lesson, Dock::Below);
+        chooseLayout(workspace, row);
+        EXPECT_TRUE(isShown(workspace, Tab::Lesson)) << row.name;
+        EXPECT_EQ(dockOf(workspace, Tab::Lesson), Dock::Below) << row.name;
+        ASSERT_TRUE(layoutOf(workspace)) << row.name;
+        EXPECT_EQ(layoutOf(workspace)->name, row.name);
+        closeTab(workspace, Tab::Lesson);
+        chooseLayout(workspace, row);
+        EXPECT_FALSE(isOpen(workspace, Tab::Lesson)) << row.name;
+    }
+}
+
 } // namespace
 } // namespace texplorer::ui::workspace_test
