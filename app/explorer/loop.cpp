@@ -6,29 +6,28 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 
-#include <cstdlib>
+#include <atomic>
 #include <optional>
 
 namespace texplorer::explorer {
 namespace {
 
-Autosave* keptAtExit = nullptr;
+std::atomic<Autosave*> keptWithoutDisplay = nullptr;
 
-/// While one of these lives, exit() writes what is not saved: Xlib calls it when the display goes away, which
-/// is how many sessions end.
-class KeptAtExit {
+/// While one of these lives, what is not saved is written when the display goes away, which is how many
+/// sessions end.
+class KeptWithoutDisplay {
 public:
-    explicit KeptAtExit(Autosave& autosave) {
-        static const int registered = std::atexit([] {
-            if (keptAtExit)
-                (void)keptAtExit->flush();
+    explicit KeptWithoutDisplay(Autosave& autosave) {
+        keptWithoutDisplay = &autosave;
+        Window::whenDisplayIsLost([] {
+            if (Autosave* kept = keptWithoutDisplay)
+                (void)kept->flush();
         });
-        (void)registered;
-        keptAtExit = &autosave;
     }
-    KeptAtExit(const KeptAtExit&) = delete;
-    KeptAtExit& operator=(const KeptAtExit&) = delete;
-    ~KeptAtExit() { keptAtExit = nullptr; }
+    KeptWithoutDisplay(const KeptWithoutDisplay&) = delete;
+    KeptWithoutDisplay& operator=(const KeptWithoutDisplay&) = delete;
+    ~KeptWithoutDisplay() { keptWithoutDisplay = nullptr; }
 };
 
 /// While one of these lives, a signal writes what is not saved, and wakes the window so that it ends.
@@ -86,7 +85,7 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
     stage::Loop loop(**graphics, session, window.surface(),
                      {[&window] { return window.clipboard(); },
                       [&window](const std::string& text) { window.setClipboard(text); }});
-    const KeptAtExit atExit(unsaved.autosave);
+    const KeptWithoutDisplay withoutDisplay(unsaved.autosave);
     const KeptOnSignal onSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
     if (!lesson.empty())

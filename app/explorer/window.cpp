@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cctype>
 #include <cstdlib>
+#include <dlfcn.h>
 #include <map>
 #include <optional>
 #include <utility>
@@ -255,6 +256,22 @@ stage::Surface Window::surface() const {
     surface.scale = scale > 0 ? scale : 1;
     surface.visible = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_FALSE;
     return surface;
+}
+
+void Window::whenDisplayIsLost(void (*action)()) {
+    // Xlib would call exit(), be it on a worker's thread: that destroys what all other threads still use, and
+    // the driver's threads with it. It is asked by name because GLFW may have no X11, or load it by itself.
+    using Handler = int (*)(void* display);
+    using SetHandler = Handler (*)(Handler);
+    static void (*last)() = nullptr;
+    last = action;
+    void* xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+    const auto set = xlib ? reinterpret_cast<SetHandler>(::dlsym(xlib, "XSetIOErrorHandler")) : nullptr;
+    if (set)
+        set([](void* /*display*/) -> int {
+            last();
+            std::_Exit(EXIT_FAILURE);
+        });
 }
 
 double Window::frameSeconds() const {

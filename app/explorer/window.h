@@ -44,6 +44,10 @@ public:
     /// Ends a wait, from any thread: there is news to show.
     static void wake();
 
+    /// What is done on X11 when the display goes away, on the thread that notices it; then the program ends
+    /// with status 1. For the rest of the process.
+    static void whenDisplayIsLost(void (*action)());
+
     [[nodiscard]] double frameSeconds() const; ///< how long the monitor shows a frame
     [[nodiscard]] static double now() { return steadySeconds(); }
 

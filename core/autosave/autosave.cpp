@@ -33,6 +33,7 @@ struct Autosave::State {
               const std::string& fileHash);
     void writeWhereNobodyElseDoes();
     bool write();
+    bool writeAlone(bool& hasProblem);
     Result<void> put(const UnsavedScene& draft);
 };
 
@@ -95,6 +96,14 @@ Result<void> Autosave::State::put(const UnsavedScene& draft) {
 }
 
 bool Autosave::State::write() {
+    bool hasProblem = false;
+    const bool written = writeAlone(hasProblem);
+    if (hasProblem && wake)
+        wake(); // without a lock: where that finds the display gone, what is left is written
+    return written;
+}
+
+bool Autosave::State::writeAlone(bool& hasProblem) {
     const std::scoped_lock one(writing);
     std::optional<UnsavedScene> draft;
     {
@@ -117,8 +126,7 @@ bool Autosave::State::write() {
     failing = !written;
     if (failing && !due)
         due = clock() + untilRetry;
-    if (problem && wake)
-        wake();
+    hasProblem = problem.has_value();
     return written.has_value();
 }
 

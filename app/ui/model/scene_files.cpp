@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 /// The same of a file that becomes one of a source's images; absolute while the scene was never saved.
 std::string nameIn(const ImageSource& images, const fs::path& file) {
     return images.directory().empty() ? absolutePath(file).generic_string()
