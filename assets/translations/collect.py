@@ -146,6 +146,8 @@ def texts_of_lesson(lesson):
         yield lesson["source"]
     for step in lesson["steps"]:
         yield from (step["title"], step["text"])
+        if "fallback" in step:
+            yield step["fallback"]["text"]
         if "try" in step:
             yield step["try"]
         if "match" in step:

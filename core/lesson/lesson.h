@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -71,7 +72,7 @@ struct Predict {
     std::string question;
     std::vector<Answer> answers; ///< fewestAnswers to mostAnswers
     std::size_t right = 0;       ///< which of them is
-    std::string reason; ///< why; "{color}" and the other words of reason.h stand for numbers of the probe
+    std::string reason;          ///< why
 
     bool operator==(const Predict&) const = default;
 };
@@ -84,6 +85,15 @@ struct Match {
     bool operator==(const Match&) const = default;
 };
 
+/// How a scene is drawn where it uses more texture units than there are.
+struct Fallback {
+    std::string text;        ///< says so
+    std::vector<Edit> edits; ///< made last
+
+    bool operator==(const Fallback&) const = default;
+};
+
+/// In its texts "{color}" and the other words of numbers.h stand for numbers of the pixel that it probes.
 struct Step {
     std::string title;
     std::string text;        ///< two or three sentences
@@ -91,6 +101,7 @@ struct Step {
     std::vector<Edit> edits; ///< made to it
     Look look;
     std::variant<std::monostate, Try, Predict, Match> task;
+    std::optional<Fallback> fallback{}; ///< also of the steps that go on with its scene
 
     bool operator==(const Step&) const = default;
 };
@@ -158,5 +169,6 @@ struct Lesson {
 
 /// Every text that a reader sees, in order, for a catalogue.
 [[nodiscard]] std::vector<std::string> textsOf(const Lesson& lesson);
+[[nodiscard]] std::vector<std::string> textsOf(const Step& step);
 
 } // namespace texplorer::lesson

@@ -192,6 +192,11 @@ void readStep(const Json& json, const std::string& where, std::optional<Error>& 
     members.text("text", step.text, true);
     members.text("scene", step.scene, false);
     readEdits(members, step.edits, 0);
+    if (const Json* fallback = members.find("fallback")) {
+        Members alternative(*fallback, where + "/fallback", problem);
+        alternative.text("text", step.fallback.emplace().text, true);
+        readEdits(alternative, step.fallback->edits, 1);
+    }
     if (const Json* look = members.find("look"))
         readLook(*look, where + "/look", problem, step.look);
     readTask(members, step);
@@ -320,23 +325,28 @@ Result<Lesson> parseLesson(std::string_view text) {
     return lesson;
 }
 
+std::vector<std::string> textsOf(const Step& step) {
+    std::vector<std::string> texts{step.title, step.text};
+    if (step.fallback)
+        texts.push_back(step.fallback->text);
+    if (const auto* task = std::get_if<Try>(&step.task))
+        texts.push_back(task->task);
+    if (const auto* match = std::get_if<Match>(&step.task))
+        texts.push_back(match->task);
+    if (const auto* predict = std::get_if<Predict>(&step.task)) {
+        texts.push_back(predict->question);
+        std::ranges::transform(predict->answers, std::back_inserter(texts), &Answer::text);
+        texts.push_back(predict->reason);
+    }
+    return texts;
+}
+
 std::vector<std::string> textsOf(const Lesson& lesson) {
     std::vector<std::string> texts{lesson.title, lesson.about};
     if (!lesson.source.empty())
         texts.push_back(lesson.source);
-    for (const Step& step : lesson.steps) {
-        texts.insert(texts.end(), {step.title, step.text});
-        if (const auto* task = std::get_if<Try>(&step.task))
-            texts.push_back(task->task);
-        if (const auto* match = std::get_if<Match>(&step.task))
-            texts.push_back(match->task);
-        if (const auto* predict = std::get_if<Predict>(&step.task)) {
-            texts.push_back(predict->question);
-            for (const Answer& answer : predict->answers)
-                texts.push_back(answer.text);
-            texts.push_back(predict->reason);
-        }
-    }
+    for (const Step& step : lesson.steps)
+        std::ranges::copy(textsOf(step), std::back_inserter(texts));
     for (const LessonKey& key : lesson.keys) {
         texts.push_back(key.label);
         if (const auto* cycle = std::get_if<Cycle>(&key.effect))

@@ -150,12 +150,20 @@ ChosenChoices choicesOf(const Scene& scene, const std::vector<LessonKey>& keys,
 }
 
 Result<void> pressKey(Scene& scene, const std::vector<LessonKey>& keys, ChosenChoices& chosen,
-                      std::size_t key) {
+                      std::size_t key, int units) {
     ChosenChoices next = choicesOf(scene, keys, chosen);
-    next[key] = (next[key] + 1) % std::max<std::size_t>(1, choicesIn(keys[key]).size());
-    if (const Result<void> made = makeChoices(scene, keys, next, groupOf(keys, key)); !made)
-        return made;
-    chosen = std::move(next);
+    const std::size_t count = choicesIn(keys[key]).size();
+    for (std::size_t tried = 0; tried < count; ++tried) {
+        next[key] = (next[key] + 1) % count;
+        Scene edited = scene;
+        if (const Result<void> made = makeChoices(edited, keys, next, groupOf(keys, key)); !made)
+            return made;
+        if (unitsUsed(edited) <= std::max(units, unitsUsed(scene))) {
+            scene = std::move(edited);
+            chosen = std::move(next);
+            break;
+        }
+    }
     return {};
 }
 

@@ -18,9 +18,10 @@ using ChosenChoices = std::vector<std::size_t>;
                                       const ChosenChoices& remembered);
 
 /// A press of a key that goes through choices: the next one of it, and of the keys that have parameters in
-/// common with it their own again. Errors: those of makeEdits; nothing has changed then.
+/// common with it their own again. A choice that takes more than `units` texture units is passed over.
+/// Errors: those of makeEdits; nothing has changed then.
 [[nodiscard]] Result<void> pressKey(Scene& scene, const std::vector<LessonKey>& keys, ChosenChoices& chosen,
-                                    std::size_t key);
+                                    std::size_t key, int units = maxUnits);
 
 /// So many times what it adds. A model's spin changes from where the model is at `time`: it doesn't jump.
 /// Errors: those of setParam, OutOfRange where the number has come to its end.

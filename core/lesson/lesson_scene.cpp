@@ -3,33 +3,18 @@
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/example/example.h"
-#include "core/lesson/lesson_keys.h"
-#include "core/lesson/match.h"
-#include "core/lesson/reason.h"
+#include "core/lesson/lesson_place.h"
 #include "core/preset/preset.h"
-#include "core/reference/false_colors.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
-#include "core/scene/renderer.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <functional>
-#include <set>
 
 namespace texplorer::lesson {
 namespace {
-
-std::string placeOf(std::size_t step) {
-    return fmt::format("/steps/{}", step);
-}
-
-Error at(const std::string& place, const Error& error) {
-    return {error.code, error.message,
-            error.where.empty() ? place : fmt::format("{}: {}", place, error.where)};
-}
 
 Result<Scene> sceneNamed(const LessonFolder& folder, const std::string& name) {
     if (folder.has(name)) {
@@ -104,125 +89,35 @@ Result<void> loadImages(const LessonFolder& folder, LessonScene& step, StepImage
     return images == StepImages::Read ? step.images.load(step.scene) : Result<void>();
 }
 
-/// The scene that a step names, or the nearest before it, and what the steps since then have edited.
-Result<LessonScene> sceneOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step) {
+/// The scene that a step names, or the nearest before it, and what the steps since then have edited. Its
+/// fallback is that of the step that names it, or of one that goes on with it.
+struct FoundScene {
+    Scene scene;
+    const Fallback* fallback;
+    std::size_t step; ///< whose fallback it is
+};
+
+Result<FoundScene> sceneOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step) {
     const Step& here = lesson.steps[step];
-    if (here.scene.empty() && step > 0)
-        return sceneOf(folder, lesson, step - 1).and_then([&](LessonScene before) -> Result<LessonScene> {
-            if (const Result<void> made = makeEdits(before.scene, here.edits); !made)
-                return fail(at(placeOf(step), made.error()));
-            return before;
-        });
-    Result<Scene> scene = sceneNamed(folder, here.scene);
-    if (!scene)
-        return fail(at(placeOf(step) + "/scene", scene.error()));
-    LessonScene start{*std::move(scene), ImageSource{folder.path()}};
-    if (const Result<void> made = makeEdits(start.scene, here.edits); !made)
+    const auto begin = [&]() -> Result<FoundScene> {
+        if (here.scene.empty() && step > 0)
+            return sceneOf(folder, lesson, step - 1);
+        Result<Scene> scene = sceneNamed(folder, here.scene);
+        if (!scene)
+            return fail(at(placeOf(step) + "/scene", scene.error()));
+        return FoundScene{*std::move(scene), nullptr, step};
+    };
+    Result<FoundScene> found = begin();
+    if (!found)
+        return found;
+    if (const Result<void> made = makeEdits(found->scene, here.edits); !made)
         return fail(at(placeOf(step), made.error()));
-    return start;
-}
-
-using Problems = std::vector<Error>;
-
-/// With edits that change the scene, and name no file that the step hasn't loaded.
-Result<LessonScene> checkedEdits(const LessonScene& start, const std::vector<Edit>& edits) {
-    Result<LessonScene> scene = withEdits(start, edits);
-    if (!scene)
-        return scene;
-    for (const std::string& file : filesOf(scene->scene)) {
-        if (!scene->images.holds(file))
-            return fail(ErrorCode::NotFound, "the step's own scene has no such image", file);
+    if (here.fallback) {
+        found->fallback = &*here.fallback;
+        found->step = step;
     }
-    return scene;
+    return found;
 }
-
-/// A name of a table that the window would pass over.
-template<class Rows, class NameOf>
-void checkName(std::string_view name, const Rows& rows, const NameOf& nameOf, const std::string& where,
-               Problems& problems) {
-    std::string names;
-    for (const auto& row : rows) {
-        if (name == nameOf(row))
-            return;
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", nameOf(row));
-    }
-    problems.push_back(
-        {ErrorCode::NotFound, fmt::format("expected one of {}, found {}", names, inQuotes(name)), where});
-}
-
-void checkLook(const Look& look, const Scene& scene, const std::string& place, Problems& problems) {
-    const auto rowName = [](const EnumRow& row) { return row.name; };
-    if (!look.param.empty()) {
-        if (const Result<std::string> value = getParam(scene, look.param); !value)
-            problems.push_back(at(place + "/param", value.error()));
-    }
-    if (!look.tab.empty())
-        checkName(look.tab, lookTabs, std::identity{}, place + "/tab", problems);
-    if (!look.figure.empty())
-        checkName(look.figure, lookFigures, std::identity{}, place + "/figure", problems);
-    if (!look.shown.empty())
-        checkName(look.shown, EnumTable<reference::Shown>::rows, rowName, place + "/shown", problems);
-    for (std::size_t from = 0; from < look.renderer.size();) {
-        const std::size_t end = std::min(look.renderer.find(',', from), look.renderer.size());
-        checkName(look.renderer.substr(from, end - from), EnumTable<RendererKind>::rows, rowName,
-                  place + "/renderer", problems);
-        from = end + 1;
-    }
-}
-
-void checkTask(const Predict& predict, const LessonScene& start, const std::string& place,
-               Problems& problems) {
-    std::vector<Image> pictures;
-    for (std::size_t i = 0; i < predict.answers.size(); ++i) {
-        const std::vector<Edit>& edits = predict.answers[i].edits;
-        if (edits.empty())
-            continue;
-        const std::string where = fmt::format("{}/predict/answers/{}", place, i);
-        const Result<LessonScene> scene = checkedEdits(start, edits);
-        if (!scene) {
-            problems.push_back(at(where, scene.error()));
-            continue;
-        }
-        Result<Image> picture = drawSmall(*scene);
-        if (!picture)
-            problems.push_back(at(where, picture.error()));
-        else if (std::ranges::any_of(pictures, [&](const Image& other) { return areAlike(other, *picture); }))
-            problems.push_back(
-                {ErrorCode::Malformed, "its picture can't be told from that of another answer", where});
-        else
-            pictures.push_back(*std::move(picture));
-    }
-    if (const Result<void> words = checkReason(predict.reason); !words)
-        problems.push_back(at(place + "/predict/reason", words.error()));
-}
-
-void checkTask(const Match& match, const LessonScene& start, const std::string& place, Problems& problems) {
-    const std::string where = place + "/match";
-    const Result<LessonScene> target = checkedEdits(start, match.edits);
-    if (!target)
-        return problems.push_back(at(where, target.error()));
-    const Result<Grade> grade = gradeMatch(start.scene, target->scene, start.images);
-    if (!grade)
-        problems.push_back(at(where, grade.error()));
-    else if (grade->passed)
-        problems.push_back({ErrorCode::Malformed, "its picture is that of the step's own scene", where});
-}
-
-/// Each has to do something in one step at least.
-void checkKeys(const std::vector<LessonKey>& keys, const std::vector<Scene>& starts, Problems& problems) {
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        Result<void> last;
-        const bool works = std::ranges::any_of(starts, [&](const Scene& scene) {
-            last = checkKey(scene, keys[i]);
-            return last.has_value();
-        });
-        if (!works && !last)
-            problems.push_back(at(fmt::format("/keys/{}", i), last.error()));
-    }
-}
-
-void checkTask(const Try&, const LessonScene&, const std::string&, Problems&) {}
-void checkTask(const std::monostate&, const LessonScene&, const std::string&, Problems&) {}
 
 } // namespace
 
@@ -269,33 +164,31 @@ Result<LessonScene> withEdits(const LessonScene& start, const std::vector<Edit>&
     return scene;
 }
 
-Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step,
-                            StepImages images) {
-    Result<LessonScene> start = sceneOf(folder, lesson, step);
-    if (!start)
-        return start;
-    if (const Result<void> loaded = loadImages(folder, *start, images); !loaded)
-        return fail(at(placeOf(step) + "/scene", loaded.error()));
-    return start;
+int unitsUsed(const Scene& scene) {
+    int used = 0;
+    for (const Pass& pass : scene.passes) {
+        for (int unit = 0; pass.enabled && unit < maxUnits; ++unit) {
+            if (pass.units[static_cast<std::size_t>(unit)].enabled)
+                used = std::max(used, unit + 1);
+        }
+    }
+    return used;
 }
 
-Problems checkLesson(const LessonFolder& folder, const Lesson& lesson) {
-    Problems problems;
-    std::vector<Scene> starts;
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        const Step& step = lesson.steps[i];
-        const Result<LessonScene> start = startOf(folder, lesson, i);
-        if (!start) {
-            problems.push_back(start.error());
-            continue;
-        }
-        const std::string place = placeOf(i);
-        checkLook(step.look, start->scene, place + "/look", problems);
-        std::visit([&](const auto& task) { checkTask(task, *start, place, problems); }, step.task);
-        starts.push_back(start->scene);
+Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step,
+                            StepImages images, int units) {
+    Result<FoundScene> found = sceneOf(folder, lesson, step);
+    if (!found)
+        return fail(found.error());
+    LessonScene start{std::move(found->scene), ImageSource{folder.path()}};
+    if (found->fallback && unitsUsed(start.scene) > units) {
+        if (const Result<void> made = makeEdits(start.scene, found->fallback->edits); !made)
+            return fail(at(placeOf(found->step) + "/fallback", made.error()));
+        start.fallback = found->fallback->text;
     }
-    checkKeys(lesson.keys, starts, problems);
-    return problems;
+    if (const Result<void> loaded = loadImages(folder, start, images); !loaded)
+        return fail(at(placeOf(step) + "/scene", loaded.error()));
+    return start;
 }
 
 } // namespace texplorer::lesson

@@ -20,11 +20,16 @@ double distance(const Image& a, const Image& b) {
 
 } // namespace
 
-Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop) {
+Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop, PictureSize size) {
     reference::DrawOptions options;
     options.stop = std::move(stop);
-    return reference::drawReference({scene.scene, scene.images, 0, smallWidth, smallHeight}, options)
-        .map([](Frame frame) { return std::move(frame.image); });
+    return reference::drawReference({scene.scene, scene.images, 0, size.width, size.height}, options)
+        .map([](Frame frame) {
+            // What a background's alpha lets through would be different on a page and in a window.
+            for (std::size_t alpha = 3; alpha < frame.image.pixels.size(); alpha += 4)
+                frame.image.pixels[alpha] = std::byte{255};
+            return std::move(frame.image);
+        });
 }
 
 bool areAlike(const Image& a, const Image& b) {

@@ -14,7 +14,8 @@ inline constexpr int smallWidth = 192;
 inline constexpr int smallHeight = 144;
 
 /// Errors: those of ReferenceRenderer::draw.
-[[nodiscard]] Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop = {});
+[[nodiscard]] Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop = {},
+                                      PictureSize size = {smallWidth, smallHeight});
 
 /// Whether nobody could tell two such pictures apart: as conform holds two renderers to its rule for the
 /// edges of texels, at most a pixel in a thousand differs by more than 2.

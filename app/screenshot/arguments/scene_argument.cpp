@@ -100,12 +100,15 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
              fmt::format("the lesson has the steps 1 to {}, and no {}", lesson->steps.size(), argument.step),
              "--step"},
             wrongCall);
-    const Result<lesson::LessonScene> start = startOf(*folder, *lesson, argument.step - 1);
+    const Result<lesson::LessonScene> start =
+        startOf(*folder, *lesson, argument.step - 1, lesson::StepImages::Read, argument.units);
     if (!start)
         return problem(start.error(), failure);
     Result<lesson::LessonScene> scene = sceneOfTask(argument, lesson->steps[argument.step - 1], *start);
     if (!scene)
         return problem(scene.error(), wrongCall);
+    if (!scene->fallback.empty())
+        warn({ErrorCode::Unsupported, scene->fallback, "--lesson"});
     return OpenedScene{std::move(scene->scene), std::move(scene->images)};
 }
 

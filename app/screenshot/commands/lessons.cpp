@@ -9,17 +9,20 @@
 #include "app/ui/language/lesson_catalogue.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
-#include "core/lesson/lesson_scene.h"
-#include "core/lesson/reason.h"
+#include "core/lesson/lesson_check.h"
+#include "core/lesson/numbers.h"
+#include "core/scene/params/param_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <set>
 
 namespace texplorer::screenshot {
 namespace {
@@ -54,33 +57,31 @@ Result<std::string> lessonsText() {
     return text;
 }
 
-/// What a step asks, with the numbers of its reason.
-Result<Json> taskJson(const lesson::Step& step, const lesson::LessonFolder& folder,
-                      const lesson::Lesson& lesson, std::size_t index) {
-    Json task = Json::object();
+/// A step, with the numbers of its texts as a page has them.
+Result<Json> stepJson(const lesson::LessonFolder& folder, const lesson::Lesson& lesson, std::size_t index) {
+    const lesson::Step& step = lesson.steps[index];
+    const Result<lesson::StepNumbers> numbers =
+        startOf(folder, lesson, index).and_then([&](const lesson::LessonScene& start) {
+            return numbersOf(start, step, lesson::pageSize);
+        });
+    if (!numbers)
+        return fail(numbers.error());
+    const lesson::Numbers& start = numbers->start;
+    Json json{{"title", step.title}, {"text", start.in(step.text)}, {"task", taskOf(step)}};
+    if (step.fallback)
+        json["fallback"] = step.fallback->text;
     if (const auto* attempt = std::get_if<lesson::Try>(&step.task))
-        task["try"] = attempt->task;
+        json["try"] = start.in(attempt->task);
     if (const auto* match = std::get_if<lesson::Match>(&step.task))
-        task["match"] = match->task;
-    const auto* predict = std::get_if<lesson::Predict>(&step.task);
-    if (!predict)
-        return task;
-    const Result<std::string> reason =
-        startOf(folder, lesson, index)
-            .and_then([&](const lesson::LessonScene& start) {
-                return withEdits(start, predict->answers[predict->right].edits);
-            })
-            .and_then([&](const lesson::LessonScene& scene) {
-                return reasonOf(predict->reason, scene, step.look.probeX, step.look.probeY);
-            });
-    if (!reason)
-        return fail(reason.error());
-    task["question"] = predict->question;
-    for (const lesson::Answer& answer : predict->answers)
-        task["answers"].push_back(answer.text);
-    task["right"] = predict->right;
-    task["reason"] = *reason;
-    return task;
+        json["match"] = start.in(match->task);
+    if (const auto* predict = std::get_if<lesson::Predict>(&step.task)) {
+        json["question"] = start.in(predict->question);
+        for (const lesson::Answer& answer : predict->answers)
+            json["answers"].push_back(start.in(answer.text));
+        json["right"] = predict->right;
+        json["reason"] = numbers->answered.in(predict->reason);
+    }
+    return json;
 }
 
 Result<std::string> lessonsJson() {
@@ -92,12 +93,10 @@ Result<std::string> lessonsJson() {
             return fail(found.error());
         Json steps = Json::array();
         for (std::size_t i = 0; i < found->steps.size(); ++i) {
-            const lesson::Step& step = found->steps[i];
-            const Result<Json> task = taskJson(step, *folder, *found, i);
-            if (!task)
-                return fail(task.error());
-            steps.push_back({{"title", step.title}, {"text", step.text}, {"task", taskOf(step)}});
-            steps.back().update(*task);
+            Result<Json> step = stepJson(*folder, *found, i);
+            if (!step)
+                return fail(step.error());
+            steps.push_back(*std::move(step));
         }
         list.push_back({{"name", name},
                         {"title", found->title},
@@ -118,6 +117,39 @@ ExitCode printProblems(const std::string& file, const std::vector<Error>& proble
     return printed ? problems.empty() ? success : failure : complain(printed.error());
 }
 
+bool hasLetters(const std::string& text) {
+    return std::ranges::any_of(text, [](unsigned char each) { return std::isalpha(each) != 0; });
+}
+
+/// What is wrong with the translations beside a lesson: one that can't be read, a text that it hasn't, a text
+/// that the lesson hasn't any more. `where` is the file.
+std::vector<Error> checkCatalogues(const lesson::LessonFolder& folder, const lesson::Lesson& lesson) {
+    std::set<std::string> texts;
+    for (const std::string& text : textsOf(lesson))
+        texts.insert(ui::Catalogue::keyOf(text));
+    std::vector<Error> problems;
+    for (const ui::LanguageRow& row : ui::languageRows) {
+        const auto catalogue = readLessonCatalogue(folder, row.language);
+        if (!catalogue)
+            problems.push_back(catalogue.error());
+        if (!catalogue || !*catalogue)
+            continue;
+        const std::string file = ui::catalogueFileOf(row.language);
+        const std::set<std::string> keys = (*catalogue)->keys();
+        for (const std::string& text : texts) {
+            if (hasLetters(text) && !keys.contains(text))
+                problems.push_back(
+                    {ErrorCode::NotFound, fmt::format("expected a translation of {}", inQuotes(text)), file});
+        }
+        for (const std::string& key : keys) {
+            if (!texts.contains(key))
+                problems.push_back({ErrorCode::NotFound,
+                                    fmt::format("the lesson has no text {} any more", inQuotes(key)), file});
+        }
+    }
+    return problems;
+}
+
 ExitCode check(const std::string& path, bool json) {
     const lesson::LessonFolder folder = lesson::LessonFolder::onDisk(path);
     const Result<lesson::Lesson> found = readLesson(folder);
@@ -126,10 +158,7 @@ ExitCode check(const std::string& path, bool json) {
         return json ? printProblems(found.error().where, {found.error()}, 0) : status;
     }
     std::vector<Error> problems = checkLesson(folder, *found);
-    for (const ui::LanguageRow& row : ui::languageRows) {
-        if (const auto catalogue = readLessonCatalogue(folder, row.language); !catalogue)
-            problems.push_back(catalogue.error());
-    }
+    std::ranges::move(checkCatalogues(folder, *found), std::back_inserter(problems));
     const std::string file = (folder.path() / lesson::lessonFileName).string();
     for (const Error& problem : problems)
         (void)complain({problem.code, describe(problem), file});
@@ -248,10 +277,11 @@ void addLessons(CommandLine& line) {
         command.flag("--json", options->json,
                      "As JSON, for programs: \"lessons\" (name, title, source, about, steps); with "
                      "--check \"file\", \"steps\" and \"problems\" (where, sentence).");
-    const Option& check =
-        command.option("--check", options->checked,
-                       "Look for mistakes in a lesson's folder: every scene is opened, every answer drawn.",
-                       {.value = "DIR"});
+    const Option& check = command.option(
+        "--check", options->checked,
+        "Look for mistakes in a lesson's folder: every scene is opened, every answer drawn, every "
+        "mark probed in pictures of several sizes, every translation compared with the texts.",
+        {.value = "DIR"});
     const Option& page = command.option(
         "--page", options->page,
         "Write the lessons as a page for a browser or a printer into a folder: index.html with every step, "

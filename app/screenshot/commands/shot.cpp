@@ -87,15 +87,26 @@ void noteMetadata(const ShotOptions& options, const CodecRow& format) {
         noteUnused("--no-metadata", "it is for PNG files");
 }
 
+/// The scene that a request is about, as the driver that is pretended has it; the reference asks none.
+SceneArgument sceneFor(const ShotOptions& options, const ShotRequest& request, const std::string& file) {
+    SceneArgument argument = options.scene;
+    argument.file = file;
+    if (request.window || request.renderer != RendererKind::Reference) {
+        view::Capabilities driver;
+        driver.textureUnits = maxUnits;
+        argument.units = request.pretence.of(std::move(driver)).textureUnits;
+    }
+    return argument;
+}
+
 ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,
                   ShotReport* report) {
     const auto output = openImageOutput(name, "PNG");
     if (!output)
         return output.error();
     noteMetadata(options, *output->format);
-    SceneArgument argument = options.scene;
-    if (!options.files.empty())
-        argument.file = options.files.front();
+    const SceneArgument argument =
+        sceneFor(options, request, options.files.empty() ? std::string() : options.files.front());
     auto opened = openScene(argument);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
@@ -110,15 +121,14 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
 
 /// The scenes that can be read, with their axes; the others' sentences are said. The error is the exit status
 /// of a wrong call.
-tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions& options,
-                                                               ShotReport* report) {
+tl::expected<std::vector<ShotList::Entry>, ExitCode>
+entriesOf(const ShotOptions& options, const ShotRequest& request, ShotReport* report) {
     std::vector<ShotList::Entry> entries;
     std::vector<std::string> files = options.files;
     if (files.empty())
         files.emplace_back();
     for (const std::string& file : files) {
-        SceneArgument argument = options.scene;
-        argument.file = file;
+        const SceneArgument argument = sceneFor(options, request, file);
         auto opened = openScene(argument);
         if (!opened && opened.error().code == wrongCall)
             return tl::unexpected(complain(inScene(argument, opened.error().error), wrongCall));
@@ -159,7 +169,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, Pictur
     if (!format)
         return complain(format.error(), wrongCall);
     noteMetadata(options, **format);
-    auto entries = entriesOf(options, report);
+    auto entries = entriesOf(options, request, report);
     if (!entries)
         return entries.error();
     if (entries->empty()) {
@@ -206,9 +216,9 @@ ExitCode shoot(const ShotOptions& options, ShotReport* report) {
     if (!pattern)
         return complain({pattern.error().code, pattern.error().message, "--out"}, wrongCall);
     PictureKinds kinds{*std::move(renderers), *std::move(sizes), *std::move(times)};
+    request->renderer = kinds.renderers.front();
     if (options.files.size() > 1 || !options.axes.empty() || kinds.count() > 1 || !pattern->places().empty())
         return shootAll(options, *pattern, std::move(kinds), *std::move(request), report);
-    request->renderer = kinds.renderers.front();
     request->size = kinds.sizes.front();
     request->time = kinds.times.front();
     const auto noPlaces = [](const std::string& /*place*/) { return std::string(); };

@@ -68,6 +68,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     session.window.settings.theme = request.theme;
     session.window.settings.language = request.language;
     session.window.systemLanguage = ui::languageOfSystem();
+    session.window.textureUnits = (*graphics)->capabilities().textureUnits;
     const bool hasLesson = !request.lesson.empty();
     if (hasLesson) {
         if (const Result<void> opened = ui::openLessonNamed(session, request.lesson, request.lessonStep);

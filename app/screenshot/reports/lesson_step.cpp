@@ -5,7 +5,7 @@
 #include "core/codec/png/png.h"
 #include "core/image/convert.h"
 #include "core/lesson/match.h"
-#include "core/lesson/reason.h"
+#include "core/lesson/numbers.h"
 #include "core/reference/draw.h"
 #include "core/reference/false_colors.h"
 
@@ -19,23 +19,26 @@ namespace {
 
 using lesson::LessonScene;
 
-constexpr int stepWidth = 320; // of a step's picture; others are as the window has them
-constexpr int stepHeight = 240;
-
 class StepWriter {
 public:
-    StepWriter(const PageLesson& lesson, std::size_t index, LessonScene start, const std::stop_token& stop)
+    StepWriter(const PageLesson& lesson, std::size_t index, LessonScene start, lesson::StepNumbers numbers,
+               const std::stop_token& stop)
         : lesson_(lesson)
         , step_(lesson.lesson.steps[index])
         , index_(index)
         , place_(fmt::format("{}-{}", lesson.anchor, index + 1))
         , start_(std::move(start))
+        , numbers_(std::move(numbers))
         , stop_(stop) {}
 
     Result<PageStep> write();
 
 private:
     [[nodiscard]] const PageWords& words() const { return lesson_.words; }
+    /// A text of the step with its numbers.
+    [[nodiscard]] std::string textHtml(const std::string& english) const {
+        return htmlOf(numbers_.start.in(words().text(english)));
+    }
     [[nodiscard]] std::string& section() { return out_.section; }
 
     Result<void> writeTask(const std::monostate& /*task*/) { return {}; }
@@ -56,6 +59,7 @@ private:
     std::size_t index_;
     std::string place_; ///< "wrap-3"
     LessonScene start_;
+    lesson::StepNumbers numbers_;
     std::stop_token stop_;
     PageStep out_;
 };
@@ -76,7 +80,7 @@ Result<PageStep> StepWriter::write() {
                                                look.probeX / 10.0, look.probeY / 10.0);
     section() += fmt::format("<section class=\"step\" id=\"{}\">\n<div class=\"told\">\n<h3>{}. {}</h3>\n"
                              "<figure class=\"shown\">{}{}</figure>\n<p>{}</p>\n",
-                             place_, index_ + 1, htmlOf(title), *shown, mark, words().textHtml(step_.text));
+                             place_, index_ + 1, htmlOf(title), *shown, mark, textHtml(step_.text));
     const auto* const figure = std::ranges::find(ui::figureRows, look.figure, &ui::FigureRow::name);
     if (figure != ui::figureRows.end())
         section() += fmt::format("<p class=\"source\">{}</p>\n",
@@ -95,8 +99,8 @@ Result<PageStep> StepWriter::write() {
 }
 
 void StepWriter::writeTaskText(const std::string& kind, const std::string& english) {
-    section() += fmt::format("<p class=\"task\"><b>{}.</b> {}</p>\n", words().wordHtml(kind),
-                             words().textHtml(english));
+    section() +=
+        fmt::format("<p class=\"task\"><b>{}.</b> {}</p>\n", words().wordHtml(kind), textHtml(english));
 }
 
 void StepWriter::writeHidden(const std::string& summary, const std::string& html) {
@@ -126,17 +130,11 @@ Result<void> StepWriter::writeTask(const lesson::Predict& predict) {
                 return fail(shown.error());
             picture = *std::move(shown);
         }
-        list += fmt::format("<li>{}{}</li>\n", picture, words().textHtml(answer.text));
+        list += fmt::format("<li>{}{}</li>\n", picture, textHtml(answer.text));
     }
     section() += fmt::format("<ol class=\"answers{}\">\n{}</ol>\n", isPictured ? " pictured" : "", list);
-    const Result<std::string> reason =
-        withEdits(start_, predict.answers[predict.right].edits).and_then([&](const LessonScene& scene) {
-            return reasonOf(words().text(predict.reason), scene, step_.look.probeX, step_.look.probeY);
-        });
-    if (!reason)
-        return fail(reason.error());
-    writeHidden("The right answer",
-                fmt::format("{}. {}", static_cast<char>('A' + predict.right), htmlOf(*reason)));
+    writeHidden("The right answer", fmt::format("{}. {}", static_cast<char>('A' + predict.right),
+                                                htmlOf(numbers_.answered.in(words().text(predict.reason)))));
     return {};
 }
 
@@ -171,7 +169,8 @@ Result<Image> StepWriter::pictureWith(const std::vector<lesson::Edit>& edits) co
 
 /// As the step shows it: false colours where the window has them.
 Result<Image> StepWriter::shownPicture() const {
-    const reference::DrawRequest request{start_.scene, start_.images, 0, stepWidth, stepHeight};
+    const auto [width, height] = lesson::pageSize;
+    const reference::DrawRequest request{start_.scene, start_.images, 0, width, height};
     reference::DrawOptions drawing;
     drawing.threads = 1; // other steps are drawn beside it
     drawing.stop = stop_;
@@ -207,7 +206,11 @@ Result<PageStep> pageStep(const PageLesson& lesson, std::size_t index, const std
         return fail(start.error().code, describe(start.error()),
                     path.empty() ? lesson.folder.name() : (path / lesson::lessonFileName).string());
     }
-    return StepWriter(lesson, index, *std::move(start), stop).write();
+    Result<lesson::StepNumbers> numbers =
+        numbersOf(*start, lesson.lesson.steps[index], lesson::pageSize, stop);
+    if (!numbers)
+        return fail(numbers.error());
+    return StepWriter(lesson, index, *std::move(start), *std::move(numbers), stop).write();
 }
 
 } // namespace texplorer::screenshot

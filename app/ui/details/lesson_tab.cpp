@@ -26,9 +26,9 @@ using lesson::Predict;
 using lesson::Step;
 using lesson::Try;
 
-/// A text of the lesson, as wide as the panel.
+/// A text of the step, as wide as the panel.
 void lessonText(const LessonRun& run, const std::string& english) {
-    plainWrappedText(run.text(english));
+    plainWrappedText(run.stepText(english));
 }
 
 void lessonTextIn(ImU32 ink, const std::string& words) {
@@ -111,7 +111,7 @@ ImU32 answerInk(const LessonRun& run, const Predict& predict, std::size_t answer
 
 /// What is said of it, in a sign too, for whom colours are the same.
 std::string answerName(const LessonRun& run, const Predict& predict, std::size_t answer) {
-    const std::string words = run.text(predict.answers[answer].text);
+    const std::string words = run.stepText(predict.answers[answer].text);
     if (run.answer != answer)
         return words;
     return fmt::format("{} {}", answer == predict.right ? "●" : "✕", words);
@@ -205,10 +205,10 @@ void drawTask(Session& session, const LessonRun& run, const Predict& predict, co
     if (*run.answer != predict.right) {
         lessonTextIn(color::problem, tr(std::string("Not this one. Look again, or try it in the window.")));
         noteItem("not this one");
-    } else if (run.reason.empty()) {
+    } else if (const std::string reason = run.reason(); reason.empty()) {
         dimText("Working out the numbers…");
     } else {
-        lessonTextIn(color::text, run.reason);
+        lessonTextIn(color::text, reason);
         noteItem("reason");
     }
     scrollToVerdict(session, top);
@@ -310,6 +310,8 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     lessonTextIn(color::chosen, fmt::format("{}. {}", run.step + 1, run.text(step.title)));
     noteItem("lesson title");
     lessonText(run, step.text);
+    if (!run.start.fallback.empty())
+        lessonTextIn(color::dim, run.text(run.start.fallback));
     for (const std::string& note : imageNotes(run.start))
         dimWrappedText(note);
     space();

@@ -2,7 +2,7 @@
 
 #include "core/scene/params/param_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -283,6 +283,19 @@ Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language) {
     return Catalogue::parse(language, files).map([](Catalogue catalogue) {
         return std::unique_ptr<const Catalogue>(std::make_unique<Catalogue>(std::move(catalogue)));
     });
+}
+
+std::string Catalogue::keyOf(std::string_view text) {
+    return fmt::format("{}", fmt::join(piecesOf(text), "{}"));
+}
+
+std::set<std::string> Catalogue::keys() const {
+    std::set<std::string> keys;
+    for (const auto& [key, translation] : whole_)
+        keys.insert(key);
+    for (const Entry& entry : entries_)
+        keys.insert(fmt::format("{}", fmt::join(entry.pieces, "{}")));
+    return keys;
 }
 
 std::optional<std::string> Catalogue::translate(std::string_view english, const Names& names) const {

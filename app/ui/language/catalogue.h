@@ -47,6 +47,10 @@ public:
     [[nodiscard]] std::optional<std::string> translate(std::string_view english,
                                                        const Names& names = {}) const;
 
+    /// Every key that has a translation, each of its places as "{}", and a text as such a key.
+    [[nodiscard]] std::set<std::string> keys() const;
+    [[nodiscard]] static std::string keyOf(std::string_view text);
+
     /// Every text that a translation is made of, for a font that has its letters.
     [[nodiscard]] const std::string& letters() const { return letters_; }
 

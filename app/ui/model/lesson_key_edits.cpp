@@ -27,7 +27,7 @@ void pressLessonKey(Session& session, std::size_t key, float times) {
         return;
     }
     sealEdit(session);
-    if (pressKey(scene, run->lesson.keys, run->chosen, key))
+    if (pressKey(scene, run->lesson.keys, run->chosen, key, session.window.textureUnits))
         recordEdit(session, words);
     run->keyed = scene;
     sealEdit(session);

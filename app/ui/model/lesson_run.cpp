@@ -132,7 +132,8 @@ void begin(Session& session) {
     readyKeys(run);
     run.wantedScroll = LessonRun::Scroll::Top;
     run.answer.reset();
-    run.reason.clear();
+    run.numbers.reset();
+    run.numbersFor = {};
     run.pictures.reset();
     run.grade.reset();
     run.asked.reset();
@@ -224,6 +225,22 @@ void receiveImages(Session& session, LessonRun& run) {
     askPictures(session, run);
 }
 
+/// Those of the step's scene in the picture that is shown.
+void followNumbers(Session& session, LessonRun& run, lesson::PictureSize picture) {
+    LessonWork& work = session.services.lessons;
+    if (std::optional<lesson::StepNumbers> numbers = work.takeNumbers()) {
+        if (run.answer && !run.numbers)
+            run.wantedScroll = LessonRun::Scroll::Verdict;
+        run.numbers = std::move(numbers);
+    }
+    if (picture.width < 1 || picture.height < 1)
+        picture = lesson::pageSize; // a panel covers it
+    if (run.awaitsImages || run.numbersFor == picture)
+        return;
+    run.numbersFor = picture;
+    work.askNumbers(run.start, stepOf(run), picture);
+}
+
 void followMatch(Session& session, LessonRun& run) {
     LessonWork& work = session.services.lessons;
     Scene compared = comparedScene(run, *run.target, session.document.scene);
@@ -252,6 +269,16 @@ std::string LessonRun::text(const std::string& english) const {
     return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(english);
 }
 
+std::string LessonRun::stepText(const std::string& english) const {
+    return (numbers ? numbers->start : lesson::Numbers("…")).in(text(english));
+}
+
+std::string LessonRun::reason() const {
+    const auto* predict = std::get_if<Predict>(&stepOf(*this).task);
+    return predict && numbers && answer == predict->right ? numbers->answered.in(text(predict->reason))
+                                                          : std::string();
+}
+
 Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
                         std::optional<std::size_t> step) {
     Result<lesson::Lesson> lesson = readLesson(folder);
@@ -266,7 +293,8 @@ Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
     }
     const std::size_t last = lesson->steps.size() - 1;
     const std::size_t first = step.value_or(0) > last ? 0 : step.value_or(0);
-    Result<lesson::LessonScene> start = startOf(folder, *lesson, first, lesson::StepImages::Leave);
+    Result<lesson::LessonScene> start =
+        startOf(folder, *lesson, first, lesson::StepImages::Leave, session.window.textureUnits);
     if (!start)
         return fail(start.error());
     session.window.lesson = std::make_shared<LessonRun>(folder, *std::move(lesson), first, *std::move(start));
@@ -299,7 +327,8 @@ void goToLessonStep(Session& session, std::size_t step) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
     if (!run || step >= run->lesson.steps.size())
         return;
-    Result<lesson::LessonScene> start = startOf(run->folder, run->lesson, step, lesson::StepImages::Leave);
+    Result<lesson::LessonScene> start =
+        startOf(run->folder, run->lesson, step, lesson::StepImages::Leave, session.window.textureUnits);
     if (!start)
         return say(session, start.error());
     run->step = step;
@@ -325,8 +354,6 @@ void answerQuestion(Session& session, std::size_t answer) {
     record.done = true;
     const lesson::LessonScene scene =
         withEdits(run.start, predict->answers[answer].edits).value_or(run.start);
-    const lesson::Look& place = stepOf(run).look;
-    session.services.lessons.askReason(run.text(predict->reason), scene, place.probeX, place.probeY);
     if (!predict->answers[answer].edits.empty()) {
         endStanding(session);
         session.document.scene = scene.scene;
@@ -336,10 +363,13 @@ void answerQuestion(Session& session, std::size_t answer) {
     }
 }
 
-void followLesson(Session& session) {
+void followLesson(Session& session, const LessonPlace& place) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
+    const bool hasFewer = std::exchange(session.window.textureUnits, place.units) > place.units;
     if (!run)
         return;
+    if (hasFewer && lesson::unitsUsed(run->start.scene) > place.units)
+        goToLessonStep(session, run->step);
     translateTexts(*run);
     if (run->hasChanged && session.window.dialog == Dialog::None)
         reloadLesson(session);
@@ -347,11 +377,8 @@ void followLesson(Session& session) {
     LessonWork& work = session.services.lessons;
     if (auto pictures = work.takePictures())
         run->pictures = std::move(pictures);
-    if (std::optional<std::string> reason = work.takeReason()) {
-        run->reason = *std::move(reason);
-        run->wantedScroll = LessonRun::Scroll::Verdict;
-    }
     receiveImages(session, *run);
+    followNumbers(session, *run, place.picture);
     if (run->target && !run->awaitsImages)
         followMatch(session, *run);
 }
@@ -364,7 +391,8 @@ void reloadLesson(Session& session) {
         return tellProblem(session, lesson.error());
     run.files = filesOfLesson(run.folder, *lesson, run.language);
     const std::size_t step = std::min(run.step, lesson->steps.size() - 1);
-    Result<lesson::LessonScene> start = startOf(run.folder, *lesson, step, lesson::StepImages::Leave);
+    Result<lesson::LessonScene> start =
+        startOf(run.folder, *lesson, step, lesson::StepImages::Leave, session.window.textureUnits);
     const std::string file = (run.folder.path() / lesson::lessonFileName).string();
     if (!start)
         return tellProblem(session, {start.error().code, describe(start.error()), file});

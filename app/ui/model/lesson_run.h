@@ -31,10 +31,11 @@ struct LessonRun {
     std::string key; ///< see progressKey
     lesson::Lesson lesson;
     std::size_t step = 0;
-    lesson::LessonScene start;         ///< what the step begins with
-    std::optional<Scene> target;       ///< to be reached; none: the step has no such task
-    std::optional<std::size_t> answer; ///< the one that was chosen
-    std::string reason;                ///< with its numbers, soon after the right one was
+    lesson::LessonScene start;                  ///< what the step begins with
+    std::optional<Scene> target;                ///< to be reached; none: the step has no such task
+    std::optional<std::size_t> answer;          ///< the one that was chosen
+    std::optional<lesson::StepNumbers> numbers; ///< of its texts; none: they are being found
+    lesson::PictureSize numbersFor;             ///< the picture for which they were asked for
     /// What the tab comes to be scrolled to with the next frame that shows it.
     enum class Scroll { None, Top, Verdict };
     Scroll wantedScroll = Scroll::None;
@@ -58,6 +59,10 @@ struct LessonRun {
 
     /// A text of the lesson in the window's language.
     [[nodiscard]] std::string text(const std::string& english) const;
+    /// One of the step's, with its numbers.
+    [[nodiscard]] std::string stepText(const std::string& english) const;
+    /// Why the right answer is right, once it was chosen.
+    [[nodiscard]] std::string reason() const;
 };
 
 /// Opens it at the step where one was, in place of the scene, which is lost: see askLesson. Errors: those of
@@ -79,9 +84,16 @@ void goToLessonStep(Session& session, std::size_t step);
 /// What the student thinks. The right answer shows its picture's scene, and soon why.
 void answerQuestion(Session& session, std::size_t answer);
 
-/// To be called once a frame: takes what is ready, asks for the grade of a scene that has changed, and for a
-/// hint where one is wanted.
-void followLesson(Session& session);
+/// What shows it: the picture in the view, and the driver.
+struct LessonPlace {
+    lesson::PictureSize picture;
+    int units = maxUnits; ///< how many texture units the driver has
+};
+
+/// To be called once a frame: takes what is ready, asks for the grade of a scene that has changed, for a hint
+/// where one is wanted, and for the numbers of another picture. A driver that turns out to have fewer texture
+/// units begins the step anew.
+void followLesson(Session& session, const LessonPlace& place);
 
 /// The files of a lesson's folder have changed: it is read again, and the step that is shown stays where it
 /// was; where one can't be read or says something wrong, everything stays, and the user is told.

@@ -1,7 +1,5 @@
 #include "app/ui/model/lesson_work.h"
 
-#include "core/lesson/reason.h"
-
 #include <utility>
 
 namespace texplorer::ui {
@@ -47,14 +45,14 @@ LessonWork::LessonWork(When when, std::function<void()> wake)
                                         : std::nullopt);
           },
           [](const Question& /*question*/, const Error& /*error*/) { return std::optional<Hinted>(); })
-    , reasons_(
+    , numbers_(
           {.when = when, .order = JobOrder::NewestWins, .wake = std::move(wake)},
-          [](const ReasonWorker::Task& task) {
-              const Reason& job = task.job();
-              const Result<std::string> reason = lesson::reasonOf(job.text, job.scene, job.x, job.y);
-              return std::optional(reason ? *reason : describe(reason.error()));
+          [](const NumberWorker::Task& task) {
+              const Marked& marked = task.job();
+              return std::optional(numbersOf(marked.start, marked.step, marked.picture, task.superseded())
+                                       .value_or(lesson::StepNumbers{}));
           },
-          [](const Reason& /*job*/, const Error& error) { return describe(error); }) {}
+          [](const Marked& /*marked*/, const Error& /*error*/) { return lesson::StepNumbers{}; }) {}
 
 void LessonWork::askPictures(std::vector<Pictured> scenes) {
     pictures_.clear();
@@ -70,9 +68,9 @@ void LessonWork::askHint(Scene scene, Scene target, ImageSource images) {
     hints_.ask({std::move(scene), std::move(target), std::move(images)});
 }
 
-void LessonWork::askReason(std::string reason, lesson::LessonScene scene, int x, int y) {
-    reasons_.clear();
-    reasons_.ask({std::move(reason), std::move(scene), x, y});
+void LessonWork::askNumbers(lesson::LessonScene start, lesson::Step step, lesson::PictureSize picture) {
+    numbers_.clear();
+    numbers_.ask({std::move(start), std::move(step), picture});
 }
 
 std::shared_ptr<const LessonWork::Pictures> LessonWork::takePictures() {
@@ -90,8 +88,8 @@ std::optional<LessonWork::Hinted> LessonWork::takeHint() {
     return made.empty() ? std::nullopt : std::move(made.back());
 }
 
-std::optional<std::string> LessonWork::takeReason() {
-    std::vector<std::string> made = reasons_.take();
+std::optional<lesson::StepNumbers> LessonWork::takeNumbers() {
+    std::vector<lesson::StepNumbers> made = numbers_.take();
     return made.empty() ? std::nullopt : std::optional(std::move(made.back()));
 }
 
@@ -99,7 +97,7 @@ void LessonWork::rest() {
     pictures_.clear();
     grades_.clear();
     hints_.clear();
-    reasons_.clear();
+    numbers_.clear();
 }
 
 } // namespace texplorer::ui

@@ -3,18 +3,17 @@
 #include "core/base/worker.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/lesson/match.h"
+#include "core/lesson/numbers.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
 namespace texplorer::ui {
 
-/// Draws the small pictures of a lesson, compares them, looks for hints and for a reason's numbers, for a
-/// window that must not wait. All functions are to be called from one thread.
+/// Draws the small pictures of a lesson, compares them, looks for hints and for the numbers of its texts, for
+/// a window that must not wait. All functions are to be called from one thread.
 class LessonWork {
 public:
     /// `wake` is called on the thread that works whenever there is something new.
@@ -34,8 +33,8 @@ public:
     /// Which parameter brings the scene nearest.
     void askHint(Scene scene, Scene target, ImageSource images);
 
-    /// The numbers of a pixel are put into a text, as lesson::reasonOf does it.
-    void askReason(std::string reason, lesson::LessonScene scene, int x, int y);
+    /// The numbers of a step's texts, in a picture of this size.
+    void askNumbers(lesson::LessonScene start, lesson::Step step, lesson::PictureSize picture);
 
     struct Graded {
         Scene scene;
@@ -48,7 +47,8 @@ public:
     [[nodiscard]] std::shared_ptr<const Pictures> takePictures();
     [[nodiscard]] std::optional<Graded> takeGrade();
     [[nodiscard]] std::optional<Hinted> takeHint();
-    [[nodiscard]] std::optional<std::string> takeReason();
+    /// Without numbers where they can't be found.
+    [[nodiscard]] std::optional<lesson::StepNumbers> takeNumbers();
 
     void rest();
 
@@ -61,18 +61,17 @@ private:
     };
     using GradeWorker = Worker<Question, std::optional<Graded>>;
     using HintWorker = Worker<Question, std::optional<Hinted>>;
-    struct Reason {
-        std::string text;
-        lesson::LessonScene scene;
-        int x;
-        int y;
+    struct Marked {
+        lesson::LessonScene start;
+        lesson::Step step;
+        lesson::PictureSize picture;
     };
-    using ReasonWorker = Worker<Reason, std::string>;
+    using NumberWorker = Worker<Marked, lesson::StepNumbers>;
 
     PictureWorker pictures_;
     GradeWorker grades_;
     HintWorker hints_;
-    ReasonWorker reasons_;
+    NumberWorker numbers_;
 };
 
 } // namespace texplorer::ui

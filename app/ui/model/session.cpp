@@ -6,7 +6,7 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/timeline_edits.h"
-#include "core/lesson/match.h"
+#include "core/lesson/numbers.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/key_edits.h"
@@ -50,6 +50,17 @@ void showStep(Session& session, const Scene& scene) {
     leaveHiddenModel(session);
     bringSelectionBack(session);
     session.document.lastChanged.clear();
+}
+
+/// Where a lesson's mark is in the picture, whatever size that gets.
+void placeMark(Session& session, lesson::PictureSize picture) {
+    std::optional<WantedProbe>& wanted = session.window.wantedProbe;
+    std::optional<reference::PixelPlace>& explained = session.window.explaining.pixel;
+    const bool isLeft = wanted && wanted->pixel && explained != wanted->pixel; // for another one, or none
+    if (isLeft || !session.window.lesson)
+        wanted.reset();
+    if (wanted)
+        explained = wanted->pixel = lesson::pixelOf(wanted->x, wanted->y, picture);
 }
 
 } // namespace
@@ -111,15 +122,7 @@ void settle(Session& session, const Layout& layout) {
     followShape(session.document, session.window.playback.time, aspectOf(layout));
     bringSelectionBack(session);
     followKept(session);
-    if (const std::optional<WantedProbe> wanted = std::exchange(session.window.wantedProbe, std::nullopt)) {
-        // Of a picture in the shape of the lesson's: whatever the view's, both show the same height.
-        const int height = layout.picture.height;
-        const int width = layout.picture.width;
-        const int x =
-            width / 2 + (wanted->x - 500) * height * lesson::smallWidth / lesson::smallHeight / 1000;
-        session.window.explaining.pixel = reference::PixelPlace{
-            std::clamp(x, 0, std::max(0, width - 1)), std::max(0, height - 1 - wanted->y * height / 1000)};
-    }
+    placeMark(session, {layout.picture.width, layout.picture.height});
 }
 
 bool isMoving(const Session& session) {

@@ -35,6 +35,7 @@ struct LessonRun; // see lesson_run.h
 struct WantedProbe {
     int x = 0;
     int y = 0;
+    std::optional<reference::PixelPlace> pixel{}; ///< which it is in the picture that is shown
 };
 
 struct Playback {
@@ -97,7 +98,7 @@ struct DocumentLook {
     Plane plane;
     std::string shownParam;         ///< the parameter that was scrolled to, framed until the next click
     std::optional<Preview> preview; ///< the view shows it: see preview.h
-    /// A pixel that is explained as soon as the view's size is known, in thousandths from the upper left.
+    /// A pixel that is explained, in thousandths from the upper left, until the user chooses another one.
     std::optional<WantedProbe> wantedProbe;
     Explaining explaining;
     LevelView levels;
@@ -149,6 +150,7 @@ struct WindowState : DocumentLook {
 
     bool wantsSearch = false; ///< the keyboard goes to the search among the parameters with the next frame
 
+    int textureUnits = maxUnits;          ///< that the driver has, as far as is known
     std::shared_ptr<LessonRun> lesson;    ///< nullptr: none is open
     Figure figure = Figure::Environments; ///< of the tab of figures
     SheetChoice sheet;

@@ -147,7 +147,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         if (workspace.maximised == Maximised::View)
             workspace.maximised = Maximised::None;
     }
-    followLesson(session);
+    followLesson(session, {{layout.picture.width, layout.picture.height}, capabilities.textureUnits});
     if (std::exchange(states.documents, session.documents) != session.documents)
         forgetDocument(states);
     session.window.explaining.isOpen = isShown(workspace, Tab::Explain);

@@ -1,5 +1,5 @@
 #include "core/base/file_io.h"
-#include "core/lesson/lesson_scene.h"
+#include "core/lesson/lesson_check.h"
 #include "tests/support/temp_dir.h"
 
 #include <fmt/core.h>

@@ -38,7 +38,7 @@ TEST(LessonJson, IsReadAsItIsWritten) {
                          "answers": [{"text": "one"}, {"text": "two", "edits": ["x="]}]}},
             {"title": "S3", "text": "T3", "scene": "other.json",
              "match": {"task": "M", "edits": ["x=1"]}},
-            {"title": "S4", "text": "T4"}]})");
+            {"title": "S4", "text": "T4", "fallback": {"text": "F", "edits": ["x=2"]}}]})");
     ASSERT_TRUE(read) << describe(read.error());
     Lesson lesson{"L", "Chapter 2", "A", {}};
     lesson.steps.push_back({"S1",
@@ -50,10 +50,10 @@ TEST(LessonJson, IsReadAsItIsWritten) {
     lesson.steps.push_back(
         {"S2", "T2", "", {}, {}, Predict{"Q", {{"one", {}}, {"two", {{"x", ""}}}}, 1, "R"}});
     lesson.steps.push_back({"S3", "T3", "other.json", {}, {}, Match{"M", {{"x", "1"}}}});
-    lesson.steps.push_back({"S4", "T4", "", {}, {}, {}});
+    lesson.steps.push_back({"S4", "T4", "", {}, {}, {}, Fallback{"F", {{"x", "2"}}}});
     EXPECT_EQ(*read, lesson);
     EXPECT_THAT(textsOf(lesson), ElementsAre("L", "A", "Chapter 2", "S1", "T1", "Turn it.", "S2", "T2", "Q",
-                                             "one", "two", "R", "S3", "T3", "M", "S4", "T4"));
+                                             "one", "two", "R", "S3", "T3", "M", "S4", "T4", "F"));
 }
 
 struct Refused {

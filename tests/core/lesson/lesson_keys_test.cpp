@@ -56,6 +56,19 @@ protected:
     }
 };
 
+/// NeHe 22: useMultitexture = !useMultitexture && multitextureSupported.
+TEST_F(LessonKeys, PassOverWhatTakesMoreUnitsThanThereAre) {
+    scene.passes[0].units[0].enabled = true;
+    scene.passes[0].units[1].enabled = true;
+    scene.passes[1].units[0].enabled = true;
+    ASSERT_TRUE(pressKey(scene, keys, chosen, 0, 1));
+    EXPECT_THAT(passesOf(scene), ElementsAre(false, true, true, false));
+    ASSERT_TRUE(pressKey(scene, keys, chosen, 0, 1));
+    EXPECT_THAT(passesOf(scene), ElementsAre(false, true, true, false)) << "pass 0 takes two";
+    ASSERT_TRUE(pressKey(scene, keys, chosen, 0, 2));
+    EXPECT_THAT(passesOf(scene), ElementsAre(true, false, true, false));
+}
+
 TEST_F(LessonKeys, KnowWhichChoicesASceneHas) {
     EXPECT_THAT(chosen, ElementsAre(0, 0, 0, 1, 0)) << "GL_LINEAR is the initial value";
     scene.passes[0].enabled = false;

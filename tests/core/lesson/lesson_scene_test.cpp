@@ -1,5 +1,6 @@
 #include "core/base/file_io.h"
 #include "core/example/example.h"
+#include "core/lesson/lesson_check.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/lesson/match.h"
 #include "core/scene/params/json.h"
@@ -259,6 +260,55 @@ TEST_F(LessonScenes, LeaveImagesThatAreReadLater) {
     EXPECT_FALSE(start());
     writePictured("s.json", "../red.bmp");
     EXPECT_FALSE(startOf(folder, lesson, 0, StepImages::Leave));
+}
+
+/// NeHe's rule: units > 1 ? two : one.
+TEST_F(LessonScenes, FallBackWhereTheyUseMoreUnitsThanThereAre) {
+    lesson.steps = {stepOf("nehe-bumps-2-units"), stepOf("", {{"material.shininess", "5"}}), stepOf("cube")};
+    lesson.steps[0].fallback = Fallback{"One unit.", {{"passes[0].units[1].enabled", "false"}}};
+    for (const std::size_t step : {0U, 1U}) {
+        const LessonScene two = startOf(folder, lesson, step, StepImages::Read, 2).value();
+        EXPECT_EQ(unitsUsed(two.scene), 2);
+        EXPECT_EQ(two.fallback, "");
+        const LessonScene one = startOf(folder, lesson, step, StepImages::Read, 1).value();
+        EXPECT_EQ(unitsUsed(one.scene), 1);
+        EXPECT_EQ(one.fallback, "One unit.");
+        EXPECT_EQ(one.scene.material.shininess, two.scene.material.shininess);
+    }
+    EXPECT_EQ(startOf(folder, lesson, 2, StepImages::Read, 1)->fallback, "");
+    EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_F(LessonScenes, AreCheckedForFallbacksThatAreNone) {
+    lesson.steps = {stepOf("nehe-bumps-2-units"), stepOf("nehe-bumps-2-units"), stepOf("cube")};
+    lesson.steps[0].fallback = Fallback{"F {s}", {{"material.shininess", "5"}}};
+    lesson.steps[1].fallback = Fallback{"F", {{"no", "5"}}};
+    lesson.steps[2].fallback = Fallback{"F", {{"material.shininess", "5"}}};
+    std::vector<std::string> found;
+    for (const Error& problem : problems())
+        found.push_back(describe(problem));
+    EXPECT_THAT(found, ElementsAre(HasSubstr("/steps/0/fallback/text"), HasSubstr("found one with 2"),
+                                   HasSubstr("/steps/1/fallback: edits/0"), HasSubstr("nothing needs it")));
+}
+
+/// What differs lies at the sides, which a picture that is higher than wide hasn't.
+TEST_F(LessonScenes, AreCheckedForATaskThatIsMetInSomePicture) {
+    Scene scene;
+    scene.view.projection = Projection::Orthographic;
+    scene.view.fieldOfView = 90;
+    scene.view.distance = 1;
+    scene.models.resize(1);
+    scene.models[0].shape = Shape::Quad;
+    scene.models[0].scale = {0.2F, 0.2F, 1};
+    scene.models[0].position = {0, 0, 0};
+    write("s.json", writeScene(scene));
+    lesson.steps = {stepOf("s.json")};
+    lesson.steps[0].task = Match{"M", {{"models[0].visible", "false"}}};
+    EXPECT_THAT(problems(), IsEmpty());
+    scene.models[0].position = {1.1F, 0, 0};
+    write("s.json", writeScene(scene));
+    EXPECT_THAT(problems(), ElementsAre(AllOf(Field(&Error::where, "/steps/0/match"),
+                                              Field(&Error::message, HasSubstr("144 x 192")))));
 }
 
 TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {

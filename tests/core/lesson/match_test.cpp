@@ -94,6 +94,16 @@ TEST(Match, StopsWhenItIsTold) {
     EXPECT_FALSE(hintFor(defaultScene(), defaultScene(), ImageSource{}, stop.get_token()));
 }
 
+/// On a page a background with an alpha of 0 would be white paper, and answers that differ in alpha alike.
+TEST(SmallPictures, AreOpaque) {
+    Scene scene = defaultScene();
+    scene.view.background = {0, 0, 0, 0};
+    const Image picture = drawSmall({scene, ImageSource{}}).value();
+    for (std::size_t alpha = 3; alpha < picture.pixels.size(); alpha += 4)
+        ASSERT_EQ(picture.pixels[alpha], std::byte{255});
+    EXPECT_EQ(picture.pixels[0], std::byte{0}) << "and as black as it was";
+}
+
 TEST(SmallPictures, AreAlikeUpToAPixelInAThousand) {
     const Image one = drawSmall({defaultScene(), ImageSource{}}).value();
     EXPECT_EQ(one.width, smallWidth);

@@ -88,6 +88,27 @@ class LessonPage(Texshot):
         self.assertEqual([each["src"] for each in page.images],
                          ["mine-1.png", "mine-1-answer-1.png", "mine-1-answer-2.png", "mine-2.png", "mine-2-reached.png"])
 
+    def test_answers_can_be_told_apart_on_paper(self):
+        """What an alpha of 0 leaves is no white paper: blocks 9 asks for ramps of alpha that end in black."""
+        self.page("--lesson", "blocks", "--lesson", "objects")
+        pictures = sorted((self.path / "out").glob("*.png"))
+        self.assertIn("blocks-9-answer-2.png", [each.name for each in pictures])
+        for each in pictures:
+            with Image.open(each) as picture:
+                self.assertEqual(picture.convert("RGBA").getextrema()[3], (255, 255), each.name)
+        with Image.open(self.path / "out/blocks-9-answer-2.png") as picture:
+            self.assertEqual(picture.convert("L").getextrema()[0], 0, "the half whose alpha is 0")
+
+    def test_numbers_are_those_of_the_page_s_picture(self):
+        text = html.unescape(self.page("--lesson", "laboratory"))
+        self.assertNotRegex(text.split("<main>")[1].split("<pre")[0], r"\{\w+\}")
+        # The mark of the first step, 500 and 417 thousandths of 320 x 240.
+        probed = json.loads(self.succeeds("probe", "--lesson", "laboratory", "--at", "160,100", "--size", "320x240", "--json"))
+        lod = probed["fragments"][-1]["units"][0]["lod"]
+        side, up = lod["texelsPerPixelX"], lod["texelsPerPixelY"]
+        self.assertIn(f"lie {side:.2f} texels to the side, and {up:.2f} upwards. What is its lambda?", text)
+        self.assertIn(f"Rho is the larger of the two, {up:.2f}, and log2 of it is {lod['log2Rho']:.2f}", text)
+
     def test_a_lesson_s_keys_and_a_step_s_figure_are_told(self):
         text = self.page("--lesson", "bumps")
         self.assertIn("Keys in the window: <kbd>E</kbd>", text)

@@ -89,6 +89,39 @@ class Checking(Lessons):
             with self.subTest(step=step):
                 self.says(self.lesson(step), *expected)
 
+    def test_numbers_and_marks(self):
+        """What depends on the picture's size, and what has no number."""
+        probed = json.loads(self.succeeds("probe", "--example", "checker", "--at", "156,115", "--size", "320x240", "--json"))
+        rho = f"{probed['fragments'][-1]['units'][0]['lod']['rho']:.2f}"
+        mark = {"look": {"probe": [490, 480]}}
+        for step, *expected in [
+                ({**STEP, **mark, "scene": "checker", "text": f"Rho is {rho}."}, "/steps/0/text", f"{rho} is {{", "expected the word"),
+                ({**STEP, "text": "It is {color}."}, "/steps/0/text", "{color}", "probe"),
+                ({**STEP, "look": {"probe": [1, 1]}}, "/steps/0/look/probe", "nothing is drawn"),
+                ({**STEP, **mark, "scene": "checker", "text": "{texel}", "edits": ["passes[0].units[0].enabled=false"]},
+                 "/steps/0/text", "{texel} has no number"),
+                ({**STEP, "fallback": {"text": "F", "edits": ["view.distance=9"]}}, "/steps/0/fallback", "nothing needs it"),
+        ]:
+            with self.subTest(step=step):
+                self.says(self.lesson(step), *expected)
+        self.succeeds("lessons", "--check", self.lesson({**STEP, **mark, "scene": "checker", "text": "Rho is {rho}."}))
+
+    def test_translations_are_those_of_the_texts(self):
+        folder = self.lesson({**STEP, "text": "Two {color}s.", "scene": "checker", "look": {"probe": [490, 480]}})
+
+        def catalogue(**texts):
+            entries = {"Small": "Klein", "A": "Ein", "S": "Schritt", "Two {}s.": "Zwei {}.", **texts}
+            (folder / "ru.po").write_text("".join(f'msgid "{key}"\nmsgstr "{text}"\n\n' for key, text in entries.items()))
+
+        catalogue()
+        self.succeeds("lessons", "--check", folder)
+        catalogue(Old="Alt")
+        self.says(folder, "ru.po", "no text \"Old\" any more")
+        catalogue(Small="")
+        self.says(folder, "ru.po", "expected a translation of \"Small\"")
+        catalogue(**{"Two {}s.": "Zwei."})
+        self.says(folder, "ru.po", "places")
+
     def test_a_picture_that_is_missing_or_lies_elsewhere(self):
         folder = self.lesson({**STEP, "scene": "scene.json"})
         (self.path / "outside.bmp").write_bytes(bmp(2, 2, lambda x, y: (255, 0, 0)))
@@ -171,6 +204,18 @@ class Drawing(Lessons):
         self.assertIsNotNone(self.difference(start, reached))
         self.succeeds("check", "--lesson", "wrap")
         self.assertIn(b"pixel", self.succeeds("probe", "--lesson", "wrap", "--at", "10,10").lower())
+
+    def test_one_unit_is_fallen_back_on(self):
+        """NeHe 22: units > 1 ? two : one. Step 8 draws with one unit, whatever there is."""
+        wanted = self.shot("--lesson", "bumps", "--step", "8", "--size", "320x240")
+        for pretence in "units=1", "no-multitexture":
+            result = texshot("shot", "--lesson", "bumps", "--pretend", pretence, "--size", "320x240", "-o", "-")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn(b"three passes draw the cube instead of two", result.stderr)
+            self.assertNotIn(b"unit 1", result.stderr)
+            self.assertIsNone(self.difference(wanted, Image.open(io.BytesIO(result.stdout)).convert("RGBA")))
+        two = self.shot("--lesson", "bumps", "--size", "320x240")
+        self.assertIsNotNone(self.difference(wanted, two), "the plate of multitexturing, at least")
 
     def test_wrong_calls(self):
         folder = self.lesson(self.MATCH, self.PREDICT)

@@ -98,8 +98,8 @@ TEST_F(LessonTab, TakesAnswersUntilTheRightOne) {
     EXPECT_EQ(record(1), (StepRecord{true, 2, 0}));
     frames(2);
     EXPECT_TRUE(has("reason"));
-    EXPECT_THAT(run().reason, testing::HasSubstr("integer part is 1"));
-    EXPECT_THAT(run().reason, Not(testing::HasSubstr("{")));
+    EXPECT_THAT(run().reason(), testing::HasSubstr("integer part is 1"));
+    EXPECT_THAT(run().reason(), Not(testing::HasSubstr("{")));
     EXPECT_EQ(texture().wrapT, Wrap::MirroredRepeat);
 }
 

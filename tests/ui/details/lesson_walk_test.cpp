@@ -119,7 +119,7 @@ protected:
         press(fmt::format("answer:{}", predict.right + 1));
         frames(2);
         EXPECT_TRUE(has("reason"));
-        EXPECT_NE(run().reason, "");
+        EXPECT_NE(run().reason(), "");
     }
     void doTask(const lesson::Match& /*match*/) {
         EXPECT_FALSE(isDone());

@@ -144,7 +144,7 @@ TEST_F(LessonKeys, AreClickedAsWell) {
 }
 
 TEST_F(LessonKeys, DoNothingWhereTheSceneHasNotWhatTheyChange) {
-    open(1); // a relief of one pass and two images
+    open(1); // a relief without the lit bricks
     EXPECT_TRUE(has("lesson key:M"));
     EXPECT_FALSE(has("lesson key:M=two units"));
     const Scene before = scene();

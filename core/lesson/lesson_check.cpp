@@ -1,0 +1,177 @@
+#include "core/lesson/lesson_check.h"
+
+#include "core/lesson/lesson_keys.h"
+#include "core/lesson/lesson_place.h"
+#include "core/lesson/mark_check.h"
+#include "core/lesson/match.h"
+#include "core/lesson/numbers.h"
+#include "core/reference/false_colors.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+#include "core/scene/renderer.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace texplorer::lesson {
+namespace {
+
+using Problems = std::vector<Error>;
+
+/// With edits that change the scene, and name no file that the step hasn't loaded.
+Result<LessonScene> checkedEdits(const LessonScene& start, const std::vector<Edit>& edits) {
+    Result<LessonScene> scene = withEdits(start, edits);
+    if (!scene)
+        return scene;
+    for (const std::string& file : filesOf(scene->scene)) {
+        if (!scene->images.holds(file))
+            return fail(ErrorCode::NotFound, "the step's own scene has no such image", file);
+    }
+    return scene;
+}
+
+/// A name of a table that the window would pass over.
+template<class Rows, class NameOf>
+void checkName(std::string_view name, const Rows& rows, const NameOf& nameOf, const std::string& where,
+               Problems& problems) {
+    std::string names;
+    for (const auto& row : rows) {
+        if (name == nameOf(row))
+            return;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", nameOf(row));
+    }
+    problems.push_back(
+        {ErrorCode::NotFound, fmt::format("expected one of {}, found {}", names, inQuotes(name)), where});
+}
+
+void checkLook(const Look& look, const Scene& scene, const std::string& place, Problems& problems) {
+    const auto rowName = [](const EnumRow& row) { return row.name; };
+    if (!look.param.empty()) {
+        if (const Result<std::string> value = getParam(scene, look.param); !value)
+            problems.push_back(at(place + "/param", value.error()));
+    }
+    if (!look.tab.empty())
+        checkName(look.tab, lookTabs, std::identity{}, place + "/tab", problems);
+    if (!look.figure.empty())
+        checkName(look.figure, lookFigures, std::identity{}, place + "/figure", problems);
+    if (!look.shown.empty())
+        checkName(look.shown, EnumTable<reference::Shown>::rows, rowName, place + "/shown", problems);
+    for (std::size_t from = 0; from < look.renderer.size();) {
+        const std::size_t end = std::min(look.renderer.find(',', from), look.renderer.size());
+        checkName(look.renderer.substr(from, end - from), EnumTable<RendererKind>::rows, rowName,
+                  place + "/renderer", problems);
+        from = end + 1;
+    }
+}
+
+void checkTask(const Predict& predict, const LessonScene& start, const std::string& place,
+               Problems& problems) {
+    std::vector<Image> pictures;
+    for (std::size_t i = 0; i < predict.answers.size(); ++i) {
+        const std::vector<Edit>& edits = predict.answers[i].edits;
+        if (edits.empty())
+            continue;
+        const std::string where = fmt::format("{}/predict/answers/{}", place, i);
+        const Result<LessonScene> scene = checkedEdits(start, edits);
+        if (!scene) {
+            problems.push_back(at(where, scene.error()));
+            continue;
+        }
+        Result<Image> picture = drawSmall(*scene);
+        if (!picture)
+            problems.push_back(at(where, picture.error()));
+        else if (std::ranges::any_of(pictures, [&](const Image& other) { return areAlike(other, *picture); }))
+            problems.push_back(
+                {ErrorCode::Malformed, "its picture can't be told from that of another answer", where});
+        else
+            pictures.push_back(*std::move(picture));
+    }
+}
+
+/// The shapes in which a picture that is to be reached is drawn: beside the task, on a page, in a high
+/// window.
+constexpr std::array shapes{PictureSize{smallWidth, smallHeight}, PictureSize{320, 240},
+                            PictureSize{smallHeight, smallWidth}};
+
+void checkTask(const Match& match, const LessonScene& start, const std::string& place, Problems& problems) {
+    const std::string where = place + "/match";
+    const Result<LessonScene> target = checkedEdits(start, match.edits);
+    if (!target)
+        return problems.push_back(at(where, target.error()));
+    for (const PictureSize& shape : shapes) {
+        const Result<Image> given = drawSmall(start, {}, shape);
+        const Result<Image> wanted = drawSmall(*target, {}, shape);
+        if (!given || !wanted)
+            return problems.push_back(at(where, given ? wanted.error() : given.error()));
+        if (areAlike(*given, *wanted))
+            return problems.push_back({ErrorCode::Malformed,
+                                       fmt::format("its picture of {} x {} is that of the step's own scene",
+                                                   shape.width, shape.height),
+                                       where});
+    }
+}
+
+/// As a driver with one unit has it.
+void checkFallback(const LessonFolder& folder, const Lesson& lesson, std::size_t step, const Scene& start,
+                   Problems& problems) {
+    const std::string where = placeOf(step) + "/fallback";
+    if (!wordsIn(lesson.steps[step].fallback->text).empty())
+        problems.push_back({ErrorCode::Malformed,
+                            "expected no word in braces: it is said where no picture is", where + "/text"});
+    if (unitsUsed(start) < 2)
+        return problems.push_back(
+            {ErrorCode::Malformed, "the step's scene uses one texture unit, so nothing needs it", where});
+    const Result<LessonScene> instead = startOf(folder, lesson, step, StepImages::Leave, 1);
+    if (!instead)
+        problems.push_back(instead.error());
+    else if (unitsUsed(instead->scene) > 1)
+        problems.push_back({ErrorCode::Malformed,
+                            fmt::format("expected a scene with one texture unit, found one with {}",
+                                        unitsUsed(instead->scene)),
+                            where});
+}
+
+/// Each has to do something in one step at least.
+void checkKeys(const std::vector<LessonKey>& keys, const std::vector<Scene>& starts, Problems& problems) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        Result<void> last;
+        const bool works = std::ranges::any_of(starts, [&](const Scene& scene) {
+            last = checkKey(scene, keys[i]);
+            return last.has_value();
+        });
+        if (!works && !last)
+            problems.push_back(at(fmt::format("/keys/{}", i), last.error()));
+    }
+}
+
+void checkTask(const Try&, const LessonScene&, const std::string&, Problems&) {}
+void checkTask(const std::monostate&, const LessonScene&, const std::string&, Problems&) {}
+
+} // namespace
+
+Problems checkLesson(const LessonFolder& folder, const Lesson& lesson) {
+    Problems problems;
+    std::vector<Scene> starts;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const Step& step = lesson.steps[i];
+        const Result<LessonScene> start = startOf(folder, lesson, i);
+        if (!start) {
+            problems.push_back(start.error());
+            continue;
+        }
+        const std::string place = placeOf(i);
+        checkLook(step.look, start->scene, place + "/look", problems);
+        std::visit([&](const auto& task) { checkTask(task, *start, place, problems); }, step.task);
+        checkMark(*start, step, place, problems);
+        if (step.fallback)
+            checkFallback(folder, lesson, i, start->scene, problems);
+        starts.push_back(start->scene);
+    }
+    checkKeys(lesson.keys, starts, problems);
+    return problems;
+}
+
+} // namespace texplorer::lesson

@@ -1,0 +1,23 @@
+#pragma once
+
+// Where in a lesson.json an error is.
+
+#include "core/base/result.h"
+
+#include <fmt/core.h>
+
+#include <cstddef>
+#include <string>
+
+namespace texplorer::lesson {
+
+[[nodiscard]] inline std::string placeOf(std::size_t step) {
+    return fmt::format("/steps/{}", step);
+}
+
+[[nodiscard]] inline Error at(const std::string& place, const Error& error) {
+    return {error.code, error.message,
+            error.where.empty() ? place : fmt::format("{}: {}", place, error.where)};
+}
+
+} // namespace texplorer::lesson

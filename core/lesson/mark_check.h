@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/lesson/lesson_scene.h"
+
+#include <string>
+#include <vector>
+
+namespace texplorer::lesson {
+
+/// The part of checkLesson that is about a step's mark, and the numbers of its texts; `place` is the step's.
+void checkMark(const LessonScene& start, const Step& step, const std::string& place,
+               std::vector<Error>& problems);
+
+} // namespace texplorer::lesson
