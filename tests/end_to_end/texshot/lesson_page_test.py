@@ -104,7 +104,7 @@ class LessonPage(Texshot):
         self.assertNotRegex(text.split("<main>")[1].split("<pre")[0], r"\{\w+\}")
         # The mark of the first step, 500 and 417 thousandths of 320 x 240.
         probed = json.loads(self.succeeds("probe", "--lesson", "laboratory", "--at", "160,100", "--size", "320x240", "--json"))
-        lod = probed["fragments"][-1]["units"][0]["lod"]
+        lod = probed["fragments"][-1]["units"][0]["sample"]["lod"]
         side, up = lod["texelsPerPixelX"], lod["texelsPerPixelY"]
         self.assertIn(f"lie {side:.2f} texels to the side, and {up:.2f} upwards. What is its lambda?", text)
         self.assertIn(f"Rho is the larger of the two, {up:.2f}, and log2 of it is {lod['log2Rho']:.2f}", text)

@@ -92,7 +92,7 @@ class Checking(Lessons):
     def test_numbers_and_marks(self):
         """What depends on the picture's size, and what has no number."""
         probed = json.loads(self.succeeds("probe", "--example", "checker", "--at", "156,115", "--size", "320x240", "--json"))
-        rho = f"{probed['fragments'][-1]['units'][0]['lod']['rho']:.2f}"
+        rho = f"{probed['fragments'][-1]['units'][0]['sample']['lod']['rho']:.2f}"
         mark = {"look": {"probe": [490, 480]}}
         for step, *expected in [
                 ({**STEP, **mark, "scene": "checker", "text": f"Rho is {rho}."}, "/steps/0/text", f"{rho} is {{", "expected the word"),
