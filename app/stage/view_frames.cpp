@@ -112,7 +112,7 @@ ui::ViewFrame ViewFrames::drawReference(const Subject& subject, ui::Session& ses
         subject.side == view::Side::Now ? session.services.reference : session.services.kept;
     const reference::DrawWorker::Frame& picture =
         worker.frame({subject.scene, subject.images, session.window.playback.time, size.width, size.height,
-                      session.window.view.anisotropy});
+                      session.window.view.anisotropy, session.window.view.rho});
     const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
             {shown, size, picture.milliseconds, picture.problems, false},

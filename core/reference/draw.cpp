@@ -43,8 +43,9 @@ struct ReferenceRenderer::State {
         const bool lit = showsLightDepths(*scene);
         if (!lit && &*scene == &request.scene)
             return request;
-        seen = {*scene,         request.images,     request.time,       request.width,
-                request.height, request.anisotropy, request.cornerBits, request.zeroSwitchOver};
+        seen = {*scene,        request.images,     request.time,
+                request.width, request.height,     request.anisotropy,
+                request.rho,   request.cornerBits, request.zeroSwitchOver};
         if (lit)
             seen.images = lightDepths.addedTo(request.images, seen.scene, request.time, options.stop);
         return seen;

@@ -14,13 +14,14 @@ struct DrawRequest {
     int width = 1;   ///< pixels
     int height = 1;
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
+    RhoMethod rho = RhoMethod::Ideal;
     /// GL_SUBPIXEL_BITS of a driver that computes everything from corners that it has snapped to as many; 0:
     /// what is interpolated is exact, and edges have 8.
     int cornerBits = 0;
     bool zeroSwitchOver = false; ///< see SampleOptions
 
     [[nodiscard]] SampleOptions sampling() const {
-        return {.anisotropy = anisotropy, .zeroSwitchOver = zeroSwitchOver};
+        return {.anisotropy = anisotropy, .rho = rho, .zeroSwitchOver = zeroSwitchOver};
     }
 
     bool operator==(const DrawRequest&) const = default;

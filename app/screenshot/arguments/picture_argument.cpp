@@ -27,12 +27,19 @@ void addPictureArgument(Command& command, PictureArgument& argument, Several sev
                    {.value = "WIDTHxHEIGHT", .showsDefault = true});
     command.option("--time", argument.time, "On the scene's clock, for what moves." + each,
                    {.value = "SECONDS", .showsDefault = true});
-    argument.anisotropyOption = &command.option(
-        "--anisotropy", argument.anisotropy,
-        "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
-        "leaves open." +
-            explainChoices<reference::AnisotropyMethod>(),
-        {.value = "METHOD", .showsDefault = true, .offers = {choiceNames<reference::AnisotropyMethod>}});
+    argument.ofReference = {
+        &command.option(
+            "--anisotropy", argument.anisotropy,
+            "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
+            "leaves open." +
+                explainChoices<reference::AnisotropyMethod>(),
+            {.value = "METHOD", .showsDefault = true, .offers = {choiceNames<reference::AnisotropyMethod>}}),
+        &command.option(
+            "--rho", argument.rho,
+            "How the reference computes rho, the texels a pixel that choose mip levels, of a texture whose max "
+            "anisotropy is 1. OpenGL 2.1, section 3.8.8, allows a range." +
+                explainChoices<reference::RhoMethod>(),
+            {.value = "METHOD", .showsDefault = true, .offers = {choiceNames<reference::RhoMethod>}})};
 }
 
 Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest) {
@@ -70,13 +77,11 @@ Result<std::vector<double>> parseTimes(std::string_view text) {
     return parseEach(text, "--time", parseTime);
 }
 
-void noteAnisotropyUse(const PictureArgument& argument, bool referenceDraws) {
-    if (!referenceDraws && argument.anisotropyOption->isGiven())
-        noteUnused("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
-}
-
-Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {
-    return parseChoice<reference::AnisotropyMethod>(text, "--anisotropy");
+void noteMethodsUse(const PictureArgument& argument, bool referenceDraws) {
+    for (const Option* option : argument.ofReference) {
+        if (!referenceDraws && option->isGiven())
+            noteUnused(option->name(), "OpenGL's driver decides, only the reference has a choice");
+    }
 }
 
 bool parseNumbers(std::string_view text, std::span<int> numbers) {

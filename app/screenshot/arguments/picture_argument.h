@@ -14,13 +14,14 @@ struct PictureArgument {
     std::string size = "1280x800";
     std::string time = "0";
     std::string anisotropy = std::string(rowOf(reference::AnisotropyMethod::Probes).name);
-    const Option* anisotropyOption = nullptr;
+    std::string rho = std::string(rowOf(reference::RhoMethod::Ideal).name);
+    std::vector<const Option*> ofReference{}; ///< these two
 };
 
 /// Whether there may be several sizes and times, with commas between them.
 enum class Several : bool { No, Yes };
 
-/// Declares --size, --time and --anisotropy.
+/// Declares --size, --time, --anisotropy and --rho.
 void addPictureArgument(Command& command, PictureArgument& argument, Several several = Several::No);
 
 [[nodiscard]] Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest = {1, 1});
@@ -31,10 +32,8 @@ void addPictureArgument(Command& command, PictureArgument& argument, Several sev
                                                                 view::Size smallest = {1, 1});
 [[nodiscard]] Result<std::vector<double>> parseTimes(std::string_view text);
 
-/// A note where --anisotropy changes nothing: where the reference draws nothing.
-void noteAnisotropyUse(const PictureArgument& argument, bool referenceDraws);
-
-[[nodiscard]] Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text);
+/// A note where --anisotropy or --rho changes nothing: where the reference draws nothing.
+void noteMethodsUse(const PictureArgument& argument, bool referenceDraws);
 
 /// Exactly so many whole numbers with commas between them.
 [[nodiscard]] bool parseNumbers(std::string_view text, std::span<int> numbers);

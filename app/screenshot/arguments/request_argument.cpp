@@ -8,6 +8,18 @@
 
 namespace texplorer::screenshot {
 
+Result<void> putMethods(const PictureArgument& picture, ShotRequest& request) {
+    const auto anisotropy = parseChoice<reference::AnisotropyMethod>(picture.anisotropy, "--anisotropy");
+    if (!anisotropy)
+        return fail(anisotropy.error());
+    const auto rho = parseChoice<reference::RhoMethod>(picture.rho, "--rho");
+    if (!rho)
+        return fail(rho.error());
+    request.anisotropy = *anisotropy;
+    request.rho = *rho;
+    return {};
+}
+
 Result<ShotRequest> requestOf(const PictureArgument& picture, const RendererArgument& renderer) {
     ShotRequest request;
     const Result<view::Size> size = parsePictureSize(picture.size);
@@ -22,14 +34,12 @@ Result<ShotRequest> requestOf(const PictureArgument& picture, const RendererArgu
     if (const Result<void> put = putContext(renderer, request); !put)
         return fail(put.error());
     request.renderer = *kind;
-    const Result<reference::AnisotropyMethod> anisotropy = parseAnisotropy(picture.anisotropy);
-    if (!anisotropy)
-        return fail(anisotropy.error());
+    if (const Result<void> put = putMethods(picture, request); !put)
+        return fail(put.error());
     request.size = *size;
     request.time = *time;
-    request.anisotropy = *anisotropy;
     request.levels.cache = BlockCache::ofUser();
-    noteAnisotropyUse(picture, request.renderer == RendererKind::Reference);
+    noteMethodsUse(picture, request.renderer == RendererKind::Reference);
     noteRendererUse(renderer, {&request.renderer, 1});
     return request;
 }

@@ -9,6 +9,9 @@
 
 namespace texplorer::screenshot {
 
+/// How the reference filters. The error is about the line.
+[[nodiscard]] Result<void> putMethods(const PictureArgument& picture, ShotRequest& request);
+
 /// What pictures of a single size, begin and renderer have in common: all but the scene. The error is about
 /// the line.
 [[nodiscard]] Result<ShotRequest> requestOf(const PictureArgument& picture, const RendererArgument& renderer);

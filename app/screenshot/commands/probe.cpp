@@ -3,6 +3,7 @@
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/picture_argument.h"
+#include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
@@ -137,19 +138,17 @@ ExitCode probe(const ProbeOptions& options) {
     const Result<double> time = parseTime(options.picture.time);
     if (!time)
         return complain(time.error(), wrongCall);
-    const Result<reference::AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
-    if (!anisotropy)
-        return complain(anisotropy.error(), wrongCall);
+    ShotRequest request;
+    if (const Result<void> methods = putMethods(options.picture, request); !methods)
+        return complain(methods.error(), wrongCall);
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    ShotRequest request;
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
     request.file = options.scene.path();
     request.time = *time;
     request.size = *size;
-    request.anisotropy = *anisotropy;
     request.pretence = *pretence;
     request.context = *context;
     request.levels.cache = BlockCache::ofUser();

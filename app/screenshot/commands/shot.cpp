@@ -22,8 +22,6 @@
 namespace texplorer::screenshot {
 namespace {
 
-using reference::AnisotropyMethod;
-
 struct ShotOptions {
     std::vector<std::string> files; ///< of scenes; none: the default scene
     SceneArgument scene;            ///< what is changed in each of them, or a lesson
@@ -50,13 +48,11 @@ Result<ShotRequest> requestOf(const ShotOptions& options) {
         return fail(window.error());
     if (const Result<void> context = putContext(options.renderer, request); !context)
         return fail(context.error());
-    const Result<AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
-    if (!anisotropy)
-        return fail(anisotropy.error());
+    if (const Result<void> methods = putMethods(options.picture, request); !methods)
+        return fail(methods.error());
     const Result<reference::Shown> shown = parseChoice<reference::Shown>(options.shown, "--show");
     if (!shown)
         return fail(shown.error());
-    request.anisotropy = *anisotropy;
     request.shown = *shown;
     request.shownUnit = options.shownUnit;
     request.lesson = options.scene.lesson;
@@ -73,7 +69,7 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request,
     const auto isReference = [](RendererKind renderer) { return renderer == RendererKind::Reference; };
     if (options.shownOption->isGiven() && !request.window && !std::ranges::all_of(renderers, isReference))
         return fail(ErrorCode::OutOfRange, "expected --renderer reference or --ui with it", "--show");
-    noteAnisotropyUse(options.picture, request.window || std::ranges::any_of(renderers, isReference));
+    noteMethodsUse(options.picture, request.window || std::ranges::any_of(renderers, isReference));
     if (!request.window)
         noteRendererUse(options.renderer, renderers, orWindow);
     if (options.renderer.rendererOption->isGiven() && !request.compared.empty())

@@ -85,6 +85,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     else if (!hasLesson || request.rendererIsGiven)
         showOne(session.window.view, request.renderer);
     session.window.view.anisotropy = request.anisotropy;
+    session.window.view.rho = request.rho;
     if (!hasLesson || request.shownIsGiven) {
         session.window.view.shown = request.shown;
         session.window.selection.pass = request.shownUnit.pass;

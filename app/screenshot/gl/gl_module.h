@@ -47,6 +47,7 @@ struct ShotRequest {
         compared{};                ///< in the window, instead of one renderer: two or three; empty: none
     std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
+    reference::RhoMethod rho = reference::RhoMethod::Ideal;                       ///< likewise
     std::optional<ui::Section> section{};               ///< of the window's parameters, to scroll to
     LevelWork levels{};                                 ///< how textures are compressed at run time
     view::Pretence pretence{};                          ///< what the driver is treated as lacking
@@ -66,7 +67,7 @@ struct ShotRequest {
 
     /// Of the reference.
     [[nodiscard]] reference::DrawRequest drawRequest() const {
-        return {scene, images, time, size.width, size.height, anisotropy};
+        return {scene, images, time, size.width, size.height, anisotropy, rho};
     }
 };
 

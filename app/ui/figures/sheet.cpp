@@ -242,7 +242,7 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
     Result<Scene> base = sheetScene(session.document.scene, axes.rows.axis, 0, axes.columns.axis, 0);
     return {{base ? *std::move(base) : session.document.scene, session.document.images,
              session.window.playback.time, pixels(plan.cell.x, density.x), pixels(plan.cell.y, density.y),
-             session.window.view.anisotropy},
+             session.window.view.anisotropy, session.window.view.rho},
             axes.rows.axis,
             axes.columns.axis};
 }

@@ -24,8 +24,8 @@ std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
 reference::DrawRequest pictureNow(const Session& session, int width, int height) {
     Scene stepped;
     return {
-        shownScene(session, stepped),  session.document.images, session.window.playback.time, width, height,
-        session.window.view.anisotropy};
+        shownScene(session, stepped),   session.document.images, session.window.playback.time, width, height,
+        session.window.view.anisotropy, session.window.view.rho};
 }
 
 /// The image in which the unit that is asked about would look up the texel now.

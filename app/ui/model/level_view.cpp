@@ -19,7 +19,7 @@ void askAboutLevels(Session& session, view::Size picture) {
     Scene stepped;
     session.window.levels.answer = session.services.levelMap.answer(
         {{shownScene(session, stepped), session.document.images, window.playback.time, picture.width,
-          picture.height, window.view.anisotropy},
+          picture.height, window.view.anisotropy, window.view.rho},
          {window.selection.pass, window.selection.unit},
          window.view.shown});
 }

@@ -74,7 +74,7 @@ Result<Recording> recordingOf(const Session& session) {
     const animation::FormatRow& format = animation::rowOf(choice.format);
     const Document& document = session.document;
     Recording recording{{document.scene, document.images, static_cast<double>(choice.begin), choice.width,
-                         choice.height, session.window.view.anisotropy},
+                         choice.height, session.window.view.anisotropy, session.window.view.rho},
                         choice.format,
                         static_cast<double>(recordedSeconds(session)),
                         static_cast<double>(choice.perSecond)};

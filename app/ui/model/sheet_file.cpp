@@ -118,7 +118,7 @@ Result<SheetOrder> sheetOrder(const Session& session) {
     content.down = std::move(labels[0]);
     content.across = std::move(labels[1]);
     return SheetOrder{{document.scene, document.images, session.window.playback.time, choice.width,
-                       choice.height, session.window.view.anisotropy},
+                       choice.height, session.window.view.anisotropy, session.window.view.rho},
                       std::move(axes->front()),
                       std::move(axes->back()),
                       std::move(content)};

@@ -48,7 +48,7 @@ std::optional<reference::EnvironmentInputs> probedInputs(Session& session, view:
     texture.internalFormat = wholeFormat(texture.internalFormat);
     const auto answer = session.services.plainProbe.answer(
         {{std::move(scene), session.document.images, session.window.playback.time, picture.width,
-          picture.height, session.window.view.anisotropy},
+          picture.height, session.window.view.anisotropy, session.window.view.rho},
          pixel,
          std::nullopt});
     if (!answer || !answer->explanation || !*answer->explanation)

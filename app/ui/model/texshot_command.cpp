@@ -92,6 +92,16 @@ Result<std::string> sceneWords(const Session& session, double time) {
     return words;
 }
 
+/// " --renderer reference", with what of it isn't as usual.
+std::string referenceWords(const ViewSettings& view) {
+    std::string words = fmt::format(" --renderer {}", rowOf(RendererKind::Reference).name);
+    if (view.anisotropy != reference::AnisotropyMethod::Probes)
+        words += fmt::format(" --anisotropy {}", texplorer::rowOf(view.anisotropy).name);
+    if (view.rho != reference::RhoMethod::Ideal)
+        words += fmt::format(" --rho {}", texplorer::rowOf(view.rho).name);
+    return words;
+}
+
 } // namespace
 
 Result<std::string> texshotCommand(const Session& session, view::Size picture) {
@@ -99,7 +109,9 @@ Result<std::string> texshotCommand(const Session& session, view::Size picture) {
     if (!scene)
         return fail(scene.error());
     std::string command = "texshot shot" + *scene;
-    if (session.window.view.renderer != RendererKind::Fixed)
+    if (session.window.view.renderer == RendererKind::Reference)
+        command += referenceWords(session.window.view);
+    else if (session.window.view.renderer != RendererKind::Fixed)
         command += fmt::format(" --renderer {}", rowOf(session.window.view.renderer).name);
     const std::string name = nameOf(session.document);
     return fmt::format("{} --size {}x{} -o {}", command, picture.width, picture.height,
@@ -116,9 +128,7 @@ Result<std::string> sweepCommand(const Session& session) {
     std::string command = "texshot sweep" + *scene;
     for (const SheetAxis& axis : axesOf(session))
         command += " --axis " + shellWord(axis.path + '=' + axis.values);
-    command += fmt::format(" --renderer {}", rowOf(RendererKind::Reference).name);
-    if (session.window.view.anisotropy != reference::AnisotropyMethod::Probes)
-        command += fmt::format(" --anisotropy {}", texplorer::rowOf(session.window.view.anisotropy).name);
+    command += referenceWords(session.window.view);
     if (choice.labels != sheet::LabelKind::Names)
         command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
     return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
@@ -134,10 +144,8 @@ Result<std::string> animateCommand(const Session& session) {
     if (!scene)
         return fail(scene.error());
     std::string command = "texshot animate" + *scene;
-    command += fmt::format(" --fps {} --seconds {} --renderer {}", choice.perSecond, recordedSeconds(session),
-                           rowOf(RendererKind::Reference).name);
-    if (session.window.view.anisotropy != reference::AnisotropyMethod::Probes)
-        command += fmt::format(" --anisotropy {}", texplorer::rowOf(session.window.view.anisotropy).name);
+    command += fmt::format(" --fps {} --seconds {}", choice.perSecond, recordedSeconds(session)) +
+               referenceWords(session.window.view);
     return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
                        shellWord(recordingFileName(session)));
 }

@@ -51,6 +51,7 @@ struct ShownPart {
 /// Which renderers draw the scene, and how one looks at what they drew.
 struct ViewSettings : ShownPictures, ShownPart {
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
+    reference::RhoMethod rho = reference::RhoMethod::Ideal;                       ///< likewise
     float split = 0.5F;     ///< where the seam is, as a share of the picture's width
     int tolerance = 2;      ///< differences up to here don't count, in 255ths
     bool magnifies = false; ///< the pixels under the mouse are shown enlarged

@@ -196,6 +196,17 @@ void presentingItems(Session& session) {
     helpTip("All but what is near the pointer is dim, so that everybody looks there.");
 }
 
+/// A choice of what OpenGL leaves open and the reference does either way; `title` has a place for its label.
+template<Enumerated E>
+void methodItems(const char* title, E& chosen) {
+    for (const EnumRow& row : EnumTable<E>::rows) {
+        const auto method = static_cast<E>(row.value);
+        if (item(fmt::format(fmt::runtime(title), row.label), {}, true, chosen == method))
+            chosen = method;
+        helpTip(row.help);
+    }
+}
+
 void viewMenu(Session& session, const Layout& layout) {
     const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
@@ -214,14 +225,8 @@ void viewMenu(Session& session, const Layout& layout) {
     }
     if (item("Compare", "compare", canCompare(session.window.view), comparesRenderers(session.window.view)))
         showComparison(session.window.view);
-    using reference::AnisotropyMethod;
-    for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {
-        const auto method = static_cast<AnisotropyMethod>(row.value);
-        if (item(fmt::format("Anisotropy of the reference: {}", row.label), {}, true,
-                 session.window.view.anisotropy == method))
-            session.window.view.anisotropy = method;
-        helpTip(row.help);
-    }
+    methodItems("Anisotropy of the reference: {}", session.window.view.anisotropy);
+    methodItems("rho of the reference: {}", session.window.view.rho);
     ImGui::Separator();
     if (menu("Picture or false colours")) {
         shownItems(session.window.view);

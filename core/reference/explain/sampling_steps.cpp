@@ -137,9 +137,11 @@ Step lodStep(const UnitExplanation& unit) {
     else if (lod.probes > 1)
         value(fmt::format("anisotropic, up to {}: probes", numberText(unit.sampler.maxAnisotropy)),
               static_cast<float>(lod.probes));
-    value(lod.probes > 1 ? "rho = the longer, over the probes"
-          : lod.ellipse  ? "rho"
-                         : "rho = the longer",
+    value(lod.probes > 1                   ? "rho = the longer, over the probes"
+          : lod.ellipse                    ? "rho"
+          : lod.method == RhoMethod::Lower ? "rho = the largest derivative of u, v and w"
+          : lod.method == RhoMethod::Upper ? "rho = the largest derivatives of u, v and w, added"
+                                           : "rho = the longer",
           lod.rho);
     value("log2(rho)", lod.base);
     if (unit.sampler.lodBias != 0)

@@ -15,10 +15,10 @@ namespace {
 
 /// Equation 3.21's rho for one screen axis: sqrt((du/dx)^2 + (dv/dx)^2 + (dw/dx)^2). In floats, as the kernel
 /// has it, unless their range is too small for the square: a double's is not.
-double footprint(glm::vec3 derivative, const Level& base, int axes) {
+double footprint(glm::vec3 derivative, glm::ivec3 baseSize, int axes) {
     glm::dvec3 texels(0);
     for (int axis = 0; axis < axes; ++axis)
-        texels[axis] = double{derivative[axis]} * base.size()[axis];
+        texels[axis] = double{derivative[axis]} * baseSize[axis];
     const glm::vec3 rounded(texels);
     const float square = glm::dot(rounded, rounded);
     return std::isnormal(square) ? double{std::sqrt(square)} : glm::length(texels);
@@ -53,6 +53,20 @@ float lodBias(const SamplerState& object, const SampleOptions& options) {
     return std::isnan(sum) ? 0.0F : std::clamp(sum, -options.maxBias, options.maxBias);
 }
 
+double rhoBy(RhoMethod method, const Derivatives& derivatives, glm::ivec3 baseSize, int axes) {
+    if (method == RhoMethod::Ideal)
+        return std::max(footprint(derivatives.dx, baseSize, axes), footprint(derivatives.dy, baseSize, axes));
+    glm::dvec3 most(0); // m_u, m_v and m_w
+    for (int axis = 0; axis < axes; ++axis)
+        most[axis] = std::max(std::abs(double{derivatives.dx[axis]} * baseSize[axis]),
+                              std::abs(double{derivatives.dy[axis]} * baseSize[axis]));
+    if (method == RhoMethod::Lower)
+        return std::max({most.x, most.y, most.z});
+    const glm::vec3 rounded(most); // in floats likewise
+    const float sum = rounded.x + rounded.y + rounded.z;
+    return std::isnormal(sum) ? double{sum} : most.x + most.y + most.z;
+}
+
 Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
                   const SampleOptions& options) {
     Lod lod;
@@ -60,8 +74,8 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
     const Level* base = texture.level(texture.baseLevel);
     if (!base)
         return lod;
-    lod.lengthX = footprint(derivatives.dx, *base, axesOf(texture.target));
-    lod.lengthY = footprint(derivatives.dy, *base, axesOf(texture.target));
+    lod.lengthX = footprint(derivatives.dx, base->size(), axesOf(texture.target));
+    lod.lengthY = footprint(derivatives.dy, base->size(), axesOf(texture.target));
     const double longer = std::max(lod.lengthX, lod.lengthY);
     const double shorter = std::min(lod.lengthX, lod.lengthY);
     lod.undefined = !std::isfinite(lod.lengthX) || !std::isfinite(lod.lengthY);
@@ -74,6 +88,9 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
     } else if (anisotropy > 1 && !lod.undefined) {
         lod.probes = probeCount(longer, shorter, anisotropy);
         lod.rho = longer / lod.probes;
+    } else if (options.rho != RhoMethod::Ideal && !lod.undefined) {
+        lod.method = options.rho;
+        lod.rho = rhoBy(lod.method, derivatives, base->size(), axesOf(texture.target));
     }
     lod.base = baseLambda(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
     lod.bias = lodBias(texture, options);

@@ -26,12 +26,24 @@ inline constexpr std::array anisotropyMethodRows{
         "do it."),
 };
 
+/// How rho is approximated. OpenGL 2.1, section 3.8.8, allows any continuous function f of the derivatives
+/// that grows with each of them, and with m_u = max{|du/dx|, |du/dy|}, m_v and m_w likewise is within
+///     max{m_u, m_v, m_w} <= f <= m_u + m_v + m_w.
+enum class RhoMethod : std::uint32_t { Ideal, Lower, Upper };
+
+inline constexpr std::array rhoMethodRows{
+    row(RhoMethod::Ideal, "ideal", "Ideal", "Equation 3.21: the longer side of what a pixel covers."),
+    row(RhoMethod::Lower, "lower", "Lower end", "The largest derivative, as Mesa's softpipe takes it."),
+    row(RhoMethod::Upper, "upper", "Upper end", "The sum of the largest derivatives of u, v and w."),
+};
+
 struct SampleOptions {
     float unitBias = 0; ///< GL_TEXTURE_LOD_BIAS of GL_TEXTURE_FILTER_CONTROL; the texture object has its own
     float shaderBias = 0; ///< a shader's own; 0 without one
     float maxBias = 16;   ///< GL_MAX_TEXTURE_LOD_BIAS, of the implementation; at least 2
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
-    bool seamlessCubeMap = false; ///< GL_TEXTURE_CUBE_MAP_SEAMLESS
+    RhoMethod rho = RhoMethod::Ideal; ///< of textures that aren't anisotropic
+    bool seamlessCubeMap = false;     ///< GL_TEXTURE_CUBE_MAP_SEAMLESS
     /// c is 0 for all filters: OpenGL 2.1 wants 0.5 for some, OpenGL 4.1 allows either (section 3.9.12).
     bool zeroSwitchOver = false;
 };
@@ -42,7 +54,8 @@ struct Lod {
     double lengthY = 0;
     int probes = 1;       ///< N of the anisotropic filter
     bool ellipse = false; ///< averaged over an ellipse instead
-    double rho = 0;       ///< texels a pixel that count: the longer length, over N
+    RhoMethod method = RhoMethod::Ideal;
+    double rho = 0;       ///< texels a pixel that count: the longer length, over N, or as `method` has it
     float base = 0;       ///< log2(rho)
     float bias = 0;       ///< the sum of all, clamped
     float biased = 0;     ///< base + bias
@@ -56,6 +69,10 @@ struct Lod {
 /// Below equation 3.18: the biases of the texture object, the unit and the shader together, clamped to
 /// GL_MAX_TEXTURE_LOD_BIAS. What is not a number counts as 0.
 [[nodiscard]] float lodBias(const SamplerState& object, const SampleOptions& options);
+
+/// rho of a texture that isn't anisotropic, whose base level has so many texels; a `method` other than Ideal
+/// takes an end of what section 3.8.8 allows.
+[[nodiscard]] double rhoBy(RhoMethod method, const Derivatives& derivatives, glm::ivec3 baseSize, int axes);
 
 /// The level-of-detail parameter and whether the texture is magnified. Of a cube map the derivatives are
 /// those on the face (cube.h).
@@ -103,3 +120,8 @@ struct texplorer::EnumTable<texplorer::reference::AnisotropyMethod> {
     static constexpr std::span<const EnumRow> rows = texplorer::reference::anisotropyMethodRows;
 };
 static_assert(texplorer::reference::anisotropyMethodRows.size() == 2);
+template<>
+struct texplorer::EnumTable<texplorer::reference::RhoMethod> {
+    static constexpr std::span<const EnumRow> rows = texplorer::reference::rhoMethodRows;
+};
+static_assert(texplorer::reference::rhoMethodRows.size() == 3);

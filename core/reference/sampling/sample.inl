@@ -324,6 +324,18 @@ private:
         return (square < std::numeric_limits<float>::min()) & ((s != 0.0F) | (t != 0.0F));
     }
 
+    /// Equation 3.21's rho, or an end of what section 3.8.8 allows for it.
+    [[nodiscard]] Floats rhoOf(const Footprint& footprint, const Place& place) const {
+        if (sampler_.options.rho == RhoMethod::Ideal)
+            return rooted(greater(footprint.squareX, footprint.squareY));
+        const Plane& base = sampler_.planes[0];
+        const Floats u = greater(magnitude(place.dsdx * base.fWidth), magnitude(place.dsdy * base.fWidth));
+        if (axes == 1)
+            return u;
+        const Floats v = greater(magnitude(place.dtdx * base.fHeight), magnitude(place.dtdy * base.fHeight));
+        return sampler_.options.rho == RhoMethod::Lower ? greater(u, v) : u + v;
+    }
+
     [[nodiscard]] Choice choose(const Footprint& footprint, const Place& place) const {
         Choice choice;
         choice.probes = floats(1);
@@ -340,7 +352,7 @@ private:
             rho = longer / choice.probes;
         } else {
             choice.alongS = choice.alongT = floats(0);
-            rho = rooted(greater(footprint.squareX, footprint.squareY));
+            rho = rhoOf(footprint, place);
         }
 
         const Floats biased = logarithms2(rho) + sampler_.bias;

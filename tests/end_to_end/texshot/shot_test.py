@@ -221,6 +221,16 @@ class Shot(Texshot):
                        "shot", "--renderer", "reference", "--anisotropy", "fast", "-o", out)
         self.notes("only the reference has a choice", "shot", "--size", "8x8", "--anisotropy", "ellipse", "-o", out)
 
+    def test_the_reference_knows_both_ends_of_rho(self):
+        cube = ["--size", "64x48", "--renderer", "reference"]
+        drawn = {rho: self.shot(*cube, "--rho", rho).tobytes() for rho in ("ideal", "lower", "upper")}
+        self.assertEqual(drawn["ideal"], self.shot(*cube).tobytes())
+        self.assertEqual(len(set(drawn.values())), 3)
+        out = self.path / "out.png"
+        self.complains(2, 'expected one of ideal, lower, upper, found "least"',
+                       "shot", "--renderer", "reference", "--rho", "least", "-o", out)
+        self.notes("--rho: has no effect here", "shot", "--size", "8x8", "--rho", "lower", "-o", out)
+
     def test_a_cross_is_cut_into_the_faces_of_a_cube_map(self):
         cross = Image.new("RGB", (64, 48))
         colours = {"+x": (255, 0, 0), "-x": (0, 255, 255), "+y": (0, 255, 0), "-y": (255, 0, 255),

@@ -108,7 +108,18 @@ TEST_F(TexshotCommand, DrawsTheSheetToo) {
                                   "-o scene-sheet.png"));
     session.window.sheet.labels = sheet::LabelKind::Words;
     session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
-    EXPECT_THAT(sweepCommand(session).value(), HasSubstr(" --anisotropy ellipse --labels words --size "));
+    session.window.view.rho = reference::RhoMethod::Lower;
+    EXPECT_THAT(sweepCommand(session).value(),
+                HasSubstr(" --anisotropy ellipse --rho lower --labels words --size "));
+}
+
+TEST_F(TexshotCommand, DrawsTheReferenceAsTheWindowDoes) {
+    session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
+    session.window.view.rho = reference::RhoMethod::Upper;
+    EXPECT_THAT(texshotCommand(session, {64, 48}).value(), testing::Not(HasSubstr("--rho")));
+    session.window.view.renderer = RendererKind::Reference;
+    EXPECT_THAT(texshotCommand(session, {64, 48}).value(),
+                HasSubstr(" --renderer reference --anisotropy ellipse --rho upper --size 64x48"));
 }
 
 TEST_F(TexshotCommand, OfASheetSaysWhatIsWrongWithIt) {

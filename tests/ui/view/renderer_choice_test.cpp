@@ -59,6 +59,16 @@ TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropy) {
     EXPECT_FALSE(view() == probes);
 }
 
+TEST_F(RendererChoice, TheReferenceHasBothEndsOfRho) {
+    start(defaultScene(), 800, 500);
+    showOne(session->window.view, RendererKind::Reference);
+    const auto ideal = view();
+    click("menu:View");
+    click("menu:rho of the reference: Lower end");
+    EXPECT_EQ(session->window.view.rho, reference::RhoMethod::Lower);
+    EXPECT_FALSE(view() == ideal);
+}
+
 /// A window whose host lacks some.
 class FewerRenderers : public Workbench {
 protected:

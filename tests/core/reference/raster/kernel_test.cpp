@@ -16,20 +16,21 @@ namespace {
 using test::floorScene;
 
 Image drawn(const Scene& scene, const DrawOptions& options,
-            AnisotropyMethod anisotropy = AnisotropyMethod::Probes) {
-    const Result<Frame> result = drawReference({scene, {}, 0.5, 97, 61, anisotropy}, options);
+            AnisotropyMethod anisotropy = AnisotropyMethod::Probes, RhoMethod rho = RhoMethod::Ideal) {
+    const Result<Frame> result = drawReference({scene, {}, 0.5, 97, 61, anisotropy, rho}, options);
     EXPECT_TRUE(result) << describe(result.error());
     return result ? result->image : Image{};
 }
 
-void expectTheSame(const Scene& scene, AnisotropyMethod anisotropy = AnisotropyMethod::Probes) {
-    const Image literal = drawn(scene, {.literal = true}, anisotropy);
+void expectTheSame(const Scene& scene, AnisotropyMethod anisotropy = AnisotropyMethod::Probes,
+                   RhoMethod rho = RhoMethod::Ideal) {
+    const Image literal = drawn(scene, {.literal = true}, anisotropy, rho);
     DrawOptions options;
     for (const Kernel* kernel : kernels()) {
         options.kernel = kernel;
         for (const unsigned threads : {1U, 3U}) {
             options.threads = threads;
-            EXPECT_EQ(drawn(scene, options, anisotropy), literal)
+            EXPECT_EQ(drawn(scene, options, anisotropy, rho), literal)
                 << kernel->lanes << " lanes, " << threads << " threads";
         }
     }
@@ -234,6 +235,10 @@ TEST(Kernel, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
         scene.passes[0].fog = {true, FogMode::Exp2, 0.1F, 0, 1, {0.4F, 0.5F, 0.6F, 1}};
         expectTheSame(scene);
         scene.view.perspectiveHint = HintMode::DontCare;
+        for (const RhoMethod rho : {RhoMethod::Lower, RhoMethod::Upper}) {
+            expectTheSame(scene, AnisotropyMethod::Probes, rho);
+            EXPECT_NE(drawn(scene, {}, AnisotropyMethod::Probes, rho), drawn(scene, {}));
+        }
         scene.textures[0].maxAnisotropy = 8;
         expectTheSame(scene, AnisotropyMethod::Ellipse);
     }

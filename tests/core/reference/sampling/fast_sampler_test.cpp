@@ -155,8 +155,9 @@ TEST_P(FastSamplerTest, EqualsTheLiteralOne) {
             SCOPED_TRACE(std::string(s.name) + " " + std::string(t.name));
             made.wrapS = made.wrapR = static_cast<Wrap>(s.value);
             made.wrapT = static_cast<Wrap>(t.value);
-            for (int i = 0; i < 2; ++i)
-                expectTheSame(made, {.anisotropy = method}, randomRow(numbers));
+            for (const EnumRow& rho : rhoMethodRows)
+                expectTheSame(made, {.anisotropy = method, .rho = static_cast<RhoMethod>(rho.value)},
+                              randomRow(numbers));
             if (HasFatalFailure())
                 return;
         }

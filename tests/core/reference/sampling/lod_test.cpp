@@ -229,6 +229,58 @@ INSTANTIATE_TEST_SUITE_P(
              .second = 2}),
     [](const auto& test) { return std::string(test.param.name); });
 
+/// Two texels a pixel, on an image that is turned by 30 degrees; d/dx and d/dy are perpendicular.
+Derivatives turned(glm::ivec3 size) {
+    constexpr float longer = 1.7320508F; // 2 cos 30
+    return {{longer / static_cast<float>(size.x), 1 / static_cast<float>(size.y), 0},
+            {-1 / static_cast<float>(size.x), longer / static_cast<float>(size.y), 0}};
+}
+
+// Section 3.8.8: max{m_u, m_v} = 2 cos 30 and m_u + m_v = 4 cos 30; the ideal rho, 2, lies between them.
+TEST(LevelOfDetail, HasARhoWithinARange) {
+    SampledTexture texture = leveledTexture(64);
+    const Derivatives derivatives = turned({64, 64, 1});
+    struct Row {
+        RhoMethod method;
+        double rho;
+        float lambda;
+    };
+    for (const auto& [method, rho, lambda] :
+         {Row{RhoMethod::Ideal, 2, 1}, Row{RhoMethod::Lower, 1.7320508, 0.792481250F},
+          Row{RhoMethod::Upper, 3.4641016, 1.79248125F}}) {
+        const Lod lod = levelOfDetail(texture, derivatives, {.rho = method});
+        EXPECT_EQ(lod.method, method);
+        EXPECT_NEAR(lod.rho, rho, 1e-6);
+        EXPECT_NEAR(lod.lambda, lambda, 1e-6F);
+    }
+    // The extension has its own Px and Py.
+    texture.maxAnisotropy = 16;
+    for (const RhoMethod method : {RhoMethod::Lower, RhoMethod::Upper})
+        EXPECT_NEAR(levelOfDetail(texture, derivatives, {.rho = method}).lambda, 1, 1e-6F);
+}
+
+// With m_w, of a volume of 8 x 8 x 8 texels: 4, 3 and 2 texels a pixel, in either direction.
+TEST(LevelOfDetail, TakesEveryAxisOfAVolumeIntoTheRange) {
+    const Derivatives derivatives{{0.5F, 0, -0.25F}, {0.125F, -0.375F, 0.125F}};
+    EXPECT_DOUBLE_EQ(rhoBy(RhoMethod::Lower, derivatives, {8, 8, 8}, 3), 4);
+    EXPECT_DOUBLE_EQ(rhoBy(RhoMethod::Upper, derivatives, {8, 8, 8}, 3), 4 + 3 + 2);
+    EXPECT_NEAR(rhoBy(RhoMethod::Ideal, derivatives, {8, 8, 8}, 3), 4.47213595, 1e-6); // sqrt(16 + 4)
+}
+
+// A single axis leaves nothing open: m_u is the longer of both lengths.
+TEST(LevelOfDetail, HasOneRhoOnALine) {
+    const Derivatives derivatives{{0.25F, 9, 9}, {-0.5F, 9, 9}};
+    for (const EnumRow& row : rhoMethodRows)
+        EXPECT_DOUBLE_EQ(rhoBy(static_cast<RhoMethod>(row.value), derivatives, {64, 1, 1}, 1), 32)
+            << row.name;
+}
+
+// Sums that are no float.
+TEST(LevelOfDetail, HasAnUpperRhoForEveryFiniteDerivative) {
+    EXPECT_DOUBLE_EQ(rhoBy(RhoMethod::Upper, {{0x1p127F, 0x1p127F, 0}, {}}, {64, 64, 1}, 2), 0x1p134);
+    EXPECT_DOUBLE_EQ(rhoBy(RhoMethod::Upper, {{0x1p-149F, 0x1p-149F, 0}, {}}, {1, 1, 1}, 2), 0x1p-148);
+}
+
 // What is finite has a length: no square on the way to it may overflow or vanish.
 TEST(LevelOfDetail, HoldsForEveryFiniteDerivative) {
     const SampledTexture texture = leveledTexture(64);
