@@ -61,6 +61,23 @@ private:
     std::array<glm::dvec4, 3> overW_{};
 };
 
+/// As lod.cpp has it, of other derivatives.
+double rhoOf(const reference::UnitExplanation& unit, reference::RhoMethod method,
+             const reference::Derivatives& derivatives, glm::vec3 baseSize) {
+    const int axes = axesOf(unit.target);
+    if (std::floor(unit.sampler.maxAnisotropy) <= 1)
+        return reference::rhoBy(method, derivatives, baseSize, axes);
+    glm::vec3 size(0); // axes that the target doesn't have say nothing
+    for (int axis = 0; axis < axes; ++axis)
+        size[axis] = baseSize[axis];
+    const double alongX = glm::length(derivatives.dx * size);
+    const double alongY = glm::length(derivatives.dy * size);
+    const double longer = std::max(alongX, alongY);
+    return unit.sample.lod.ellipse // then the shorter axis decides
+               ? std::max(std::min(alongX, alongY), longer / double{std::floor(unit.sampler.maxAnisotropy)})
+               : longer;
+}
+
 /// The line through log2 at the powers of two.
 float log2OfBits(float value) {
     int exponent = 0;
@@ -80,12 +97,9 @@ glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& i
 }
 
 LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::FragmentExplanation& fragment,
-                        const reference::UnitExplanation& unit, glm::vec3 baseSize) {
+                        const reference::UnitExplanation& unit, glm::vec3 baseSize, RhoMethods methods) {
     const CoordinatePlane plane(pixel, fragment, unit);
     const glm::dvec2 corner(pixel.pixel.x & ~1, pixel.pixel.y & ~1);
-    glm::dvec3 size(0); // axes that the target doesn't have say nothing
-    for (int axis = 0; axis < axesOf(unit.target); ++axis)
-        size[axis] = baseSize[axis];
     const auto coords = [&](glm::dvec2 place) {
         const glm::dvec3 given = plane.at(place);
         if (unit.target != Target::CubeMap)
@@ -93,20 +107,31 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
         return glm::dvec3(reference::cubePlace(glm::vec3(given), {}).coords); // on the face
     };
     const glm::dvec3 here = coords(corner);
-    const double alongX = glm::length((coords(corner + glm::dvec2(1, 0)) - here) * size);
-    const double alongY = glm::length((coords(corner + glm::dvec2(0, 1)) - here) * size);
-    const double longer = std::max(alongX, alongY);
-    const double rho =
-        unit.sample.lod.ellipse // then the shorter axis decides
-            ? std::max(std::min(alongX, alongY), longer / double{std::floor(unit.sampler.maxAnisotropy)})
-            : longer;
-    const auto squared = static_cast<float>(rho * rho);
+    const glm::dvec3 above = coords(corner + glm::dvec2(0, 1));
+    const std::array<reference::Derivatives, 2> ofQuad{
+        // by either of its rows
+        reference::Derivatives{coords(corner + glm::dvec2(1, 0)) - here, above - here},
+        reference::Derivatives{coords(corner + glm::dvec2(1, 1)) - above, above - here}};
+    const reference::Derivatives& ofPixel =
+        unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     LambdaRange range{-lambdaError, lambdaError};
-    if (!std::isfinite(squared) || squared <= 0 || !std::isfinite(unit.sample.lod.base))
-        return range;
-    for (const float lambda : {std::log2(squared) / 2, log2OfBits(squared) / 2}) {
+    const auto reach = [&](float lambda) {
         range.low = std::min(range.low, lambda - unit.sample.lod.base - lambdaError);
         range.high = std::max(range.high, lambda - unit.sample.lod.base + lambdaError);
+    };
+    for (const reference::RhoMethod method : methods) {
+        for (const reference::Derivatives& derivatives : ofQuad) {
+            const double rho = rhoOf(unit, method, derivatives, baseSize);
+            const auto squared = static_cast<float>(rho * rho);
+            if (!std::isfinite(squared) || squared <= 0 || !std::isfinite(unit.sample.lod.base))
+                continue;
+            reach(std::log2(squared) / 2);
+            reach(log2OfBits(squared) / 2);
+        }
+        const double exact = rhoOf(unit, method, ofPixel, baseSize);
+        if (exact > 0 && std::isfinite(exact) && std::isfinite(unit.sample.lod.base) &&
+            method != unit.sample.lod.method)
+            reach(static_cast<float>(std::log2(exact)));
     }
     return range;
 }
@@ -118,20 +143,18 @@ using reference::FragmentExplanation;
 using reference::FragmentOutcome;
 using reference::PixelBytes;
 
-constexpr std::array places{0.0F, 0.25F, 0.5F, 0.75F, 1.0F}; // within the range
-
 /// Fragments whose range is asked for, from the last one on, and colours that are kept of them all.
 constexpr std::size_t mostFragments = 8;
 constexpr std::size_t mostColors = 256;
 
 /// The scene with the bias of a fragment's units moved to a place of their ranges.
 reference::DrawRequest biased(const reference::DrawRequest& request, const Explanation& pixel,
-                              const FragmentExplanation& fragment, float place) {
+                              const FragmentExplanation& fragment, RhoMethods methods, float place) {
     reference::DrawRequest moved = request;
     for (const reference::UnitExplanation& unit : fragment.units) {
         const Texture& texture = request.scene.textures[static_cast<std::size_t>(unit.texture)];
         const LambdaRange range =
-            lambdaRange(pixel, fragment, unit, baseSizeOf(texture, unit.target, request.images));
+            lambdaRange(pixel, fragment, unit, baseSizeOf(texture, unit.target, request.images), methods);
         moved.scene.passes[static_cast<std::size_t>(fragment.pass)]
             .units[static_cast<std::size_t>(unit.unit)]
             .lodBias += std::lerp(range.low, range.high, place);
@@ -165,12 +188,13 @@ bool covers(const FragmentExplanation& fragment) {
 
 Result<std::vector<PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
                                                  const reference::DrawRequest& request,
-                                                 reference::PixelPlace pixel,
+                                                 reference::PixelPlace pixel, RhoMethods methods,
                                                  const reference::DrawOptions& options) {
     const Result<Explanation> exact = renderer.probe(request, pixel, options);
     if (!exact)
         return fail(exact.error());
     const std::vector<FragmentExplanation>& fragments = exact->fragments;
+    const int steps = methods.size() == 1 ? 4 : 12; // from one end of the range to the other
     std::size_t first = fragments.size();
     for (std::size_t count = 0; first > 0 && count < mostFragments; ++count) {
         if (covers(fragments[--first]))
@@ -184,9 +208,10 @@ Result<std::vector<PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& r
         if (fragments[f].outcome == FragmentOutcome::FailedDepthTest)
             continue;
         std::vector<glm::vec4> own;
-        for (const float place : places) {
+        for (int step = 0; step <= steps; ++step) {
+            const float place = static_cast<float>(step) / static_cast<float>(steps);
             const Result<Explanation> found =
-                renderer.probe(biased(request, *exact, fragments[f], place), pixel, options);
+                renderer.probe(biased(request, *exact, fragments[f], methods, place), pixel, options);
             if (!found)
                 return fail(found.error());
             own.push_back(found->fragments[f].color);

@@ -11,31 +11,40 @@ namespace {
 
 class Reference : public Explainer {
 public:
-    explicit Reference(ImageSource images)
-        : images_(std::move(images)) {
-        options_.threads = 1;
+    Reference(reference::DrawRequest request, unsigned threads)
+        : request_(std::move(request)) {
+        request_.anisotropy = reference::AnisotropyMethod::Ellipse;
+        options_.threads = threads;
     }
-    Result<Frame> draw(const Scene& scene) override { return renderer_.draw(requestFor(scene), options_); }
-    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
-                                                          reference::PixelPlace pixel) override {
-        return colorsOverLambda(renderer_, requestFor(scene), pixel, options_);
+    Result<Frame> drawBy(const Scene& scene, reference::RhoMethod rho) override {
+        return renderer_.draw(requestFor(scene, rho), options_);
     }
-    const ImageSource& images() const override { return images_; }
+    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene, reference::PixelPlace pixel,
+                                                          RhoMethods methods) override {
+        return colorsOverLambda(renderer_, requestFor(scene, methods.front()), pixel, methods, options_);
+    }
+    const ImageSource& images() const override { return request_.images; }
 
 private:
-    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
-        return {scene, images_, 0, extent, extent, reference::AnisotropyMethod::Ellipse};
+    const reference::DrawRequest& requestFor(const Scene& scene, reference::RhoMethod rho) {
+        request_.scene = scene;
+        request_.rho = rho;
+        return request_;
     }
 
     reference::ReferenceRenderer renderer_;
     reference::DrawOptions options_;
-    ImageSource images_;
+    reference::DrawRequest request_;
 };
 
 } // namespace
 
+std::unique_ptr<Explainer> referenceRendererFor(const reference::DrawRequest& as, unsigned threads) {
+    return std::make_unique<Reference>(as, threads);
+}
+
 std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images) {
-    return std::make_unique<Reference>(images);
+    return referenceRendererFor({.scene = {}, .images = images, .width = extent, .height = extent});
 }
 
 std::unique_ptr<Explainer> referenceRenderer() {

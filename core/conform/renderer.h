@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/reference/draw_request.h"
 #include "core/reference/explain/explanation.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace texplorer::conform {
@@ -23,17 +25,27 @@ public:
     [[nodiscard]] virtual Result<Frame> draw(const Scene& scene) = 0;
 };
 
-/// The reference, which can also say what a driver's precision makes of a pixel. On the calling thread alone;
-/// anisotropic as Mesa is.
+/// Ways of computing rho, of which a driver may take any; at least one.
+using RhoMethods = std::span<const reference::RhoMethod>;
+
+/// The reference, which can also say what a driver's freedom and precision make of a scene.
 class Explainer : public Renderer {
 public:
-    /// The colours of a pixel over the error of lambda: see lambda_range.h.
+    [[nodiscard]] Result<Frame> draw(const Scene& scene) final {
+        return drawBy(scene, reference::RhoMethod::Ideal);
+    }
+    [[nodiscard]] virtual Result<Frame> drawBy(const Scene& scene, reference::RhoMethod rho) = 0;
+    /// The colours of a pixel over what lambda may be: see lambda_range.h.
     [[nodiscard]] virtual Result<std::vector<reference::PixelBytes>>
-    overLambda(const Scene& scene, reference::PixelPlace pixel) = 0;
+    overLambda(const Scene& scene, reference::PixelPlace pixel, RhoMethods methods) = 0;
     /// Those that scenes are drawn with.
     [[nodiscard]] virtual const ImageSource& images() const = 0;
 };
 
+/// Draws every scene as this one: with its images, at its time, in its size. Anisotropic as Mesa is.
+[[nodiscard]] std::unique_ptr<Explainer> referenceRendererFor(const reference::DrawRequest& as,
+                                                              unsigned threads = 1);
+/// Pictures of a sweep.
 [[nodiscard]] std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images);
 /// With the files that the scenes of the sweep name.
 [[nodiscard]] std::unique_ptr<Explainer> referenceRenderer();

@@ -13,8 +13,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json asJson(const Tally& tally) {
-    return {{"scenes", tally.scenes},           {"pixels", tally.pixels}, {"over", tally.over},
-            {"unexplained", tally.unexplained}, {"max", tally.max},       {"mean", tally.mean()}};
+    return {{"scenes", tally.scenes},       {"pixels", tally.pixels},
+            {"over", tally.over},           {"unexplained", tally.unexplained},
+            {"withinRho", tally.withinRho}, {"max", tally.max},
+            {"mean", tally.mean()}};
 }
 
 Json asJson(const Rule& rule) {
@@ -27,9 +29,13 @@ Json asJson(const Rule& rule) {
 }
 
 Json asJson(const PairReport& pair, const Outcome& outcome) {
-    Json json{{"feature", outcome.feature->name},        {"sweeps", outcome.feature->sweeps},
-              {"section", outcome.feature->section},     {"agrees", outcome.agrees()},
-              {"rule", asJson(*outcome.rule)},           {"all", asJson(outcome.all)},
+    Json json{{"feature", outcome.feature->name},
+              {"sweeps", outcome.feature->sweeps},
+              {"section", outcome.feature->section},
+              {"agrees", outcome.verdict() != Verdict::Differ},
+              {"verdict", rowOf(outcome.verdict()).name},
+              {"rule", asJson(*outcome.rule)},
+              {"all", asJson(outcome.all)},
               {"worstShareOfAScene", outcome.worstScene}};
     Json shapes = Json::object();
     for (const auto& [shape, tally] : outcome.shapes)
@@ -39,6 +45,13 @@ Json asJson(const PairReport& pair, const Outcome& outcome) {
     for (const auto& [skip, count] : outcome.skipped)
         skipped.push_back({{"name", skip->name}, {"scenes", count}, {"reason", skip->reason}});
     json["skipped"] = std::move(skipped);
+    Json rho = Json::object();
+    for (const auto& [method, count] : outcome.rho)
+        rho[std::string(rowOf(method).name)] = count;
+    json["rho"] = std::move(rho);
+    // What so many scenes may have.
+    json["limits"] = {{"over", outcome.all.limitOver(*outcome.rule)},
+                      {"unexplained", outcome.all.limitUnexplained(*outcome.rule)}};
     if (!outcome.problem.empty())
         json["problem"] = outcome.problem;
     if (outcome.worst) {

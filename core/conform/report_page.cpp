@@ -25,9 +25,16 @@ std::vector<report::Swatch> legend(const HeatScale& scale) {
 }
 
 report::State stateOf(const Outcome& outcome) {
-    if (!outcome.agrees())
+    switch (outcome.verdict()) {
+    case Verdict::Agree:
+        return report::State::Agree;
+    case Verdict::Differ:
         return report::State::Differ;
-    return outcome.all.scenes == 0 ? report::State::Skipped : report::State::Agree;
+    case Verdict::TooFewScenes:
+    case Verdict::Skipped:
+        break;
+    }
+    return report::State::Skipped;
 }
 
 std::string againstWords(const Pair& pair) {
@@ -47,7 +54,11 @@ std::vector<report::Fact> factsOf(const Outcome& outcome) {
         facts.push_back({"Unexplained", percent(all.shareUnexplained())});
     facts.push_back({"Worst", std::to_string(all.max)});
     facts.push_back({"Mean", fmt::format("{:.3f}", all.mean())});
-    facts.push_back({"Allowed", allowed(rule)});
+    facts.push_back({"Allowed", allowed(outcome)});
+    if (outcome.verdict() == Verdict::TooFewScenes)
+        facts.push_back({"Too few scenes", std::string(rowOf(Verdict::TooFewScenes).help)});
+    if (std::string rho = rhoText(outcome); !rho.empty())
+        facts.push_back({"rho", std::move(rho)});
     facts.push_back({fmt::format("Rule {}", rule.name), std::string(rule.reason)});
     for (const auto& [skip, count] : outcome.skipped)
         facts.push_back({fmt::format("Skipped, {}", skip->name),
@@ -123,8 +134,8 @@ std::vector<report::Cell> rowOfTable(const Outcome& outcome, std::size_t number)
             {outcome.rule->tolerance == Tolerance::None ? "–" : percent(all.shareUnexplained())},
             {std::to_string(all.max)},
             {fmt::format("{:.3f}", all.mean())},
-            {std::string(verdict(outcome)), stateOf(outcome)},
-            {allowed(*outcome.rule)}};
+            {std::string(rowOf(outcome.verdict()).label), stateOf(outcome)},
+            {allowed(outcome)}};
 }
 
 /// `first` is the number of the case of its first row.
@@ -141,6 +152,8 @@ report::Table tableOf(const PairReport& pair, std::size_t first) {
         for (const auto& [skip, count] : outcome.skipped)
             table.notes.push_back(fmt::format("{}: {} skipped ({}): {}.", outcome.feature->name,
                                               countOf(count, "scene"), skip->name, skip->reason));
+        if (const std::string rho = rhoText(outcome); !rho.empty())
+            table.notes.push_back(fmt::format("{}: {}.", outcome.feature->name, rho));
         if (!outcome.problem.empty())
             table.notes.push_back(fmt::format("{}: {}", outcome.feature->name, outcome.problem));
     }

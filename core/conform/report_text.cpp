@@ -46,12 +46,11 @@ std::string pairText(const PairReport& pair) {
     for (const Outcome& outcome : pair.outcomes) {
         const Tally& all = outcome.all;
         const bool tolerance = outcome.rule->tolerance != Tolerance::None;
-        const std::string_view verdict = conform::verdict(outcome);
         lines.push_back({std::string(outcome.feature->name), std::to_string(all.scenes),
                          std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
                          percent(all.shareOver()), tolerance ? percent(all.shareUnexplained()) : "–",
-                         std::to_string(all.max), verdict == "differ" ? "DIFFER" : std::string(verdict),
-                         allowed(*outcome.rule)});
+                         std::to_string(all.max), std::string(rowOf(outcome.verdict()).label),
+                         allowed(outcome)});
         for (const auto& [skip, count] : outcome.skipped)
             skipped[skip] += count;
     }
@@ -61,6 +60,10 @@ std::string pairText(const PairReport& pair) {
         if (const auto found = skipped.find(&skip); found != skipped.end())
             text +=
                 fmt::format("skipped: {}, {}: {}\n", skip.name, countOf(found->second, "scene"), skip.reason);
+    }
+    for (const Outcome& outcome : pair.outcomes) {
+        if (const std::string rho = rhoText(outcome); !rho.empty())
+            text += fmt::format("rho: {}: {}\n", outcome.feature->name, rho);
     }
     for (const Outcome& outcome : pair.outcomes) {
         if (!outcome.problem.empty())
@@ -89,13 +92,20 @@ std::string summary(const Report& report) {
         return "not all agree";
     int skipped = 0;
     int all = 0;
+    int open = 0;
     for (const PairReport& pair : report.pairs) {
         for (const Outcome& outcome : pair.outcomes) {
             skipped += skippedOf(outcome);
             all += skippedOf(outcome) + outcome.all.scenes;
+            open += outcome.verdict() == Verdict::TooFewScenes ? 1 : 0;
         }
     }
-    return skipped == 0 ? "all agree" : fmt::format("all agree, {} of {} comparisons skipped", skipped, all);
+    std::string text = "all agree";
+    if (open > 0)
+        text += fmt::format(", but for {} with too few scenes to tell", countOf(open, "feature"));
+    if (skipped > 0)
+        text += fmt::format(", {} of {} comparisons skipped", skipped, all);
+    return text;
 }
 
 std::string listing() {

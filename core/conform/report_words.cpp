@@ -1,5 +1,7 @@
 #include "core/conform/report_words.h"
 
+#include "core/base/count.h"
+
 #include <fmt/core.h>
 
 namespace texplorer::conform {
@@ -8,7 +10,11 @@ std::string percent(double share) {
     return share == 0 ? "0" : share < 0.00005 ? "<0.01 %" : fmt::format("{:.2f} %", share * 100);
 }
 
-std::string allowed(const Rule& rule) {
+namespace {
+
+/// `byChance` is what so many scenes may have, where they have more than is allowed; else empty.
+std::string allowedText(const Rule& rule, const std::string& overByChance,
+                        const std::string& unexplainedByChance) {
     const auto part = [](double share) {
         std::string number = fmt::format("{:.2f}", (1 - share) * 100);
         number.erase(number.find_last_not_of('0') + 1);
@@ -16,14 +22,40 @@ std::string allowed(const Rule& rule) {
             number.pop_back();
         return share == 1 ? "0" : number + " %";
     };
-    std::string text = fmt::format("{} over {}", part(rule.share), rule.bound);
+    std::string text = fmt::format("{} over {}{}", part(rule.share), rule.bound, overByChance);
     if (rule.tolerance != Tolerance::None)
-        text += fmt::format(", {} unexplained", part(rule.explained));
+        text += fmt::format(", {} unexplained{}", part(rule.explained), unexplainedByChance);
     return text;
 }
 
-std::string_view verdict(const Outcome& outcome) {
-    return !outcome.agrees() ? "differ" : outcome.all.scenes == 0 ? "skipped" : "agree";
+} // namespace
+
+std::string allowed(const Rule& rule) {
+    return allowedText(rule, {}, {});
+}
+
+std::string allowed(const Outcome& outcome) {
+    const Tally& all = outcome.all;
+    const Rule& rule = *outcome.rule;
+    const auto byChance = [&all](double share, double expected, double limit) {
+        return share > expected && expected > 0
+                   ? fmt::format(" (of {} {})", countOf(all.scenes, "scene"), percent(limit))
+                   : std::string();
+    };
+    return allowedText(rule, byChance(all.shareOver(), 1 - rule.share, all.limitOver(rule)),
+                       byChance(all.shareUnexplained(), 1 - rule.explained, all.limitUnexplained(rule)));
+}
+
+std::string rhoText(const Outcome& outcome) {
+    std::string text;
+    const auto add = [&text](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+    for (const auto& [method, count] : outcome.rho)
+        add(fmt::format("{} with rho at its {} (--rho {})", countOf(count, "scene"),
+                        method == reference::RhoMethod::Lower ? "lower end" : "upper end",
+                        rowOf(method).name));
+    if (outcome.all.withinRho > 0)
+        add(fmt::format("{} with another rho between its ends", countOf(outcome.all.withinRho, "pixel")));
+    return text.empty() ? text : text + ", which OpenGL 2.1, section 3.8.8, allows";
 }
 
 int skippedOf(const Outcome& outcome) {

@@ -1,6 +1,7 @@
 #include "core/conform/sweep.h"
 
 #include "core/base/parallel.h"
+#include "core/conform/sample_limit.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <system_error>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 namespace texplorer::conform {
 
@@ -104,11 +106,13 @@ public:
         ++of(pair, item).skipped[&skip];
     }
 
-    void add(std::size_t pair, const Case& item, const Judgement& judgement, const Frame& subject,
+    void add(std::size_t pair, const Case& item, Judgement judgement, const Frame& subject,
              const Frame& against) {
         const std::scoped_lock lock(mutex_);
         Outcome& outcome = of(pair, item);
         outcome.all.add(judgement);
+        if (judgement.rho != reference::RhoMethod::Ideal)
+            ++outcome.rho[judgement.rho];
         if (!item.scene.models.empty())
             outcome.shapes[item.scene.models.front().shape].add(judgement);
         outcome.worstScene =
@@ -118,7 +122,10 @@ public:
         const std::string* only = problemOfOne(subject.problems, against.problems);
         if (only && (outcome.problem.empty() || *only < outcome.problem))
             outcome.problem = *only;
-        Worst candidate{item.number, item.scene, subject.image, against.image, judgement};
+        Worst candidate{item.number, item.scene, subject.image, against.image, std::move(judgement)};
+        if (auto& redrawn = candidate.judgement.redrawn)
+            (pairs_[pair].pair.subject == RendererKind::Reference ? candidate.subject : candidate.against) =
+                *std::exchange(redrawn, std::nullopt);
         if (!outcome.worst || badness(*outcome.worst) < badness(candidate))
             outcome.worst = std::move(candidate);
     }
@@ -171,12 +178,12 @@ public:
             const Frame& subject = drawn.frames.at(pair.subject);
             const Frame& against = drawn.frames.at(pair.against);
             const bool turned = pair.against == RendererKind::Reference;
-            const Result<Judgement> judgement =
+            Result<Judgement> judgement =
                 judge(ruleOf(*item.feature, pair), item.scene, turned ? against.image : subject.image,
-                      turned ? subject.image : against.image, *reference_);
+                      turned ? subject.image : against.image, *reference_, rhoRangeOf(options_.driver));
             if (!judgement)
                 return outcomes_.fail(judgement.error());
-            outcomes_.add(i, item, *judgement, subject, against);
+            outcomes_.add(i, item, *std::move(judgement), subject, against);
         }
     }
 
@@ -264,19 +271,45 @@ void Tally::add(const Judgement& judgement) {
     pixels += judgement.difference.pixels;
     over += judgement.difference.over;
     unexplained += judgement.unexplained;
+    withinRho += judgement.withinRho;
+    overSquares += std::uint64_t{judgement.difference.over} * judgement.difference.over;
+    unexplainedSquares += std::uint64_t{judgement.unexplained} * judgement.unexplained;
     max = std::max(max, judgement.difference.max);
     // A whole number: the order in which threads add does not matter.
     sum += static_cast<std::uint64_t>(
         std::llround(judgement.difference.mean * static_cast<double>(judgement.difference.pixels) * 4));
 }
 
-bool Outcome::agrees() const {
-    return problem.empty() && all.shareOver() <= 1 - rule->share &&
-           all.shareUnexplained() <= 1 - rule->explained && worstScene <= 1 - rule->explainedScene;
+double Tally::deviation(std::size_t count, std::uint64_t squares) const {
+    const double n = std::max(scenes, 1);
+    const double mean = static_cast<double>(count) / n;
+    const double variance = static_cast<double>(squares) / n - mean * mean;
+    return scenes == 0 ? 0 : std::sqrt(std::max(variance, 0.0)) * n / static_cast<double>(pixels);
+}
+
+double Tally::limitOver(const Rule& rule) const {
+    const double most = rule.tolerance == Tolerance::None ? 1 - rule.explainedScene : 1;
+    return sampleLimit(1 - rule.share, {scenes, deviation(over, overSquares), most});
+}
+
+double Tally::limitUnexplained(const Rule& rule) const {
+    return sampleLimit(1 - rule.explained,
+                       {scenes, deviation(unexplained, unexplainedSquares), 1 - rule.explainedScene});
+}
+
+Verdict Outcome::verdict() const {
+    if (!problem.empty() || worstScene > 1 - rule->explainedScene || all.shareOver() > all.limitOver(*rule) ||
+        all.shareUnexplained() > all.limitUnexplained(*rule))
+        return Verdict::Differ;
+    if (all.scenes == 0)
+        return Verdict::Skipped;
+    const bool isMore = all.shareOver() > 1 - rule->share || all.shareUnexplained() > 1 - rule->explained;
+    return isMore && areFewScenes(all.scenes) ? Verdict::TooFewScenes : Verdict::Agree;
 }
 
 bool PairReport::agrees() const {
-    return std::ranges::all_of(outcomes, &Outcome::agrees);
+    return std::ranges::none_of(outcomes,
+                                [](const Outcome& each) { return each.verdict() == Verdict::Differ; });
 }
 
 bool Report::compared() const {

@@ -38,10 +38,13 @@ struct Selection {
 struct Tally {
     int scenes = 0;
     std::size_t pixels = 0;
-    std::size_t over = 0;        ///< pixels over the rule's bound
-    std::size_t unexplained = 0; ///< of these, what the rule's tolerance doesn't allow
-    int max = 0;                 ///< the worst component, in 255ths
-    std::uint64_t sum = 0;       ///< of all components' differences
+    std::size_t over = 0;          ///< pixels over the rule's bound
+    std::size_t unexplained = 0;   ///< of these, what the rule's tolerance doesn't allow
+    std::size_t withinRho = 0;     ///< of these, what Judgement says
+    std::uint64_t overSquares = 0; ///< the squares of each scene's `over`
+    std::uint64_t unexplainedSquares = 0;
+    int max = 0;           ///< the worst component, in 255ths
+    std::uint64_t sum = 0; ///< of all components' differences
 
     void add(const Judgement& judgement);
     [[nodiscard]] double mean() const {
@@ -49,11 +52,16 @@ struct Tally {
     }
     [[nodiscard]] double shareOver() const { return share(over); }
     [[nodiscard]] double shareUnexplained() const { return share(unexplained); }
+    /// What these may be where all scenes that there could be keep to a rule: see sample_limit.h.
+    [[nodiscard]] double limitOver(const Rule& rule) const;
+    [[nodiscard]] double limitUnexplained(const Rule& rule) const;
 
 private:
     [[nodiscard]] double share(std::size_t count) const {
         return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels);
     }
+    /// Of `count` pixels, the squares of whose numbers in each scene have this sum.
+    [[nodiscard]] double deviation(std::size_t count, std::uint64_t squares) const;
 };
 
 /// The scene in which two renderers are furthest apart.
@@ -65,6 +73,17 @@ struct Worst {
     Judgement judgement;
 };
 
+/// What comes of a feature. Too few scenes: a share is larger than its rule allows, and chance may be why.
+enum class Verdict : std::uint8_t { Agree, Differ, TooFewScenes, Skipped };
+
+inline constexpr std::array verdictRows{
+    row(Verdict::Agree, "agree", "agree", "The two renderers agree."),
+    row(Verdict::Differ, "differ", "DIFFER", "The two renderers differ by more than they may."),
+    row(Verdict::TooFewScenes, "too-few-scenes", "too few scenes",
+        "More pixels differ than thousands of scenes may have; so few may have them by chance."),
+    row(Verdict::Skipped, "skipped", "skipped", "No scene was compared."),
+};
+
 /// A feature, as far as two renderers agree on it.
 struct Outcome {
     const Feature* feature = nullptr;
@@ -73,17 +92,18 @@ struct Outcome {
     std::map<Shape, Tally> shapes;
     double worstScene = 0; ///< the largest share of unexplained pixels of one scene
     std::map<const Skip*, int> skipped;
-    std::optional<Worst> worst; ///< none where no scene was drawn
+    std::map<reference::RhoMethod, int> rho; ///< how many scenes the driver drew with which, but for Ideal
+    std::optional<Worst> worst;              ///< none where no scene was drawn
     std::string problem; ///< a sentence of a renderer that could not draw a scene as it is; empty: none
 
-    [[nodiscard]] bool agrees() const;
+    [[nodiscard]] Verdict verdict() const;
 };
 
 struct PairReport {
     Pair pair;
     std::vector<Outcome> outcomes; ///< in the order of the features
 
-    [[nodiscard]] bool agrees() const;
+    [[nodiscard]] bool agrees() const; ///< none differs
 };
 
 /// What made a report, for a reader elsewhere.
@@ -127,3 +147,9 @@ struct SweepOptions {
 [[nodiscard]] Result<Report> sweep(const SweepOptions& options, const Renderers& renderers);
 
 } // namespace texplorer::conform
+
+template<>
+struct texplorer::EnumTable<texplorer::conform::Verdict> {
+    static constexpr std::span<const EnumRow> rows = texplorer::conform::verdictRows;
+};
+static_assert(texplorer::conform::verdictRows.size() == 4);

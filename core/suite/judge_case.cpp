@@ -6,10 +6,8 @@
 #include "core/compare/heat_map.h"
 #include "core/compare/picture_pair.h"
 #include "core/conform/judge.h"
-#include "core/conform/lambda_range.h"
 #include "core/conform/skip.h"
 #include "core/image/convert.h"
-#include "core/reference/draw.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/rule_choice.h"
 #include "core/suite/stored_picture.h"
@@ -24,32 +22,6 @@ namespace texplorer::suite {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The reference with a case's own size and time.
-class CaseReference : public conform::Explainer {
-public:
-    CaseReference(const Case& of, const ImageSource& images, unsigned threads)
-        : case_(of)
-        , images_(images) {
-        options_.threads = threads;
-    }
-    Result<Frame> draw(const Scene& scene) override { return renderer_.draw(requestFor(scene), options_); }
-    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
-                                                          reference::PixelPlace pixel) override {
-        return conform::colorsOverLambda(renderer_, requestFor(scene), pixel, options_);
-    }
-    const ImageSource& images() const override { return images_; }
-
-private:
-    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
-        return {scene, images_, case_.time, case_.size.width, case_.size.height, referenceAnisotropy};
-    }
-
-    const Case& case_;
-    const ImageSource& images_;
-    reference::ReferenceRenderer renderer_;
-    reference::DrawOptions options_;
-};
 
 Image rgba8(const Image& image) {
     Image result = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height);
@@ -156,6 +128,17 @@ JudgedCase judgeStored(CaseRecord record, const Criterion& criterion, Image expe
     return judged;
 }
 
+/// Where the driver made use of what OpenGL leaves open of rho.
+std::string rhoSentence(const conform::Judgement& judgement) {
+    if (judgement.rho != reference::RhoMethod::Ideal)
+        return fmt::format("; rho is at the {} end of what OpenGL 2.1, section 3.8.8, allows (--rho {})",
+                           texplorer::rowOf(judgement.rho).name, texplorer::rowOf(judgement.rho).name);
+    if (judgement.withinRho > 0)
+        return fmt::format("; {} by a rho within what OpenGL 2.1, section 3.8.8, allows",
+                           countOf(judgement.withinRho, "pixel"));
+    return {};
+}
+
 std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& judgement) {
     const Difference& difference = judgement.difference;
     const auto share = [&difference](std::size_t pixels) {
@@ -181,10 +164,12 @@ std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& ju
 }
 
 JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene& scene, Image expected,
-                       const Image& actual, CaseReference& reference) {
-    const Result<conform::Judgement> judgement = conform::judge(rule, scene, expected, actual, reference);
+                       const Image& actual, conform::Explainer& reference, conform::RhoRange range) {
+    Result<conform::Judgement> judgement = conform::judge(rule, scene, expected, actual, reference, range);
     if (!judgement)
         return problemOf(std::move(record), judgement.error());
+    if (judgement->redrawn)
+        expected = *std::move(judgement->redrawn);
     const Difference& difference = judgement->difference;
     record.metric = fmt::format("rule {}", rule.name);
     record.score = difference.mean;
@@ -195,7 +180,7 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
     record.over = difference.over;
     record.unexplained = judgement->unexplained;
     record.state = record.shareThatCounts() <= record.share ? State::Passed : State::Failed;
-    record.sentence = ruleSentence(rule, *judgement);
+    record.sentence = ruleSentence(rule, *judgement) + rhoSentence(*judgement);
     if (difference.max > 0) {
         const auto [x, y] = std::array{difference.worst.x, difference.worst.y};
         record.worst = {x, expected.height - 1 - y, colorAt(expected, x, y), colorAt(actual, x, y)};
@@ -212,10 +197,16 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
 
 JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, const Case& of,
                                  const CaseScene& scene, const Image& actual,
-                                 const std::optional<Image>& mask, unsigned threads) {
+                                 const std::optional<Image>& mask, conform::RhoRange range,
+                                 unsigned threads) {
     record.golden = "reference";
-    CaseReference reference(of, scene.images, threads);
-    Result<Frame> frame = reference.draw(scene.scene);
+    const auto reference = conform::referenceRendererFor({.scene = {},
+                                                          .images = scene.images,
+                                                          .time = of.time,
+                                                          .width = of.size.width,
+                                                          .height = of.size.height},
+                                                         threads);
+    Result<Frame> frame = reference->draw(scene.scene);
     if (!frame)
         return problemOf(std::move(record), frame.error());
     const std::string& name = std::get<GoldenReference>(settings.golden).rule;
@@ -230,10 +221,12 @@ JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, co
                                       of.size.height, mask->width, mask->height),
                           settings.mask});
     if (!mask || !isSameSize(frame->image, actual))
-        return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), actual, reference);
+        return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), actual, *reference,
+                           range);
     Image counted = actual;
     takeMasked(counted, frame->image, *mask);
-    return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), counted, reference);
+    return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), counted, *reference,
+                       range);
 }
 
 /// Nearer: the same size rather than another, then less that is over the tolerance, then a better worst
@@ -320,7 +313,8 @@ JudgedCase judgeCase(const Plan& plan, const Case& of, const CaseScene& scene, c
     if (!mask)
         return problemOf(std::move(record), mask.error());
     if (std::holds_alternative<GoldenReference>(settings.golden))
-        return judgeAgainstReference(std::move(record), settings, of, scene, actual, *mask, threads);
+        return judgeAgainstReference(std::move(record), settings, of, scene, actual, *mask,
+                                     conform::rhoRangeOf(driver), threads);
     return judgeAgainstFiles(record, folder, settings, goldensOf(plan, of, driver.name), actual, *mask,
                              threads);
 }

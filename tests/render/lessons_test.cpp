@@ -4,7 +4,6 @@
 
 #include "app/view/driver_facts.h"
 #include "core/conform/judge.h"
-#include "core/conform/lambda_range.h"
 #include "core/conform/skip.h"
 #include "core/lesson/lesson_scene.h"
 #include "tests/support/render_fixture.h"
@@ -23,28 +22,6 @@ namespace {
 using namespace test;
 
 constexpr view::Size extent{160, 120};
-
-/// conform's own draws squares.
-class LessonReference : public conform::Explainer {
-public:
-    explicit LessonReference(const ImageSource& images)
-        : images_(images) {}
-    Result<Frame> draw(const Scene& scene) override { return renderer_.draw(requestFor(scene), options_); }
-    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
-                                                          reference::PixelPlace pixel) override {
-        return conform::colorsOverLambda(renderer_, requestFor(scene), pixel, options_);
-    }
-    [[nodiscard]] const ImageSource& images() const override { return images_; }
-
-private:
-    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
-        return {scene, images_, 0, extent.width, extent.height, reference::AnisotropyMethod::Ellipse};
-    }
-
-    reference::ReferenceRenderer renderer_;
-    reference::DrawOptions options_;
-    ImageSource images_;
-};
 
 bool isAnisotropic(const Scene& scene) {
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
@@ -100,13 +77,14 @@ protected:
         EXPECT_THAT(frame->problems, onlyNotKept());
         const Result<Image> theirs = renderer->read();
         ASSERT_TRUE(theirs) << describe(theirs.error());
-        LessonReference reference(step.images);
-        const Result<Frame> ours = reference.draw(step.scene);
+        const auto reference = conform::referenceRendererFor(
+            {.scene = {}, .images = step.images, .width = extent.width, .height = extent.height});
+        const Result<Frame> ours = reference->draw(step.scene);
         ASSERT_TRUE(ours) << describe(ours.error());
         EXPECT_THAT(ours->problems, onlyNotKept());
         const conform::Rule rule = ruleOf(step.scene);
         const Result<conform::Judgement> judged =
-            conform::judge(rule, step.scene, ours->image, *theirs, reference);
+            conform::judge(rule, step.scene, ours->image, *theirs, *reference);
         ASSERT_TRUE(judged) << describe(judged.error());
         const auto pixels = static_cast<double>(judged->difference.pixels);
         EXPECT_LE(static_cast<double>(judged->unexplained) / pixels, 1 - rule.explainedScene)

@@ -314,8 +314,9 @@ void addConform(CommandLine& line) {
         "A table on standard output: \"over\" are the pixels that differ by more than the rule's "
         "bound (in 255ths), "
         "\"unexplained\" those of them that the driver's precision, as the rule grants it, does not "
-        "explain.\n"
-        "Exit status: 0 all agree, 1 not all do or nothing could be drawn, 2 a wrong call, 130 "
+        "explain. What is allowed holds for thousands of scenes; of fewer it is as much more as chance, once in "
+        "10,000 samples, makes it, and \"too few scenes\" where there are fewer than 19 and more pixels.\n"
+        "Exit status: 0 none differ, 1 some do or nothing could be drawn, 2 a wrong call, 130 "
         "Ctrl+C.");
     command.onCall([options] { return conformTo(*options); });
 }

@@ -194,8 +194,8 @@ const std::vector<CommandTable>& commandTables() {
           {{"program, command, driver, seed, scenes, extent", "What was drawn, by what."},
            {"compared, agrees", "Whether anything was, and whether all of it agrees."},
            {"pairs",
-            "Of two renderers, renderer and against: agrees, and features (feature, sweeps, section, rule, "
-            "all, worstShareOfAScene, shapes, skipped, worst)."},
+            "Of two renderers, renderer and against: agrees, and features (feature, sweeps, section, agrees, "
+            "verdict, rule, all, worstShareOfAScene, shapes, skipped, rho, limits, worst)."},
            {"features, rules, notCompared",
             "With --list in their place: what is compared, how, and what isn't."}}}},
         {"probe",

@@ -130,6 +130,72 @@ TEST_F(Judging, GrantsLambdaItsErrorInEveryFragmentThatIsSeen) {
     EXPECT_EQ(judgement.unexplained, 0U);
 }
 
+/// A square that covers the picture, with 3 texels a pixel, turned by 30 degrees: the least rho of
+/// OpenGL 2.1, section 3.8.8, is log2(cos 30) = -0.2075 below the ideal one, the largest log2(2 cos 30) =
+/// 0.7925 above.
+Scene turnedBoard() {
+    Dice dice("turned", 1, 1);
+    Scene scene = texturedQuad({Pattern::MipColors, 0, 64, 64}, dice);
+    scene.models[0].texCoords[0].clear();
+    for (const Vertex& vertex : makeMesh({Shape::Quad}).vertices)
+        scene.models[0].texCoords[0].emplace_back(vertex.position.x > 0 ? 1.0F : 0.0F,
+                                                  vertex.position.y > 0 ? 1.0F : 0.0F, 0, 1);
+    scene.textures[0].mipmaps = MipPolicy::Colored;
+    scene.textures[0].minFilter = MinFilter::LinearMipmapLinear;
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {3, 3, 1}},
+                                       {.op = MatrixOp::Rotate, .amount = {0, 0, 1}, .angle = 30}};
+    return scene;
+}
+
+Scene biased(Scene scene, float bias) {
+    scene.passes[0].units[0].lodBias += bias;
+    return scene;
+}
+
+TEST_F(Judging, GrantsEitherEndOfRho) {
+    const Scene scene = turnedBoard();
+    for (const auto method : {reference::RhoMethod::Lower, reference::RhoMethod::Upper}) {
+        const Image theirs = reference->drawBy(scene, method)->image;
+        const Judgement judgement = *judge(lambda, scene, draw(scene), theirs, *reference);
+        EXPECT_EQ(judgement.rho, method);
+        EXPECT_EQ(judgement.difference.over, 0U);
+        EXPECT_EQ(judgement.unexplained, 0U);
+        ASSERT_TRUE(judgement.redrawn);
+        EXPECT_EQ(compare(*judgement.redrawn, theirs, lambda.bound)->over, 0U);
+    }
+    const Judgement same = judged(lambda, scene, scene);
+    EXPECT_EQ(same.rho, reference::RhoMethod::Ideal);
+    EXPECT_FALSE(same.redrawn);
+}
+
+TEST_F(Judging, GrantsWhatLiesBetweenTheEndsOfRho) {
+    const Scene scene = turnedBoard();
+    for (const float bias : {-0.1F, 0.3F, 0.5F}) {
+        const Image theirs = draw(biased(scene, bias));
+        const Judgement judgement = *judge(lambda, scene, draw(scene), theirs, *reference, RhoRange::Any);
+        EXPECT_GT(judgement.difference.over, 3000U) << bias;
+        EXPECT_EQ(judgement.unexplained, 0U) << bias;
+        EXPECT_EQ(judgement.withinRho, judgement.difference.over) << bias;
+        // A driver whose rho is known takes no other one.
+        const Judgement strict = *judge(lambda, scene, draw(scene), theirs, *reference, RhoRange::Ends);
+        EXPECT_EQ(strict.unexplained, strict.difference.over) << bias;
+    }
+    EXPECT_EQ(rhoRangeOf({"llvmpipe (LLVM 15.0.6, 256 bits)", "", "", {}}), RhoRange::Ends);
+    EXPECT_EQ(rhoRangeOf({"softpipe", "", "", {}}), RhoRange::Ends);
+    EXPECT_EQ(rhoRangeOf({"AMD Radeon", "", "", {}}), RhoRange::Any);
+}
+
+// The arithmetic that llvmpipe is granted takes up to 0.0861 from the lower end, 6 bits are added to both.
+TEST_F(Judging, GrantsNothingBeyondTheEndsOfRho) {
+    const Scene scene = turnedBoard();
+    for (const float bias : {-0.2075F - 0.13F, 0.7925F + 0.05F}) {
+        const Judgement judgement =
+            *judge(lambda, scene, draw(scene), draw(biased(scene, bias)), *reference, RhoRange::Any);
+        EXPECT_GT(judgement.difference.over, 3000U) << bias;
+        EXPECT_EQ(judgement.unexplained, judgement.difference.over) << bias;
+    }
+}
+
 // llvmpipe clamps them to the edge under GL_LINEAR; under GL_NEAREST, and clamped, they can be compared.
 TEST(Skipping, NamesACubeMapsOtherWraps) {
     Dice dice("cube", 1, 1);

@@ -111,6 +111,7 @@ TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     Outcome& outcome = report.pairs[0].outcomes[0];
     outcome.all.pixels = 1000000;
     outcome.all.over = 20;
+    outcome.all.unexplained = 0;
     outcome.worst->judgement.difference.worst = {3, 0};
     outcome.worst->judgement.difference.max = 7;
     const report::Page page = pageOf(report);

@@ -55,15 +55,16 @@ public:
         , width_(width)
         , height_(height) {}
 
-    Result<Frame> draw(const Scene& scene) override {
-        Result<Frame> frame = renderer_.draw(requestFor(scene), {.threads = 1});
+    Result<Frame> drawBy(const Scene& scene, reference::RhoMethod rho) override {
+        Result<Frame> frame = renderer_.draw(requestFor(scene, rho), {.threads = 1});
         if (frame)
             makeOpaque(frame->image);
         return frame;
     }
-    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
-                                                          reference::PixelPlace pixel) override {
-        auto colors = conform::colorsOverLambda(renderer_, requestFor(scene), pixel, {.threads = 1});
+    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene, reference::PixelPlace pixel,
+                                                          conform::RhoMethods methods) override {
+        auto colors = conform::colorsOverLambda(renderer_, requestFor(scene, methods.front()), pixel, methods,
+                                                {.threads = 1});
         if (colors)
             std::ranges::for_each(*colors, [](reference::PixelBytes& each) { each[3] = 255; });
         return colors;
@@ -71,9 +72,15 @@ public:
     const ImageSource& images() const override { return images_; }
 
 private:
-    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
-        return {scene,      images_, seconds_, width_, height_, reference::AnisotropyMethod::Probes,
-                cornerBits, true};
+    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene, reference::RhoMethod rho) const {
+        return {.scene = scene,
+                .images = images_,
+                .time = seconds_,
+                .width = width_,
+                .height = height_,
+                .rho = rho,
+                .cornerBits = cornerBits,
+                .zeroSwitchOver = true};
     }
 
     reference::ReferenceRenderer renderer_;
