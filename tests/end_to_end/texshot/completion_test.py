@@ -81,12 +81,14 @@ class Shell(Texshot):
         self.assertEqual(self.offered("texshot shot --preset "), {each["name"] for each in presets})
         lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
         self.assertEqual(self.offered("texshot shot --lesson "), {each["name"] for each in lessons})
-        self.assertEqual(self.offered("texshot compress --format "), {"dxt1", "dxt1a", "dxt3", "dxt5", "bc4", "bc5"})
+        self.assertEqual(self.offered("texshot compress --format "), {
+            "dxt1", "dxt1a", "dxt3", "dxt5", "bc4", "bc5", "bc1", "bc1a", "bc2", "bc3", "ati1", "ati2", "rgtc1", "rgtc2"})
         self.assertIn("trilinear", self.offered("texshot conform --feature "))
         self.assertEqual(self.offered("texshot --completion "), {"bash", "zsh", "fish"})
 
     def test_joined_choices(self):
         self.assertEqual(self.offered("texshot shot --ui --compare fixed,sha"), {"fixed,shader"})
+        self.assertEqual(self.offered("texshot shot --renderer fixed,sha"), {"fixed,shader"})
         self.assertIn("no-s3tc,units=", self.offered("texshot probe --pretend no-s3tc,u"))
 
     def test_parameters(self):

@@ -45,7 +45,7 @@ class Schema(Texshot):
         self.assertEqual(suites["$id"], self.schema["$id"].replace("scene.", "suite."))
         for place in ("{case}", "{picture}", "{driver}"):
             self.assertIn(place, json.dumps(suites))
-        self.complains(1, "nowhere", "schema", "-o", self.path / "nowhere" / "schema.json")
+        self.complains(1, "Not a directory", "schema", "-o", file / "schema.json")
 
     def test_every_parameter_has_words_and_an_initial_value_that_it_accepts(self):
         listed = {entry["path"]: entry for entry in json.loads(self.succeeds("params", "--json"))["parameters"]}
