@@ -30,7 +30,9 @@ protected:
         const ImVec2 buttons = place("lesson:Next");
         for (int turn = 0; turn < 50; ++turn) {
             const auto found = places.items.find(name);
-            if (found != places.items.end() && found->second.visible && found->second.bottom < buttons.y - 12)
+            const auto top = static_cast<float>(layout.rightDock.y) + 40; // below the tabs
+            if (found != places.items.end() && found->second.visible && found->second.top > top &&
+                found->second.bottom < buttons.y - 12)
                 return;
             wheel({buttons.x, buttons.y - 40}, turn == 0 ? 100.0F : -1.0F);
         }

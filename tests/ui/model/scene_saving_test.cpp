@@ -119,6 +119,7 @@ TEST_F(SavedScene, OfAnotherProgramIsTakenAsAStepOfUndo) {
     const Scene mine = session.document.scene;
     edit(clamped);
     save(session);
+    session.window.dialog = Dialog::None;
     takeTheirs(session);
     receiveFiles(session);
     EXPECT_EQ(session.document.scene, parseScene(clamped).value());
@@ -168,16 +169,16 @@ TEST_F(SavedScene, RestoredAfterItsFileHasChangedIsAskedAbout) {
     }
 }
 
-/// Takes theirs and makes its own edit again until it is in the file.
-void addTo(const fs::path& file, int edits) {
+/// A number is counted in the file: what another window has written is taken, and the edit made again.
+void count(const fs::path& file, int Texture::*number, int step, int edits) {
     ServicesAtOnce services;
     Session session(services.lend());
     ASSERT_TRUE(openScene(session, file));
     receiveFiles(session);
     for (int i = 0; i < edits; ++i) {
         for (;;) {
-            session.document.scene.textures[0].baseLevel += 1;
-            recordEdit(session, "Base level");
+            session.document.scene.textures[0].*number += step;
+            recordEdit(session, "A level");
             const Result<Saving> saved = saveScene(session, file);
             ASSERT_TRUE(saved) << describe(saved.error());
             if (*saved == Saving::Written)
@@ -191,10 +192,12 @@ void addTo(const fs::path& file, int edits) {
 TEST_F(SavedScene, OfTwoWindowsAtTheSameTimeLosesNothing) {
     constexpr int edits = 20;
     {
-        const std::jthread one([this] { addTo(file, edits); });
-        const std::jthread two([this] { addTo(file, edits); });
+        const std::jthread one([this] { count(file, &Texture::baseLevel, 1, edits); });
+        const std::jthread two([this] { count(file, &Texture::maxLevel, -1, edits); });
     }
-    EXPECT_EQ(readScene(file).value().scene.textures[0].baseLevel, 2 * edits);
+    const Texture saved = readScene(file).value().scene.textures[0];
+    EXPECT_EQ(saved.baseLevel, edits);
+    EXPECT_EQ(saved.maxLevel, Texture{}.maxLevel - edits);
 }
 
 } // namespace

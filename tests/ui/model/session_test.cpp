@@ -211,14 +211,12 @@ TEST_F(OpeningAScene, UndoAndRedoSelectNoPassThatThereIsNotAtAnyTime) {
     EXPECT_EQ(session->window.selection.pass, 0);
 }
 
-TEST_F(OpeningAScene, LeavesAModelSelectedThatIsSeenInBoth) {
+TEST_F(OpeningAScene, SelectsTheFirstModelAndNoVertex) {
     session->window.selection.model = 1;
     session->window.selection.vertex = 2;
     open(R"({"version": 1, "models": [{"shape": "cube"}, {"shape": "quad"}]})");
-    EXPECT_EQ(session->window.selection.model, 1);
-    EXPECT_EQ(session->window.selection.vertex, 2U);
-    open(R"({"version": 1, "models": [{"shape": "cube"}]})");
-    EXPECT_EQ(session->window.selection.model, 0) << "there is one model alone";
+    EXPECT_EQ(session->window.selection.model, 0);
+    EXPECT_EQ(session->window.selection.vertex, std::nullopt);
 }
 
 } // namespace
