@@ -7,6 +7,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/view/pretence.h"
 #include "core/base/printable.h"
+#include "core/base/thrown.h"
 #include "core/lesson/lesson_files.h"
 #include "core/texture/image_budget.h"
 
@@ -83,6 +84,7 @@ int run(const std::vector<std::string>& files, const Wanted& wanted) {
 
 int main(int argc, char** argv) {
     prepareStandardStreams();
+    sayWhatNothingCatches("texplorer");
     CommandLine line("texplorer", TEXPLORER_VERSION,
                      "Explore what each texture parameter of OpenGL does, on a live cube and sphere.");
     std::vector<std::string> files;
@@ -145,6 +147,6 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return complain("there is not enough memory");
     } catch (const std::exception& error) { // still one sentence and an exit status
-        return complain(error.what());
+        return complain(reasonOf(error));
     }
 }

@@ -10,6 +10,7 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/workers/work_loop.h"
+#include "core/base/thrown.h"
 #include "core/texture/image_budget.h"
 
 #include <fmt/core.h>
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
 
     prepareStandardStreams();
+    sayWhatNothingCatches("texshot");
     if (const std::optional<int> answered = answerQuestions(argc, argv))
         return *answered;
     if (const std::optional<int> socket = workers::workerSocket(argc, argv)) {
@@ -128,7 +130,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         complain({ErrorCode::TooLarge, "there is not enough memory for this", {}});
     } catch (const std::exception& error) { // still one sentence and an exit status
-        complain({ErrorCode::Unsupported, error.what(), {}});
+        complain({ErrorCode::Unsupported, reasonOf(error), {}});
     }
     const std::string error = errorText();
     if (status != success && !error.empty() && !hasPrinted() &&

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/thrown.h"
 
-#include <exception>
 #include <new>
 #include <string>
 #include <string_view>
@@ -28,7 +28,7 @@ struct AsResult<Result<T>> {
 } // namespace detail
 
 /// What `work` returns, a Result or what becomes one. Errors: its own; TooLarge where there is no memory;
-/// Unsupported, with what was said, where it throws anything else.
+/// Unsupported, with reasonOf, where it throws anything else.
 template<class Work>
 [[nodiscard]] auto tried(const FailureWords& words, const Work& work) ->
     typename detail::AsResult<std::invoke_result_t<const Work&>>::Type {
@@ -37,7 +37,7 @@ template<class Work>
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, std::string(words.noMemory));
     } catch (const std::exception& error) {
-        return fail(ErrorCode::Unsupported, std::string(words.other).append(": ").append(error.what()));
+        return fail(ErrorCode::Unsupported, std::string(words.other).append(": ").append(reasonOf(error)));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "core/conform/sweep.h"
 
 #include "core/base/parallel.h"
+#include "core/base/thrown.h"
 #include "core/conform/sample_limit.h"
 
 #include <algorithm>
@@ -356,7 +357,7 @@ Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
         } catch (const std::bad_alloc&) {
             outcomes.fail({ErrorCode::TooLarge, "there is no memory for the pictures", {}});
         } catch (const std::exception& error) {
-            outcomes.fail({ErrorCode::Driver, std::string("a renderer failed: ") + error.what(), {}});
+            outcomes.fail({ErrorCode::Driver, std::string("a renderer failed: ") + reasonOf(error), {}});
         }
         queue.close();
     };

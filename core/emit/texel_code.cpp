@@ -215,8 +215,12 @@ private:
     [[nodiscard]] bool isHalved(int number, const std::vector<Image>& images) const {
         std::vector<Image> whole = last_;
         if (number == lastNumber_ + 2) { // one is left out
-            for (Image& image : whole)
-                image = mipLevelsAbove(MipPolicy::Generated, image).at(0);
+            for (Image& image : whole) {
+                MipChain above = mipLevelsAbove(MipPolicy::Generated, image);
+                if (above.empty()) // of one texel there is no half
+                    return false;
+                image = std::move(above.front());
+            }
         } else if (number != lastNumber_ + 1)
             return false;
         for (std::size_t i = 0; i < images.size() && i < whole.size(); ++i) {

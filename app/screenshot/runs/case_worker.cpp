@@ -6,6 +6,7 @@
 #include "app/screenshot/runs/pair_worker.h"
 #include "app/screenshot/runs/run_plan.h"
 #include "app/screenshot/shots/picture_texts.h"
+#include "core/base/tried.h"
 #include "core/image/convert.h"
 #include "core/reference/probe.h"
 #include "core/suite/judge_case.h"
@@ -111,19 +112,19 @@ std::string CaseWorker::work(const std::string& bytes) {
     const Result<WorkOrder> order = parseOrder(bytes);
     if (!order)
         return bytesOf(WorkAnswer{.problem = describe(order.error())});
-    try {
-        return bytesOf(follow(*order));
-    } catch (const std::bad_alloc&) {
-        loaded_.reset();
-        images_ = ImageSource();
-        const std::string sentence = "there is not enough memory for it";
-        WorkAnswer answer{.problem = sentence};
-        if (order->what == WorkOrder::What::Case && plan_ && order->number < plan_->cases.size())
-            answer.record = recordOf(*plan_, plan_->cases[order->number], State::Error, sentence);
-        if (order->what == WorkOrder::What::Pictures)
-            answer.record = CaseRecord{.name = order->name, .state = State::Error, .sentence = sentence};
-        return bytesOf(answer);
-    }
+    const Result<WorkAnswer> done =
+        tried({"there is not enough memory for it", "it can't be done"}, [&] { return follow(*order); });
+    if (done)
+        return bytesOf(*done);
+    loaded_.reset();
+    images_ = ImageSource();
+    const std::string& sentence = done.error().message;
+    WorkAnswer answer{.problem = sentence};
+    if (order->what == WorkOrder::What::Case && plan_ && order->number < plan_->cases.size())
+        answer.record = recordOf(*plan_, plan_->cases[order->number], State::Error, sentence);
+    if (order->what == WorkOrder::What::Pictures)
+        answer.record = CaseRecord{.name = order->name, .state = State::Error, .sentence = sentence};
+    return bytesOf(answer);
 }
 
 WorkAnswer CaseWorker::follow(const WorkOrder& order) {

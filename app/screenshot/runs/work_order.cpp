@@ -72,7 +72,7 @@ RunSetup setupOf(const OrderJson& json) {
     return setup;
 }
 
-/// What the library throws about members that are missing or of another type.
+/// Refuses what lacks a member, or has one of another type.
 template<class Value, class Read>
 Result<Value> readBy(std::string_view bytes, const Read& read) {
     const Result<OrderJson> json = unpacked(bytes);
@@ -80,8 +80,8 @@ Result<Value> readBy(std::string_view bytes, const Read& read) {
         return fail(json.error());
     try {
         return read(*json);
-    } catch (const OrderJson::exception& error) {
-        return fail(ErrorCode::Malformed, error.what());
+    } catch (const OrderJson::exception&) {
+        return fail(ErrorCode::Malformed, "expected an order of this version of texshot, found another");
     }
 }
 

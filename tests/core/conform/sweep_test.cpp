@@ -1,3 +1,4 @@
+#include "core/base/thrown.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/conform/sweep.h"
@@ -232,7 +233,7 @@ TEST(Sweep, EndsWhereTheDrawingThrows) {
         Throwing throwing(good);
         const Result<Report> report = sweep(optionsFor({}, 100), {nullptr, &throwing});
         ASSERT_FALSE(report);
-        EXPECT_EQ(report.error().message, "a renderer failed: the driver gave up");
+        EXPECT_EQ(report.error().message, "a renderer failed: " + std::string(ownMistake));
     }
 }
 
@@ -244,7 +245,7 @@ TEST(Sweep, EndsWhereTheComparingThrows) {
         const Result<Report> report =
             sweep(options, {nullptr, &same, [good] { return std::make_unique<Throwing>(good); }});
         ASSERT_FALSE(report);
-        EXPECT_EQ(report.error().message, "a renderer failed: the driver gave up");
+        EXPECT_EQ(report.error().message, "a renderer failed: " + std::string(ownMistake));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/thrown.h"
 #include "core/reference/draw_worker.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/paused_encoding.h"
@@ -198,7 +199,8 @@ TEST_P(DrawWorkerTest, SaysWhatWasThrown) {
     const DrawRequest request = compressedRequest();
     const DrawWorker::Frame picture = wholePicture(worker, request);
     EXPECT_FALSE(picture.image);
-    EXPECT_THAT(picture.problems, testing::ElementsAre("the picture can't be drawn: the disc is gone"));
+    EXPECT_THAT(picture.problems,
+                testing::ElementsAre("the picture can't be drawn: " + std::string(ownMistake)));
     throws = false;
     const DrawRequest again = compressedRequest(Pattern::MipColors);
     EXPECT_EQ(*wholePicture(worker, again).image, expected(again));

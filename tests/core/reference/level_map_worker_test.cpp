@@ -1,3 +1,4 @@
+#include "core/base/thrown.h"
 #include "core/reference/level_map_worker.h"
 #include "tests/support/no_threads.h"
 
@@ -67,7 +68,8 @@ TEST(LevelMapWorker, SaysWhatWasThrown) {
         const auto answer = worker.answer(request);
         ASSERT_TRUE(answer);
         ASSERT_FALSE(answer->map);
-        EXPECT_EQ(answer->map.error().message, "the levels of the pixels can't be found: the disc is gone");
+        EXPECT_EQ(answer->map.error().message,
+                  "the levels of the pixels can't be found: " + std::string(ownMistake));
     }
 }
 

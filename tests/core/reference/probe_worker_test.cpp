@@ -1,3 +1,4 @@
+#include "core/base/thrown.h"
 #include "core/reference/probe_worker.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/paused_encoding.h"
@@ -67,7 +68,7 @@ TEST(ProbeWorker, SaysWhatWasThrown) {
         const auto answer = worker.answer(request);
         ASSERT_TRUE(answer && answer->explanation);
         ASSERT_FALSE(*answer->explanation);
-        EXPECT_EQ(answer->explanation->error().message, "there is no answer: the disc is gone");
+        EXPECT_EQ(answer->explanation->error().message, "there is no answer: " + std::string(ownMistake));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/model/file_writing.h"
 #include "core/base/file_io.h"
+#include "core/base/thrown.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
 
@@ -62,7 +63,8 @@ TEST(FileWriting, WhatFailsIsOneSentenceAndTheFileStays) {
     };
     EXPECT_EQ(saidOf(refused), "The thing can't be written: textures[0]: it has no words.");
     refused.make = [](const FileMaking&) -> Result<MadeFile> { throw std::runtime_error("a reason"); };
-    EXPECT_EQ(saidOf(refused), "The thing can't be written: it can't be made: a reason.");
+    EXPECT_EQ(saidOf(refused),
+              "The thing can't be written: it can't be made: " + std::string(ownMistake) + ".");
     refused.make = [](const FileMaking&) -> Result<MadeFile> { throw std::bad_alloc(); };
     EXPECT_EQ(saidOf(refused), "The thing can't be written: there is no memory for it.");
     EXPECT_THAT(saidOf(order(folder / "missing" / "a.txt", "")), HasSubstr("missing"));
