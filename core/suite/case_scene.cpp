@@ -108,6 +108,16 @@ std::vector<std::string> goldensOf(const GoldenFiles::ForDriver& files, const Ca
     return goldens;
 }
 
+/// Those of a lesson's scene are the lesson's.
+Result<void> checkImages(const Suite& suite, const SceneSource& source, const CaseScene& opened) {
+    if (std::holds_alternative<SceneLesson>(source))
+        return {};
+    for (const std::string& file : filesOf(opened.scene))
+        if (const Result<void> stays = checkStays(suite.folder, opened.images.directory() / file); !stays)
+            return stays;
+    return {};
+}
+
 } // namespace
 
 Result<void> CaseScene::load() {
@@ -127,6 +137,9 @@ Result<CaseScene> openScene(const Plan& plan, const Case& of) {
         if (const Result<void> made = lesson::makeEdits(opened->scene, *edits); !made)
             return fail(made.error());
     }
+    if (opened)
+        if (const Result<void> stay = checkImages(plan.suiteOf(of), entry.scenes[of.scene], *opened); !stay)
+            return fail(stay.error());
     return opened;
 }
 

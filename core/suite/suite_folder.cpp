@@ -139,20 +139,33 @@ Result<void> checkInside(std::string_view name) {
     return {};
 }
 
+Result<void> checkStays(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    // Of a relative path nothing of which is there weakly_canonical makes no absolute one.
+    const auto canonical = [&error](const fs::path& each) {
+        const fs::path whole = error ? fs::path() : fs::absolute(each, error);
+        return error ? fs::path() : fs::weakly_canonical(whole, error);
+    };
+    const fs::path root = canonical(folder.empty() ? fs::path(".") : folder);
+    const fs::path path = canonical(file);
+    if (error)
+        return fail(ErrorCode::Unreadable, systemText(error.value()), file.string());
+    std::error_code ignored; // of a link to nothing, where it leads can't be told
+    const bool leadsNowhere = fs::is_symlink(file, ignored) && !fs::exists(path, ignored);
+    if (leadsNowhere || std::ranges::mismatch(root, path).in1 != root.end())
+        return fail(
+            ErrorCode::OutOfRange,
+            "expected a file within the suite's folder, found one outside of it, or a link that leads out of it "
+            "or nowhere",
+            file.string());
+    return {};
+}
+
 Result<fs::path> pathInside(const fs::path& folder, std::string_view name) {
     if (const Result<void> inside = checkInside(name); !inside)
         return fail(inside.error());
-    std::error_code error;
-    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-    const fs::path path = error ? fs::path() : fs::weakly_canonical(root / name, error);
-    if (error)
-        return fail(ErrorCode::Unreadable, systemText(error.value()), (folder / name).string());
-    std::error_code ignored; // of a link to nothing, where it leads can't be told
-    const bool leadsNowhere = fs::is_symlink(root / name, ignored) && !fs::exists(path, ignored);
-    if (leadsNowhere || std::ranges::mismatch(root, path).in1 != root.end())
-        return fail(ErrorCode::OutOfRange,
-                    "expected a file within the suite's folder, found a link that leads out of it or nowhere",
-                    (folder / name).string());
+    if (const Result<void> stays = checkStays(folder, folder / name); !stays)
+        return fail(stays.error());
     return folder / name;
 }
 

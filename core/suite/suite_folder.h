@@ -17,7 +17,12 @@ inline constexpr std::size_t maxListedFiles = 200'000;
 /// Whether a name is relative and stays in its folder as it is spelled: OutOfRange, with the name.
 [[nodiscard]] Result<void> checkInside(std::string_view name);
 
-/// The same on the disk: links that lead out of `folder` are refused, too. The file need not be there.
+/// Whether a path, from the current folder, leads to a file below `folder`: OutOfRange. The file need not be
+/// there.
+[[nodiscard]] Result<void> checkStays(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+/// checkInside, and the same on the disk: links that lead out of `folder` are refused, too. The file need not
+/// be there.
 [[nodiscard]] Result<std::filesystem::path> pathInside(const std::filesystem::path& folder,
                                                        std::string_view name);
 

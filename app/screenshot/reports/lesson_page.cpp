@@ -24,6 +24,10 @@ constexpr std::string_view indexName = "index.html";
 /// What tells a page of ours from others' files.
 constexpr std::string_view pageMark = R"(<meta name="generator" content="texshot lessons">)";
 constexpr std::size_t markedBytes = 512; ///< of the page's, within which the mark stands
+/// The page needs its pictures and its style, and nothing that a lesson's text could bring.
+constexpr std::string_view pagePolicy =
+    R"(<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self' file: data:; )"
+    R"(style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'">)";
 
 /// What HTML calls a language: "zh-CN".
 std::string tagOf(ui::Language language) {
@@ -214,12 +218,12 @@ private:
         const std::string answers = words_.wordHtml("The answers are on the last pages.");
         return fmt::format(
             "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
-            "<meta name=\"viewport\" content=\"width=device-width\">\n{}\n<title>Texplorer: {}</title>\n"
+            "<meta name=\"viewport\" content=\"width=device-width\">\n{}\n{}\n<title>Texplorer: {}</title>\n"
             "<style>\n{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p>{}</p>\n{}</header>\n{}"
             "<main>\n{}</main>\n{}</body>\n</html>\n",
-            tagOf(options_.language), pageMark, title, handoutStyle().front().text, title, programs,
-            key_.empty() ? std::string() : fmt::format("<p class=\"paper\">{}</p>\n", answers), contents(),
-            sections_, key());
+            tagOf(options_.language), pageMark, pagePolicy, title, handoutStyle().front().text, title,
+            programs, key_.empty() ? std::string() : fmt::format("<p class=\"paper\">{}</p>\n", answers),
+            contents(), sections_, key());
     }
 
     const LessonPageOptions& options_;

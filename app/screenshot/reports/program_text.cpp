@@ -1,8 +1,10 @@
 #include "app/screenshot/reports/program_text.h"
 
 #include "core/base/file_io.h"
+#include "core/codec/registry.h"
 #include "core/lesson/lesson.h"
 #include "core/scene/params/keys.h"
+#include "core/suite/hash.h"
 
 #include <fmt/core.h>
 
@@ -36,10 +38,24 @@ Result<Bytes> bytesOf(const ImageSource& images, const std::string& file) {
     return readFile(images.directory() / file, lesson::maxLessonFileBytes);
 }
 
+/// What a file is called beside a program. Those of the program's own lessons, which lie in no folder, keep
+/// their names; another's name comes from outside and could be one that a shell or a browser takes for
+/// something else.
+std::string nameBeside(const ImageSource& images, const std::string& file) {
+    if (images.fileInMemory(file))
+        return fs::path(file).filename().string();
+    const Result<Bytes> bytes = bytesOf(images, file);
+    const CodecRow* codec = bytes ? recogniseImage(*bytes) : nullptr;
+    if (codec == nullptr) // which is said where it is read
+        return "image";
+    constexpr std::size_t digits = 8;
+    return fmt::format("image-{}{}", suite::hashOf(*bytes).substr(0, digits), extensionsOf(*codec).front());
+}
+
 /// With the files that it reads in its own folder.
 Result<ProgramText> programBesideFiles(emit::Flavour flavour, const Scene& scene, const ImageSource& images,
                                        emit::ProgramOptions options, emit::TextureCodes& codes) {
-    const auto nameOfFile = [](const std::string& file) { return fs::path(file).filename().string(); };
+    const auto nameOfFile = [&images](const std::string& file) { return nameBeside(images, file); };
     options.fileName = nameOfFile;
     options.readsFilesInMemory = true;
     Result<std::vector<emit::Line>> lines = emit::program(flavour, scene, images, options, codes);
@@ -51,9 +67,11 @@ Result<ProgramText> programBesideFiles(emit::Flavour flavour, const Scene& scene
         if (!bytes)
             return fail(bytes.error());
         const std::string name = nameOfFile(file);
-        if (std::ranges::find(program.files, name, &ReadFile::name) != program.files.end())
+        const auto other = std::ranges::find(program.files, name, &ReadFile::name);
+        if (other != program.files.end() && other->bytes != *bytes)
             return fail(ErrorCode::Unsupported, "two files of this name can't lie in one folder", name);
-        program.files.push_back({name, *std::move(bytes)});
+        if (other == program.files.end())
+            program.files.push_back({name, *std::move(bytes)});
     }
     return program;
 }

@@ -24,7 +24,7 @@ struct ProgramText {
 /// Where a program looks for the image files that it reads.
 enum class FilePlaces : bool {
     WhereTheyAre, ///< those of the program's lessons are nowhere: their texels stand in the program
-    Beside,       ///< copies lie in the program's folder; of a lesson alone, whose files have plain names
+    Beside,       ///< copies lie in the program's folder, of a lesson alone, under names that aren't its own
 };
 
 /// The program that draws the scene of a command line. With a lesson its text is said at the top, and what

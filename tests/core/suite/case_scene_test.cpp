@@ -74,6 +74,30 @@ TEST(CaseScene, GoldensAreThoseOfTheDriver) {
     EXPECT_THAT(goldensOf(reference, reference.cases[0], "softpipe"), IsEmpty());
 }
 
+TEST(CaseScene, ImagesStayWithinTheSuitesFolder) {
+    const test::TempDir folder;
+    std::filesystem::create_directories(folder / "suite/scenes");
+    std::ofstream(folder / "suite/near.bmp") << "near";
+    std::ofstream(folder / "far.bmp") << "far";
+    std::filesystem::create_symlink("../../far.bmp", folder / "suite/scenes/link.bmp");
+    const auto opened = [&](const std::string& file, const std::string& set = {}) {
+        std::ofstream(folder / "suite/scenes/a.json")
+            << fmt::format(R"({{"textures": [{{"source": "file", "file": "{}"}}]}})", file);
+        const Plan plan = planFor(R"({"scene": "scenes/a.json")" + set + "}", folder / "suite");
+        return openScene(plan, plan.cases[0]).map([](const CaseScene&) { return true; });
+    };
+    EXPECT_TRUE(opened("../near.bmp"));
+    EXPECT_TRUE(opened("absent.bmp")) << "which is said where it is read";
+    for (const std::string& file :
+         {std::string("../../far.bmp"), (folder / "far.bmp").string(), std::string("link.bmp")}) {
+        const Result<bool> refused = opened(file);
+        ASSERT_FALSE(refused) << file;
+        EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
+        EXPECT_THAT(describe(refused.error()), HasSubstr("expected a file within the suite's folder"));
+    }
+    EXPECT_FALSE(opened("../near.bmp", R"(, "set": "textures[0].file=../../far.bmp")"));
+}
+
 /// What changes an outcome changes the fingerprint, and nothing else does.
 TEST(CaseScene, FingerprintsAreOfAllThatDecides) {
     const test::TempDir folder;

@@ -135,5 +135,18 @@ TEST(SuiteFolder, LinksOnTheDiskStayInsideToo) {
         EXPECT_FALSE(pathInside(folder.path(), name)) << name;
 }
 
+/// Nothing of it is there, as of a golden that is to be written.
+TEST(PathInside, MayNameWhatIsNotThereYet) {
+    const test::TempDir folder;
+    const std::filesystem::path here = std::filesystem::current_path();
+    std::filesystem::create_directory(folder / "suite");
+    std::filesystem::current_path(folder.path());
+    for (const char* relative : {"", ".", "suite", "absent"})
+        EXPECT_TRUE(pathInside(relative, "golden/absent.png")) << relative;
+    EXPECT_FALSE(checkStays("suite", "golden/absent.png"));
+    EXPECT_TRUE(checkStays("suite", "suite/../suite/absent.png"));
+    std::filesystem::current_path(here);
+}
+
 } // namespace
 } // namespace texplorer::suite::suite_folder_test

@@ -3,13 +3,14 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
 
 from PIL import Image
 
-from texshot import Texshot, texshot
+from texshot import Texshot, bmp, texshot
 
 
 class Emit(Texshot):
@@ -113,6 +114,29 @@ class Emit(Texshot):
         self.assertEqual(list(self.path.glob("*.bmp")), [])
         result = texshot("emit", *step, "--files")
         self.assertEqual((result.returncode, result.stdout), (2, b""))
+
+    def test_a_lesson_s_files_are_never_called_as_it_wants(self):
+        lesson = self.path / "mine"
+        lesson.mkdir()
+        for name in (".bash_profile", "x.html", "a\nb.bmp"):
+            with self.subTest(name):
+                (lesson / name).write_bytes(bmp(2, 2, lambda x, y: (x * 255, y * 255, 9)))
+                (lesson / "lesson.json").write_text(json.dumps({"lesson": 1, "title": "T", "about": "A.", "steps": [
+                    {"title": "S", "text": "T.", "scene": "s.json"}]}))
+                (lesson / "s.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": name}],
+                                                           "passes": [{"units": [{"enabled": True}]}]}))
+                text = self.emitted("--lesson", lesson, "--step", "1", "--files")
+                beside = sorted(file.name for file in self.path.iterdir() if file.is_file())
+                self.assertRegex(" ".join(beside), r"\Ademo\.c image-[0-9a-f]{8}\.bmp\Z")
+                self.assertIn(f'readBmp("{beside[1]}", 2, 2, ', text)
+                self.assertEqual((self.path / beside[1]).read_bytes(), (lesson / name).read_bytes())
+                self.succeeds("lessons", "--page", self.path / "out", "--lesson", lesson)
+                written = [file.name for file in (self.path / "out").rglob("*") if file.is_file()]
+                self.assertIn(beside[1], written)
+                self.assertFalse({name, name.split("\n")[0]} & set(written))
+                shutil.rmtree(self.path / "out")
+                (self.path / beside[1]).unlink()
+                (self.path / "demo.c").unlink()
 
     def test_a_hostile_name_stays_within_its_comment(self):
         (self.path / "scene.json").write_text(json.dumps({

@@ -146,16 +146,23 @@ class LessonPage(Texshot):
             "passes": [{"units": [{"enabled": True}]}]}))
         text = self.page("--lesson", folder)
         programs = self.path / "out/programs/mine"
-        self.assertEqual((programs / "image.bmp").read_bytes(), (folder / "image.bmp").read_bytes())
-        self.assertIn("readBmp(\"image.bmp\", 8, 4, ", (programs / "mine-1.c").read_text())
-        self.assertIn("which reads image.bmp", text)
-        # Two lessons of one name, and of two files of one name the second is another.
+        image, = programs.glob("image-*.bmp")
+        self.assertEqual(image.read_bytes(), (folder / "image.bmp").read_bytes())
+        self.assertIn(f"readBmp(\"{image.name}\", 8, 4, ", (programs / "mine-1.c").read_text())
+        self.assertIn(f"which reads {image.name}", text)
+        # Two lessons of one name.
         other = self.folder_of(LESSON, "more/mine")
         page = Page(self.page("--lesson", folder, "--lesson", other))
         self.assertLessEqual({"mine", "mine-again", "mine-again-2"}, page.ids)
+        # A name that is a program's own takes no program's place.
         (folder / "image.bmp").rename(folder / "mine-1.c")
         (folder / "scene.json").write_text((folder / "scene.json").read_text().replace("image.bmp", "mine-1.c"))
-        self.complains(1, "programs/mine/mine-1.c", "lessons", "--page", self.path / "out", "--lesson", folder)
+        self.page("--lesson", folder)
+        self.assertIn(f"readBmp(\"{image.name}\", 8, 4, ", (programs / "mine-1.c").read_text())
+
+    def test_a_page_fetches_nothing_from_elsewhere(self):
+        self.assertIn("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file: data:;",
+                      self.page("--lesson", "wrap"))
 
     def test_what_a_flavour_cannot_say_is_a_sentence(self):
         keyed = {"version": 1, "timeline": [{"time": 0, "path": "models[0].shape", "value": "cube"},
