@@ -1,5 +1,6 @@
 #include "core/base/count.h"
 #include "core/base/file_io.h"
+#include "core/base/shell_word.h"
 #include "core/codec/png/png.h"
 #include "core/compare/heat_map.h"
 #include "core/conform/made_files.h"
@@ -100,9 +101,9 @@ Result<void> addWorst(report::Case& each, const PairReport& pair, const Outcome&
         each.worst = {{x, y}};
         each.message += fmt::format("; the worst by {} at {},{}, counted from the upper left",
                                     judgement.difference.max, x, y);
-        each.commands = {
-            {"To explain its worst pixel, in the report's folder",
-             fmt::format("texshot probe {}.json --size {}x{} --at {},{}", each.name, extent, extent, x, y)}};
+        each.commands = {{"To explain its worst pixel, in the report's folder",
+                          fmt::format("texshot probe {} --size {}x{} --at {},{}",
+                                      shellWord(each.name + ".json"), extent, extent, x, y)}};
     }
     each.message += ".";
     return {};

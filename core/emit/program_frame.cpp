@@ -1,6 +1,7 @@
 #include "core/emit/program_frame.h"
 
 #include "core/base/printable.h"
+#include "core/base/shell_word.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -31,23 +32,17 @@ std::string fileName(const std::string& name) {
 }
 
 /// As a shell has it, and no option of the compiler.
-std::string shellWord(const std::string& name) {
-    const std::string word = name.starts_with('-') ? "./" + name : name;
-    if (std::ranges::all_of(name, isPlainLetter))
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
+std::string fileWord(const std::string& name) {
+    return shellWord(name.starts_with('-') ? "./" + name : name);
 }
 
 /// What compiles the file, into one of its name without an ending.
 std::string compilerLine(const std::string& file) {
     constexpr std::string_view ending = ".c";
     if (file.size() > ending.size() && file.ends_with(ending))
-        return fmt::format("cc {} -o {} -lglfw -lGL -lm", shellWord(file),
-                           shellWord(file.substr(0, file.size() - ending.size())));
-    return fmt::format("cc -x c {} -x none -o {} -lglfw -lGL -lm", shellWord(file), shellWord(file + ".out"));
+        return fmt::format("cc {} -o {} -lglfw -lGL -lm", fileWord(file),
+                           fileWord(file.substr(0, file.size() - ending.size())));
+    return fmt::format("cc -x c {} -x none -o {} -lglfw -lGL -lm", fileWord(file), fileWord(file + ".out"));
 }
 
 /// "/*" and lines of words that begin with " * ". The last paragraph is one line, however long it is.

@@ -1,5 +1,9 @@
 #include "core/s3tc/block_encoders.h"
 
+#include "core/s3tc/decode.h"
+
+#include <algorithm>
+#include <array>
 #include <cstring> // which stb_dxt.h relies on
 
 #define STB_DXT_STATIC
@@ -81,21 +85,78 @@ void withSquishOpaque(std::uint8_t* texels, std::byte* block) {
     squish::Compress(texels, block, flags);
 }
 
+/// The sum of the squares over the components from `first` on.
+int errorOf(const std::uint8_t* texels, const std::array<std::byte, 64>& decoded, std::size_t first,
+            std::size_t count) {
+    int sum = 0;
+    for (std::size_t texel = 0; texel < 16; ++texel)
+        for (std::size_t i = 4 * texel + first; i < 4 * texel + first + count; ++i) {
+            const int difference = texels[i] - std::to_integer<int>(decoded[i]);
+            sum += difference * difference;
+        }
+    return sum;
+}
+
+/// A half of a block, 8 bytes, that stands for components of its own.
+struct BlockHalf {
+    std::size_t component;
+    std::size_t count;
+};
+
+constexpr std::array dxt1Halves{BlockHalf{0, 3}};
+constexpr std::array alphaHalves{BlockHalf{3, 1}, BlockHalf{0, 3}};
+constexpr std::array bc4Halves{BlockHalf{0, 1}};
+constexpr std::array bc5Halves{BlockHalf{0, 1}, BlockHalf{1, 1}};
+
+/// Each half of the block from whichever library comes nearer: libsquish's fits by clusters lose to stb_dxt
+/// where colours lie close together.
+template<BlockFormat format, const auto& halves, BlockEncoder one, BlockEncoder other>
+void better(std::uint8_t* texels, std::byte* block) {
+    std::array<std::uint8_t, 64> changed; // by the encoders
+    std::array<std::byte, 16> blocks[2];
+    std::array<std::byte, 64> decoded[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+        std::copy_n(texels, changed.size(), changed.begin());
+        (i == 0 ? one : other)(changed.data(), blocks[i].data());
+        decodeBlock(format, blocks[i].data(), decoded[i].data());
+    }
+    for (std::size_t half = 0; half < halves.size(); ++half) {
+        const auto error = [&](std::size_t i) {
+            return errorOf(texels, decoded[i], halves[half].component, halves[half].count);
+        };
+        std::copy_n(blocks[error(1) < error(0) ? 1 : 0].begin() + static_cast<std::ptrdiff_t>(8 * half), 8,
+                    block + 8 * half);
+    }
+}
+
+/// stb_dxt knows of no holes.
+void bestDxt1Alpha(std::uint8_t* texels, std::byte* block) {
+    constexpr int flags = squish::kDxt1 | squish::kColourClusterFit;
+    if (hasHoles(texels))
+        squish::Compress(texels, block, flags);
+    else
+        better<BlockFormat::Dxt1, dxt1Halves, withSquishOpaque<flags>, quickDxt1<STB_DXT_HIGHQUAL>>(texels,
+                                                                                                    block);
+}
+
 BlockEncoder bestEncoder(BlockFormat format) {
     constexpr int fit = squish::kColourClusterFit;
     switch (format) {
     case BlockFormat::Dxt1:
-        return withSquishOpaque<squish::kDxt1 | fit>;
+        return better<BlockFormat::Dxt1, dxt1Halves, withSquishOpaque<squish::kDxt1 | fit>,
+                      quickDxt1<STB_DXT_HIGHQUAL>>;
     case BlockFormat::Dxt1Alpha:
-        return withSquish<squish::kDxt1 | fit>;
+        return bestDxt1Alpha;
     case BlockFormat::Dxt3:
-        return withSquish<squish::kDxt3 | fit>;
+        return better<BlockFormat::Dxt3, alphaHalves, withSquish<squish::kDxt3 | fit>,
+                      quickDxt3<STB_DXT_HIGHQUAL>>;
     case BlockFormat::Dxt5:
-        return withSquish<squish::kDxt5 | fit>;
+        return better<BlockFormat::Dxt5, alphaHalves, withSquish<squish::kDxt5 | fit>,
+                      quickDxt5<STB_DXT_HIGHQUAL>>;
     case BlockFormat::Bc4:
-        return withSquish<squish::kBc4>;
+        return better<BlockFormat::Bc4, bc4Halves, withSquish<squish::kBc4>, fastBc4>;
     case BlockFormat::Bc5:
-        return withSquish<squish::kBc5>;
+        return better<BlockFormat::Bc5, bc5Halves, withSquish<squish::kBc5>, fastBc5>;
     case BlockFormat::Bc4Signed:
     case BlockFormat::Bc5Signed:
         break;

@@ -12,7 +12,7 @@
 namespace texplorer {
 
 /// To be raised with every change of the blocks that encodeBlocks makes: a cache of blocks compares it.
-inline constexpr std::uint32_t encoderVersion = 2;
+inline constexpr std::uint32_t encoderVersion = 3;
 
 /// Called after rows of blocks with the share that is done, 0 to 1, on the thread that asked for the
 /// encoding.

@@ -129,7 +129,8 @@ JsonObject::~JsonObject() {
 }
 
 const Json* JsonObject::find(const char* key) {
-    taken_.emplace_back(key);
+    if (std::ranges::find(taken_, key) == taken_.end())
+        taken_.emplace_back(key);
     const auto found = json_.is_object() ? json_.find(key) : json_.end();
     return found == json_.end() ? nullptr : &*found;
 }

@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/output/json_text.h"
 #include "core/base/printable.h"
+#include "core/base/shell_word.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/initial_like.h"
 #include "core/scene/params/params.h"
@@ -64,8 +65,11 @@ std::vector<Note> notesOf(const OpenedScene& opened) {
     std::vector<Note> notes;
     for (const FileName& name : fileNamesOf(opened.scene)) {
         const auto image = name.used ? opened.images.contentOf(name.file) : nullptr;
-        for (const std::string& sentence : image ? image->notes : std::vector<std::string>())
-            notes.push_back({name.path, fmt::format("{}: {}", name.file, sentence)});
+        if (!image)
+            continue;
+        for (const std::vector<std::string>& sentences : {image->notes, image->remarks})
+            for (const std::string& sentence : sentences)
+                notes.push_back({name.path, fmt::format("{}: {}", name.file, sentence)});
     }
     return notes;
 }
@@ -78,7 +82,7 @@ std::string findingsText(const std::vector<Finding>& findings, const std::vector
         for (const Fix& fix : each.fixes) {
             text += fmt::format("    {}:", fix.label);
             for (const Assignment& set : fix.assignments)
-                text += fmt::format(" --set {}={}", set.path, printable(set.value));
+                text += " --set " + shellWord(printable(set.path + "=" + set.value));
             text += "\n";
         }
     }

@@ -1,6 +1,7 @@
 #include "app/ui/model/texshot_command.h"
 
 #include "app/ui/model/sheet_file.h"
+#include "core/base/shell_word.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/params.h"
 
@@ -52,21 +53,6 @@ bool canBeMade(std::vector<Assignment>& assignments, Scene base, const Scene& sc
     assignments = std::move(ordered);
     return base == scene;
 }
-
-} // namespace
-
-std::string shellWord(std::string_view text) {
-    constexpr std::string_view harmless =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
-    if (!text.empty() && text.find_first_not_of(harmless) == std::string_view::npos)
-        return std::string(text);
-    std::string word = "'";
-    for (const char letter : text)
-        word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    return word + "'";
-}
-
-namespace {
 
 /// " earth.json --set …", with " --time …" where it isn't 0: what leads to the session's scene.
 Result<std::string> sceneWords(const Session& session, double time) {

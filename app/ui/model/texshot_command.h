@@ -20,7 +20,4 @@ namespace texplorer::ui {
 /// earth.webp". Errors: those, and of recordingOf.
 [[nodiscard]] Result<std::string> animateCommand(const Session& session);
 
-/// As one word of a POSIX shell.
-[[nodiscard]] std::string shellWord(std::string_view text);
-
 } // namespace texplorer::ui

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 namespace texplorer::shell_word_test {
@@ -23,6 +24,50 @@ TEST(ShellWord, IsReadBackByBashAndSteersNoTerminal) {
         ASSERT_EQ(std::system(("bash '" + script + "'").c_str()), 0) << said;
         EXPECT_EQ(readText(out).value(), word) << said;
     }
+}
+
+/// What a shell prints that reads a line.
+std::string printedBy(const std::string& shell, const std::string& line) {
+    const std::string command = shell + " -c " + shellWord("printf %s " + line);
+    std::string printed;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr)
+        return "no shell";
+    for (int byte = std::fgetc(pipe); byte != EOF; byte = std::fgetc(pipe))
+        printed += static_cast<char>(byte);
+    return pclose(pipe) == 0 ? printed : shell + " refuses " + line;
+}
+
+TEST(ShellWord, IsTheSameInEveryShell) {
+    for (const char* shell : {"sh", "bash", "zsh -f", "fish --no-config"})
+        for (const std::string word : {"textures[0].minFilter=GL_NEAREST",
+                                       "=ls",
+                                       "%1",
+                                       "~",
+                                       "it's",
+                                       "a\\b",
+                                       "\\'",
+                                       "ends\\",
+                                       "$HOME",
+                                       "`ls`",
+                                       "*",
+                                       "?",
+                                       "{a,b}",
+                                       "a b",
+
+                                       "!!",
+                                       "#",
+                                       "(x)",
+                                       "a=~",
+                                       "x^y",
+                                       "\"",
+                                       "plain"})
+            EXPECT_EQ(printedBy(shell, shellWord(word)), word) << shell;
+}
+
+TEST(ShellWord, StaysAsItIsWhereNothingInItMeansAnything) {
+    EXPECT_EQ(shellWord("view.distance=9"), "view.distance=9");
+    EXPECT_EQ(shellWord(""), "''");
 }
 
 } // namespace

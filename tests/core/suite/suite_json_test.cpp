@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <set>
+#include <sstream>
 
 namespace texplorer::suite::suite_json_test {
 namespace {
@@ -63,6 +65,17 @@ TEST(SuiteJson, IsReadAsItIsWritten) {
     // The glob that says most is the first, wherever it stood.
     EXPECT_EQ(suite->entries[3].settings.golden,
               (Golden{GoldenFiles{{{"llvmpipe*", {"b.png", "{picture}.png"}}, {"*", {"a.png"}}}}}));
+}
+
+TEST(SuiteJson, AnUnknownKeyIsAnsweredWithEveryKeyOnce) {
+    const std::string said = parseSuite(suiteOf(R"({"zzzzzzzzzz": 1})")).error().message;
+    constexpr std::string_view before = "unknown key; expected one of ";
+    ASSERT_TRUE(said.starts_with(before)) << said;
+    std::set<std::string> keys;
+    std::istringstream list(said.substr(before.size()));
+    for (std::string key; std::getline(list >> std::ws, key, ',');)
+        EXPECT_TRUE(keys.insert(key).second) << key;
+    EXPECT_GE(keys.size(), 10U) << said;
 }
 
 struct Wrong {

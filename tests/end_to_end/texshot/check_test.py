@@ -1,9 +1,11 @@
 """texshot check: what is wrong in a scene."""
 
 import json
+import shlex
+import subprocess
 import unittest
 
-from texshot import Texshot, texshot
+from texshot import TEXSHOT, Texshot, texshot
 
 
 class Check(Texshot):
@@ -18,7 +20,7 @@ class Check(Texshot):
         self.assertEqual((result.returncode, result.stderr), (1, b""))
         said = result.stdout.decode()
         self.assertIn("warning: textures[0].minFilter: the texture is incomplete", said)
-        fixes = [line.split("--set ")[1].strip() for line in said.splitlines() if "--set " in line]
+        fixes = [shlex.split(line)[-1] for line in said.splitlines() if "--set " in line]
         self.assertEqual(fixes, ["textures[0].mipmaps=generated", "textures[0].maxLevel=0",
                                  "textures[0].minFilter=GL_LINEAR"])
         for fix in fixes:
@@ -28,6 +30,15 @@ class Check(Texshot):
         self.assertEqual([fix["set"] for fix in listed[0]["fixes"]],
                          [{"textures[0].mipmaps": "generated"}, {"textures[0].maxLevel": "0"},
                           {"textures[0].minFilter": "GL_LINEAR"}])
+
+    def test_what_mends_it_can_be_typed_in_every_shell(self):
+        said = texshot("check", "--set", self.INCOMPLETE).stdout.decode()
+        words, = (line.split(":", 1)[1] for line in said.splitlines() if "maxLevel=0" in line)
+        for shell in (["sh"], ["bash"], ["zsh", "-f"], ["fish", "--no-config"]):
+            with self.subTest(shell):
+                line = f"{TEXSHOT} check --set '{self.INCOMPLETE}'{words}"
+                result = subprocess.run([*shell, "-c", line], capture_output=True, timeout=120)
+                self.assertEqual((result.returncode, result.stdout, result.stderr), (0, b"", b""))
 
     def test_a_setting_without_effect_is_named_and_no_failure(self):
         said = self.succeeds("check", "--set", "textures[0].wrapR=GL_CLAMP").decode()
