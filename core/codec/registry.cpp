@@ -105,11 +105,10 @@ Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits) {
                 fmt::format("expected an image ({}), the file begins with {}", known, firstBytes(file)));
 }
 
-Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy) {
+Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy, DecodeLimits limits) {
     const bool suspicious =
         !anatomy.damage.empty() ||
         std::ranges::any_of(anatomy.fields, [](const Field& field) { return !field.wrong.empty(); });
-    DecodeLimits limits;
     limits.pixels = false;
     Result<TextureImage> outline = decodeTexture(file, limits);
     if (!outline || !suspicious)

@@ -49,7 +49,8 @@ struct CodecRow {
 /// What a file holds but for its pixels (DecodeLimits::pixels). They are decoded, and forgotten, only where
 /// `anatomy`, that of the file, finds something wrong: an outline that is given is that of a file that
 /// decodeTexture reads, unless its pixels are damaged where no anatomy sees it.
-[[nodiscard]] Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy);
+[[nodiscard]] Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy,
+                                                  DecodeLimits limits = {});
 
 /// The picture alone: uprightImage of decodeTexture.
 [[nodiscard]] Result<Image> decodeImage(ByteView file, const DecodeLimits& limits = {});

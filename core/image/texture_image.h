@@ -18,21 +18,40 @@ using Surface = std::variant<Image, BlockImage>;
 /// What a file says its fourth component means.
 enum class AlphaMeaning : std::uint8_t { None, Straight, Premultiplied, Unknown };
 
+/// Something that a file holds and that its texture image, or another file made of it, doesn't.
+struct Loss {
+    std::string_view what; ///< for programs: "componentBits"
+    std::string sentence;  ///< "16 bits a component become 8"
+    bool ofPixels = true;  ///< false: it describes the pixels, all of whose numbers stay
+    bool operator==(const Loss&) const = default;
+};
+
+/// What stands in a file beside its picture and can be put into another one of the same format: PNG's chunks.
+struct FilePart {
+    std::string name; ///< "iCCP"
+    Bytes data;
+};
+
 /// All surfaces have the same pixel or block format. A value.
 struct TextureImage {
-    std::string_view format;       ///< of the file: "DDS"
-    int faces = 1;                 ///< 6 for a cube map: +x, -x, +y, -y, +z, -z
-    int levels = 1;                ///< that the file holds; fewer than a full chain is normal
-    std::vector<Surface> surfaces; ///< faces * levels, the levels of a face together, largest first
+    std::string_view format; ///< of the file: "DDS"
+    int layers = 1;          ///< of an array; a decoder reads the first alone unless it is told to read all
+    int faces = 1;           ///< 6 for a cube map: +x, -x, +y, -y, +z, -z
+    int levels = 1;          ///< that the file holds; fewer than a full chain is normal
+    std::vector<Surface> surfaces; ///< layers * faces * levels, the levels of a face together, largest first
     /// Whether row 0 of the surfaces is the top row (as DDS stores it). Decoders of pictures give the bottom
     /// row first, because turning rows around while decoding costs nothing.
     bool topFirst = false;
     bool fileTopFirst = true; ///< what the file itself does: what a naive loader would have shown
     bool srgb = false;
     AlphaMeaning alpha = AlphaMeaning::None;
-    std::vector<std::string> notes; ///< sentences: what was odd about the file and was survived
-    int componentBits = 8; ///< of the file's widest component, where that is more than the 8 that are kept
+    std::vector<std::string> notes;   ///< sentences: what was odd about the file and was survived
+    std::vector<std::string> remarks; ///< sentences: what is right about the file and isn't followed
+    int componentBits = 8;    ///< of the file's widest component, where that is more than the 8 that are kept
+    std::vector<Loss> losses; ///< of decoding, but for those that follow from the other members
+    std::vector<FilePart> parts; ///< only with DecodeLimits::everything
 
+    /// `face` counts those of all layers: that of another than the first is layer * faces + face.
     [[nodiscard]] const Surface& surface(int face, int level) const {
         return surfaces[static_cast<std::size_t>(face) * static_cast<std::size_t>(levels) +
                         static_cast<std::size_t>(level)];

@@ -11,6 +11,7 @@
 #include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
+#include "core/codec/losses.h"
 #include "core/image/mipmaps.h"
 
 #include <fmt/format.h>
@@ -187,6 +188,13 @@ Json levelsJson(const TextureReport& report) {
     return levels;
 }
 
+Json lossesJson(const std::vector<Loss>& losses) {
+    Json list = Json::array();
+    for (const Loss& loss : losses)
+        list.push_back({{"what", loss.what}, {"sentence", loss.sentence}, {"ofPixels", loss.ofPixels}});
+    return list;
+}
+
 void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const CodecRow& format,
             std::size_t bytes, bool alone) {
     const TextureImage& texture = made.texture;
@@ -195,15 +203,18 @@ void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const 
     const bool all = format.name == "DDS";
     const int levels = all ? texture.levels : 1;
     const int faces = all ? texture.faces : 1;
+    const int layers = all ? texture.layers : 1;
     Json entry{{"input", inputName(job.in)},
                {"output", job.out},
                {"format", format.name},
                {"width", widthOf(base)},
                {"height", heightOf(base)},
                {"depth", all ? depthOf(base) : 1},
+               {"layers", layers},
                {"faces", faces},
                {"levels", levels},
-               {"bytes", bytes}};
+               {"bytes", bytes},
+               {"losses", lossesJson(made.losses)}};
     if (made.report)
         entry["report"] = {{"levels", levelsJson(*made.report)},
                            {"bytes", made.report->bytes},
@@ -212,8 +223,9 @@ void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const 
                            {"shareOfRgb8", made.report->shareOfRgb8}};
     told.written.push_back(std::move(entry));
     if (!made.report || !alone)
-        told.text += fmt::format("{} -> {}: {}, {} x {}, {}{}, {}\n", printable(inputName(job.in)),
+        told.text += fmt::format("{} -> {}: {}, {} x {}, {}{}{}, {}\n", printable(inputName(job.in)),
                                  printable(job.out), format.name, widthOf(base), heightOf(base),
+                                 layers > 1 ? fmt::format("{} layers, ", layers) : std::string(),
                                  faces > 1 ? fmt::format("{} faces, ", faces) : std::string(),
                                  countOf(levels, "level"), countOf(bytes, "byte"));
     if (made.report)
@@ -226,13 +238,34 @@ struct WrittenImage {
     std::size_t bytes;
 };
 
+/// Adds what writing loses to what making has lost, and refuses where that isn't allowed.
+Result<void> settleLosses(const ImageJob& job, const CodecRow& format, bool allowed, MadeImage& made) {
+    std::ranges::move(lossesIn(made.texture, format.name), std::back_inserter(made.losses));
+    const std::string lost = pixelsLost(made.losses);
+    if (!lost.empty() && !allowed)
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("as {} it would lose something: {}; --lossy writes it all the same",
+                                format.name, lost),
+                    inputName(job.in));
+    // Texts and what a camera noted change no picture: that they are left out stands in the JSON alone.
+    std::string said = lost;
+    for (const Loss& loss : made.losses)
+        if (!loss.ofPixels && loss.what != "metadata")
+            said.append(said.empty() ? "" : "; ").append(loss.sentence);
+    if (!said.empty())
+        warn({ErrorCode::Unsupported, fmt::format("lost in {}: {}", format.name, said), inputName(job.in)});
+    return {};
+}
+
 /// `opened`: the output, where there is one; else the job's is opened when there is something to write.
-Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOutput>& opened,
+Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOutput>& opened, bool lossy,
                                const MakeImage& make) {
     Result<MadeImage> made = make(job.in);
     if (!made)
         return fail(made.error());
     const CodecRow& format = opened ? *opened->format : *job.format;
+    if (const Result<void> settled = settleLosses(job, format, lossy, *made); !settled)
+        return fail(settled.error());
     const Result<Bytes> bytes = format.encode(made->texture, made->options);
     if (!bytes)
         return fail(bytes.error().code, bytes.error().message, job.out);
@@ -279,11 +312,13 @@ const Option& addImageFiles(Command& command, ImageFiles& files, const ImageForm
             "--to", files.format,
             fmt::format("The format of what has no extension: with -o and -. One of {}.", formatNames()),
             {.value = "FORMAT", .offers = {writtenFormats}});
+    if (!formats.lossy.empty())
+        command.flag("--lossy", files.lossy, std::string(formats.lossy));
     command.flag("--report", files.report, report);
     command.flag(
         "--json", files.json,
-        "The report as JSON, for programs: \"written\" (input, output, format, width, height, depth, faces, "
-        "levels, bytes) and \"failed\" (input, error).");
+        "The report as JSON, for programs: \"written\" (input, output, format, width, height, depth, layers, "
+        "faces, levels, bytes, losses) and \"failed\" (input, error).");
     return out;
 }
 
@@ -320,7 +355,8 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
     ToldImages told;
     bool allDone = true;
     for (const ImageJob& job : *jobs) {
-        const Result<WrittenImage> done = makeImage(job, first, make);
+        const bool lossy = files.lossy || formats.lossy.empty();
+        const Result<WrittenImage> done = makeImage(job, first, lossy, make);
         if (!done && done.error().code == ErrorCode::Cancelled)
             return complainInterrupted();
         if (!done) {

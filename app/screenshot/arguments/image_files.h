@@ -21,6 +21,7 @@ struct ImageFiles {
     std::string format;   ///< --to; empty: as the command chooses it
     bool report = false;
     bool json = false;
+    bool lossy = false;
 };
 
 /// What a command writes.
@@ -28,9 +29,12 @@ struct ImageFormats {
     std::string_view only = {};  ///< the one format; empty: each that is written
     std::string_view start = {}; ///< of a pipe and in a folder, where --to doesn't say it; empty: the input's
     bool named = false;          ///< in a folder --to has to say it
+    /// What --lossy allows, for its help; empty: there is no such option, because all that the command makes
+    /// loses something.
+    std::string_view lossy = {};
 };
 
-/// Declares IN, OUT, -o, --to, --report and --json; -o is what it returns. `report`: what --report prints.
+/// Declares IN, OUT, -o, --to, --lossy, --report and --json; -o is what it returns. `report`: what --report prints.
 const Option& addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
                             const std::string& in, const std::string& report);
 
@@ -39,6 +43,7 @@ struct MadeImage {
     TextureImage texture;
     WriteOptions options{};
     std::optional<TextureReport> report{}; ///< of its levels, for --report
+    std::vector<Loss> losses{};            ///< beside those of writing `texture`
 };
 
 /// Cancelled stops all that would follow.
@@ -48,7 +53,8 @@ using MakeImage = std::function<Result<MadeImage>(const std::string& in)>;
 using NoteFormat = std::function<void(const CodecRow& format)>;
 
 /// Makes and writes one after the other. What is wrong with the call is said before anything is read; one
-/// that fails is said, and the others go on.
+/// that fails is said, and the others go on. What would lose pixels fails without --lossy; what is lost is
+/// always said, and stands in the JSON.
 [[nodiscard]] ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const MakeImage& make,
                                   const NoteFormat& note = {});
 

@@ -9,11 +9,14 @@ Result<TextureImage> readTexture(const std::string& path) {
     const Result<Bytes> file = readImageInput(path);
     if (!file)
         return fail(file.error());
-    Result<TextureImage> texture = decodeTexture(*file);
+    DecodeLimits limits;
+    limits.everything = true;
+    Result<TextureImage> texture = decodeTexture(*file, limits);
     if (!texture)
         return fail(texture.error().code, texture.error().message, inputName(path));
-    for (const std::string& note : texture->notes)
-        warn({ErrorCode::Malformed, note, inputName(path)});
+    for (const std::vector<std::string>& sentences : {texture->notes, texture->remarks})
+        for (const std::string& sentence : sentences)
+            warn({ErrorCode::Malformed, sentence, inputName(path)});
     return texture;
 }
 

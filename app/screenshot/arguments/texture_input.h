@@ -8,8 +8,8 @@
 
 namespace texplorer::screenshot {
 
-/// Reads and decodes a file, or standard input ("-"). What is odd about it and was survived, or is left out
-/// of it, goes to standard error. Errors name the path.
+/// Reads and decodes a file, or standard input ("-"), with every layer of an array. What is odd about it and
+/// was survived goes to standard error. Errors name the path.
 [[nodiscard]] Result<TextureImage> readTexture(const std::string& path);
 
 } // namespace texplorer::screenshot

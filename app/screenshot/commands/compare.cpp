@@ -52,12 +52,13 @@ Result<ReadPicture> readPicture(const std::string& path) {
     if (!file)
         return fail(file.error());
     const Surface& base = file->surface(0, 0);
-    if (file->faces > 1 || depthOf(base) > 1)
-        return fail(
-            ErrorCode::Unsupported,
-            fmt::format("expected one picture, found {}; texshot decode takes one out of it",
-                        file->faces > 1 ? countOf(file->faces, "face") : countOf(depthOf(base), "slice")),
-            path);
+    for (const auto& [count, part] : {std::pair{file->layers, "layer"}, std::pair{file->faces, "face"},
+                                      std::pair{depthOf(base), "slice"}})
+        if (count > 1)
+            return fail(ErrorCode::Unsupported,
+                        fmt::format("expected one picture, found {}; texshot decode takes one out of it",
+                                    countOf(count, part)),
+                        path);
     const int bits = file->componentBits;
     Result<Image> image = uprightImage(*std::move(file));
     if (!image)

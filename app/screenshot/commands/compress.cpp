@@ -5,6 +5,8 @@
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/long_work.h"
+#include "core/base/count.h"
+#include "core/codec/losses.h"
 #include "core/image/cube_faces.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
@@ -110,6 +112,11 @@ Result<std::vector<Image>> picturesOf(TextureImage texture, const CompressOption
         return fail(ErrorCode::Unsupported, message, inputName(in));
     };
     const Surface& base = texture.surface(0, 0);
+    if (texture.layers != 1)
+        return refused(
+            fmt::format("expected a picture or a cube map, found an array of {}; texshot decode takes "
+                        "one layer out of it",
+                        countOf(texture.layers, "layer")));
     if (depthOf(base) != 1)
         return refused(
             fmt::format("expected a picture or a cube map, found a volume of {} slices", depthOf(base)));
@@ -161,6 +168,7 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     Result<TextureImage> file = readTexture(in);
     if (!file)
         return fail(file.error());
+    std::vector<Loss> losses = lossesIn(*file, "DDS");
     Result<std::vector<Image>> pictures = picturesOf(*std::move(file), options, in);
     if (!pictures)
         return fail(pictures.error());
@@ -186,7 +194,7 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     texture.alpha = AlphaMeaning::Straight;
     for (BlockImage& level : *blocks)
         texture.surfaces.emplace_back(std::move(level));
-    MadeImage made{std::move(texture)};
+    MadeImage made{.texture = std::move(texture), .losses = std::move(losses)};
     if (options.files.report || options.files.json)
         made.report = reportOf(made.texture, source);
     return made;

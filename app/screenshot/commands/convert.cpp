@@ -8,7 +8,13 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr ImageFormats convertFormats{.start = "PNG", .named = true};
+constexpr ImageFormats convertFormats{
+    .only = {},
+    .start = "PNG",
+    .named = true,
+    .lossy =
+        "Write what OUT can't hold all of: layers, faces, slices and mip levels in a format of one picture, more "
+        "than 8 bits a component. Else such a file is refused; what is lost is said in any case."};
 
 struct ConvertOptions {
     ImageFiles files;
@@ -25,9 +31,10 @@ void noteOptions(const CodecRow& written, const WriteOptions& options) {
 } // namespace
 
 void addConvert(CommandLine& line) {
-    Command& command =
-        line.command("convert", "Write images in another format. Formats of one picture take the base level, "
-                                "decompressed; DDS takes all.");
+    Command& command = line.command(
+        "convert",
+        "Write images in another format. DDS takes all that a texture has; of what formats of one picture "
+        "can't hold, --lossy leaves the first: level, face, slice and layer 0.");
     auto options = std::make_shared<ConvertOptions>();
     addImageFiles(command, options->files, convertFormats, "The image: any format that Texplorer reads",
                   "Print a line for each image: what became of what.");

@@ -7,16 +7,27 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace texplorer::screenshot {
 namespace {
 
-constexpr ImageFormats decodeFormats{.start = "PNG"};
+constexpr ImageFormats decodeFormats{
+    .only = {},
+    .start = "PNG",
+    .named = false,
+    .lossy =
+        "Take the first of several layers, faces or slices where none is chosen, and 8 bits of a component that "
+        "has more. Else such a file is refused; what is lost is said in any case."};
+
+constexpr int notChosen = -1;
 
 struct DecodeOptions {
     ImageFiles files;
     int level = 0;
-    int face = 0;
-    int slice = 0;
+    int layer = notChosen;
+    int face = notChosen;
+    int slice = notChosen;
     bool noFlip = false;
 };
 
@@ -26,6 +37,26 @@ tl::unexpected<Error> outOfRange(const std::string& in, std::string_view what, i
                 fmt::format("there is no {} {}: {} has {}{}", what, asked, owner, what,
                             count == 1 ? " 0 alone" : fmt::format("s 0 to {}", count - 1)),
                 inputName(in));
+}
+
+/// A part that can be chosen, its number 0 where it isn't: then the others are lost.
+struct ChosenPart {
+    std::string_view names; ///< "layers"
+    int asked;
+    int count;
+    std::string_view owner;
+
+    [[nodiscard]] int number() const { return std::max(0, asked); }
+    [[nodiscard]] std::string_view name() const { return names.substr(0, names.size() - 1); }
+};
+
+Result<void> choose(const std::string& in, const ChosenPart& part, std::vector<Loss>& losses) {
+    if (part.number() >= part.count)
+        return outOfRange(in, part.name(), part.number(), part.count, part.owner);
+    if (part.asked == notChosen && part.count > 1)
+        losses.push_back({part.names, fmt::format("{} of its {} {} (--{} chooses one)", part.count - 1,
+                                                  part.count, part.names, part.name())});
+    return {};
 }
 
 Image sliceOf(Image volume, int slice) {
@@ -40,10 +71,11 @@ Image sliceOf(Image volume, int slice) {
 }
 
 /// The level that the file holds, or where it holds the base alone, the box-filtered one.
-Result<Image> levelOf(const std::string& in, const TextureImage& texture, const DecodeOptions& options) {
+Result<Image> levelOf(const std::string& in, const TextureImage& texture, int face,
+                      const DecodeOptions& options) {
     if (options.level < texture.levels)
-        return toImage(texture.surface(options.face, options.level));
-    const Surface& base = texture.surface(options.face, 0);
+        return toImage(texture.surface(face, options.level));
+    const Surface& base = texture.surface(face, 0);
     const int chain = mipLevelCount(widthOf(base), heightOf(base), depthOf(base));
     if (texture.levels > 1 || options.level >= chain)
         return outOfRange(in, "level", options.level, texture.levels > 1 ? texture.levels : chain,
@@ -56,20 +88,32 @@ Result<MadeImage> pictureOf(const std::string& in, const DecodeOptions& options)
     if (!decoded)
         return fail(decoded.error());
     const TextureImage& texture = *decoded;
-    if (options.face >= texture.faces)
-        return outOfRange(in, "face", options.face, texture.faces, "the file");
-    Result<Image> image = levelOf(in, texture, options);
+    std::vector<Loss> losses;
+    const ChosenPart layer{"layers", options.layer, texture.layers, "the file"};
+    const ChosenPart face{"faces", options.face, texture.faces, "the file"};
+    for (const ChosenPart& part : {layer, face})
+        if (const Result<void> made = choose(in, part, losses); !made)
+            return fail(made.error());
+    Result<Image> image = levelOf(in, texture, layer.number() * texture.faces + face.number(), options);
     if (!image)
         return fail(image.error());
-    if (options.slice >= image->depth)
-        return outOfRange(in, "slice", options.slice, image->depth, "this level");
-    Image picture = sliceOf(*std::move(image), options.slice);
+    const ChosenPart slice{"slices", options.slice, image->depth, "this level"};
+    if (const Result<void> made = choose(in, slice, losses); !made)
+        return fail(made.error());
+    Image picture = sliceOf(*std::move(image), slice.number());
     // Unflipped, the file's first row is at the bottom, as in a loader that hands its bytes to glTexImage2D.
     const bool isTopFirst = texture.topFirst;
     const bool shouldBeTopFirst = options.noFlip && texture.fileTopFirst;
     if (isTopFirst != shouldBeTopFirst)
         flipVertically(picture);
-    return MadeImage{textureOf(std::move(picture), texture.format)};
+    // What the file says of its pixels holds for a part of them.
+    TextureImage part = textureOf(std::move(picture), texture.format);
+    part.srgb = texture.srgb;
+    part.alpha = texture.alpha;
+    part.componentBits = texture.componentBits;
+    part.losses = texture.losses;
+    part.parts = texture.parts;
+    return MadeImage{.texture = std::move(part), .losses = std::move(losses)};
 }
 
 } // namespace
@@ -82,6 +126,7 @@ void addDecode(CommandLine& line) {
     command.number(
         "--level", options->level, 0, 30,
         "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.");
+    command.number("--layer", options->layer, 0, 2047, "Which layer of an array, 0 the first.");
     command.number("--face", options->face, 0, 5,
                    "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.");
     command.number("--slice", options->slice, 0, 16383, "Which slice of a volume, 0 the first.");

@@ -10,13 +10,22 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr ImageFormats flipFormats{}; // that of the file which is turned
+/// The format is that of the file which is turned.
+ImageFormats flipFormats() {
+    static const std::string lossy = fmt::format(
+        "Turn what loses something by it: levels of blocks whose extent is not {} are decompressed and compressed "
+        "again, and what OUT can't hold is left out, as convert has it. Else such a file is refused; what is lost is "
+        "said in any case.",
+        losslessExtents);
+    ImageFormats turned;
+    turned.lossy = lossy;
+    return turned;
+}
 
 struct FlipOptions {
     ImageFiles files;
     bool horizontal = false;
     bool halfTurn = false;
-    bool lossy = false;
 
     [[nodiscard]] FlipAxis axis() const {
         return halfTurn ? FlipAxis::Both : horizontal ? FlipAxis::Horizontal : FlipAxis::Vertical;
@@ -25,18 +34,19 @@ struct FlipOptions {
 
 Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
     Result<TextureImage> texture = readTexture(in);
+    const bool lossy = options.files.lossy;
     if (!texture)
         return fail(texture.error());
     LongWork work("texshot: turning around");
     const Result<void> turned = flip(*texture, {.axis = options.axis(),
-                                                .lossy = options.lossy,
+                                                .lossy = lossy,
                                                 .progress = [&work](float done) { work.report(done); },
                                                 .stop = work.stopToken()});
     work.finish();
     if (work.stopToken().stop_requested())
         return fail(ErrorCode::Cancelled, "turning around was stopped");
     if (!turned) {
-        const bool wouldLose = turned.error().code == ErrorCode::Unsupported && !options.lossy;
+        const bool wouldLose = turned.error().code == ErrorCode::Unsupported && !lossy;
         return fail(turned.error().code,
                     turned.error().message +
                         (wouldLose ? "; --lossy decompresses it and compresses it again" : ""),
@@ -49,11 +59,12 @@ Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
 
 void addFlip(CommandLine& line) {
     Command& command = line.command(
-        "flip", "Turn a texture upside down, every mip level, face and slice; compressed blocks without "
-                "decompressing them.");
+        "flip",
+        "Turn a texture upside down, every mip level, face, slice and layer; compressed blocks without "
+        "decompressing them.");
     auto options = std::make_shared<FlipOptions>();
     const Option& out =
-        addImageFiles(command, options->files, flipFormats, "The texture: any format that Texplorer reads",
+        addImageFiles(command, options->files, flipFormats(), "The texture: any format that Texplorer reads",
                       "Print a line for each texture: what became of what.");
     command.usage({"IN OUT", "IN... -o DIR", "IN... --in-place"});
     command.flag("--in-place", options->files.inPlace,
@@ -61,14 +72,8 @@ void addFlip(CommandLine& line) {
                  {.excludes = &out});
     const Option& horizontal = command.flag("--horizontal", options->horizontal, "Left to right instead.");
     command.flag("--half-turn", options->halfTurn, "By 180 degrees instead.", {.excludes = &horizontal});
-    command.flag(
-        "--lossy", options->lossy,
-        fmt::format(
-            "Decompress and compress again the levels that can't be turned around without loss: those whose "
-            "extent is not {}.",
-            losslessExtents));
     command.onCall([options] {
-        return makeImages(options->files, flipFormats,
+        return makeImages(options->files, flipFormats(),
                           [&](const std::string& in) { return flipFile(in, *options); });
     });
 }

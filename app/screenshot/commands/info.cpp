@@ -73,6 +73,8 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
     line("pixels", pixels);
     line("alpha", std::string(nameOf(texture.alpha)));
     line("first row", texture.fileTopFirst ? "at the top" : "at the bottom");
+    if (texture.layers > 1)
+        line("layers", fmt::format("{}; scenes show the first", texture.layers));
     if (texture.faces > 1)
         line("faces", std::to_string(texture.faces));
     line("levels", fmt::format("{} of {}", texture.levels,
@@ -87,8 +89,9 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
         texture.levels > 1 ? fmt::format(", all levels {:.3f} times the base", cost.ratioToBase) : "";
     line("pixel bytes", fmt::format("{}{}; {:.1f} % of RGBA8, {:.1f} % of RGB8", surfaceBytes, all,
                                     100 * cost.shareOfRgba8, 100 * cost.shareOfRgb8));
-    for (const std::string& note : texture.notes)
-        line("note", note);
+    for (const std::vector<std::string>& sentences : {texture.notes, texture.remarks})
+        for (const std::string& sentence : sentences)
+            line("note", sentence);
     return text;
 }
 
@@ -139,6 +142,7 @@ nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t file
             {"srgb", texture.srgb},
             {"alpha", nameOf(texture.alpha)},
             {"fileTopFirst", texture.fileTopFirst},
+            {"layers", texture.layers},
             {"faces", texture.faces},
             {"levels", levels},
             {"fullChain", mipLevelCount(widthOf(base), heightOf(base), depthOf(base))},
@@ -147,7 +151,8 @@ nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t file
             {"ratioToBase", cost.ratioToBase},
             {"shareOfRgba8", cost.shareOfRgba8},
             {"shareOfRgb8", cost.shareOfRgb8},
-            {"notes", texture.notes}};
+            {"notes", texture.notes},
+            {"remarks", texture.remarks}};
 }
 
 nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
@@ -183,7 +188,9 @@ Examined examine(const std::string& in) {
         return examined;
     }
     const Anatomy anatomy = dissect(*bytes);
-    const Result<TextureImage> texture = outlineTexture(*bytes, anatomy);
+    DecodeLimits limits;
+    limits.everything = true;
+    const Result<TextureImage> texture = outlineTexture(*bytes, anatomy, limits);
     if (texture) {
         examined.text = factsAsText(name, *texture, bytes->size());
         examined.document.update(factsAsJson(*texture, bytes->size()));
@@ -239,8 +246,9 @@ void addInfo(CommandLine& line) {
         "--json", options->json,
         "As JSON, for programs: \"files\", of each \"file\", \"format\", \"width\", \"height\", \"depth\", \"pixelFormat\", "
         "\"componentBits\" (of the file, where it has more than the 8 that are kept), "
-        "\"srgb\", \"alpha\", \"fileTopFirst\", \"faces\", \"levels\", \"fullChain\", \"fileBytes\", "
-        "\"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" and \"anatomy\" "
+        "\"srgb\", \"alpha\", \"fileTopFirst\", \"layers\", \"faces\", \"levels\", \"fullChain\", \"fileBytes\", "
+        "\"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" (what was odd), "
+        "\"remarks\" (what is right and isn't followed) and \"anatomy\" "
         "(fields, damage), or \"error\".");
     command.onCall([options] { return examineAll(options->files, options->json); });
 }

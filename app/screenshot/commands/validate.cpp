@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 namespace texplorer::screenshot {
@@ -28,6 +29,8 @@ struct Validity {
     std::string file;
     std::string kind; ///< "PNG", "scene", "suite", "run"; empty: it couldn't be told
     std::vector<std::string> faults{};
+    std::vector<std::string> remarks{}; ///< what is right and Texplorer doesn't follow
+    bool drawn = true;                  ///< false: an image that isn't decoded
 
     [[nodiscard]] bool isValid() const { return faults.empty(); }
 };
@@ -37,12 +40,34 @@ void addOnce(std::vector<std::string>& faults, std::string fault) {
         faults.push_back(std::move(fault));
 }
 
-/// All that the decoder refuses or notes, and all that looks wrong in a field.
+/// Of an image that isn't decoded: what is wrong with it, or why it isn't. What is merely larger than
+/// anything that is decoded is looked at without its pixels.
+void addRefusal(ByteView file, const Error& refusal, Validity& validity) {
+    if (refusal.code == ErrorCode::TooLarge) {
+        DecodeLimits limits;
+        limits.maxExtent = 1 << 30;
+        limits.maxPixels = limits.maxBytes = std::numeric_limits<std::size_t>::max() / 4;
+        limits.pixels = false;
+        if (const Result<TextureImage> outline = decodeTexture(file, limits); !outline) {
+            validity.faults.push_back(outline.error().message);
+            return;
+        }
+    }
+    (refusal.code == ErrorCode::Malformed ? validity.faults : validity.remarks).push_back(refusal.message);
+}
+
+/// All that the decoder refuses or notes, and all that looks wrong in a field. What it only doesn't know or
+/// hasn't room for is no fault of the file.
 Validity validateImage(const std::string& in, ByteView file) {
     Validity validity{in, std::string(recogniseImage(file)->name)};
-    const Result<TextureImage> texture = decodeTexture(file);
-    if (!texture)
-        addOnce(validity.faults, texture.error().message);
+    DecodeLimits limits;
+    limits.everything = true;
+    const Result<TextureImage> texture = decodeTexture(file, limits);
+    validity.drawn = texture.has_value();
+    if (texture)
+        validity.remarks = texture->remarks;
+    else
+        addRefusal(file, texture.error(), validity);
     for (const std::string& note : texture ? texture->notes : std::vector<std::string>())
         addOnce(validity.faults, note);
     const Anatomy anatomy = dissect(file);
@@ -210,9 +235,14 @@ std::string validityText(const std::vector<Validity>& all) {
         std::string faults;
         for (const std::string& fault : each.faults)
             faults += (faults.empty() ? "" : "; ") + printable(fault);
+        std::string remarks;
+        for (const std::string& remark : each.remarks)
+            remarks += (remarks.empty() ? ": " : "; ") + printable(remark);
         text += fmt::format("{}: {}{}\n", printable(inputName(each.file)),
                             each.kind.empty() ? std::string() : each.kind + ", ",
-                            each.isValid() ? "valid" : "not valid: " + faults);
+                            !each.isValid() ? "not valid: " + faults
+                            : each.drawn    ? "valid" + remarks
+                                            : "valid, but not drawn" + remarks);
     }
     return text;
 }
@@ -220,8 +250,12 @@ std::string validityText(const std::vector<Validity>& all) {
 std::string validityJson(const std::vector<Validity>& all, bool valid) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const Validity& each : all)
-        files.push_back(
-            {{"file", each.file}, {"valid", each.isValid()}, {"kind", each.kind}, {"faults", each.faults}});
+        files.push_back({{"file", each.file},
+                         {"valid", each.isValid()},
+                         {"kind", each.kind},
+                         {"drawn", each.drawn},
+                         {"faults", each.faults},
+                         {"remarks", each.remarks}});
     return documentText({{"valid", valid}, {"files", std::move(files)}});
 }
 
@@ -252,11 +286,13 @@ void addValidate(CommandLine& line) {
                    "Images, scenes, suites and the run.json of reports, told apart by their content; - for "
                    "standard input.",
                    {.required = true});
-    command.flag("--json", options->json,
-                 "As JSON, for programs: \"valid\" and \"files\" (file, valid, kind, faults).");
+    command.flag(
+        "--json", options->json,
+        "As JSON, for programs: \"valid\" and \"files\" (file, valid, kind, drawn, faults, remarks).");
     command.footer(
         "A line for each file on standard output. Of an image, what is odd and survived by who reads it is "
-        "a fault, too; of a scene, keys that there aren't and values out of their range, as many as can be told; "
+        "a fault, too; what is right and Texplorer doesn't draw or follow is said of a valid one. Of a "
+        "scene, keys that there aren't and values out of their range are faults, as many as can be told; "
         "of a suite, the first that \"texshot test --list\" finds. What a scene draws is not looked at: "
         "\"texshot check\" does that.\n"
         "Exit status: 0 all are valid, 1 one isn't or can't be read, 2 a wrong call.");

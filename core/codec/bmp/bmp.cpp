@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <new>
 
 namespace texplorer {
@@ -130,7 +131,7 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
                                            countOf(report.clipped, "run-length code")));
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (report.painted < pixels)
-        header.notes.push_back(
+        header.remarks.push_back(
             fmt::format("the run-length codes leave {} out; they have the palette's first colour",
                         countOf(pixels - report.painted, "pixel")));
     if (header.topDown)
@@ -138,8 +139,9 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
     return {};
 }
 
-// Without masks the fourth bytes are not used, but some writers keep alpha there.
-void noteUnusedAlpha(ByteView data, Header& header) {
+/// Pixels without bit fields: what is made of their fourth bytes. An alpha mask counts where they are not all
+/// 0; without one they are not used, but some writers keep alpha there.
+void readFourthBytes(ByteView data, Header& header) {
     if (header.bitsPerPixel != 32 || header.masksPos != 0)
         return;
     std::byte all{0xFF};
@@ -149,9 +151,18 @@ void noteUnusedAlpha(ByteView data, Header& header) {
         all &= data[i];
         any |= data[i];
     }
-    if (all != any)
-        header.notes.emplace_back("the fourth bytes of the pixels differ and may be meant as alpha; without "
-                                  "an alpha mask they are not used");
+    if (header.loneAlphaMask) {
+        const bool used = any != std::byte{0};
+        header.opaque = !used;
+        header.remarks.emplace_back(
+            used
+                ? "the pixels are no bit fields, for which masks count, but the header has an alpha mask: "
+                  "their fourth bytes are alpha"
+                : "the header has an alpha mask, but the fourth bytes of all pixels are 0: they are not used");
+    } else if (all != any)
+        header.remarks.emplace_back(
+            "the fourth bytes of the pixels differ and may be meant as alpha; without "
+            "an alpha mask they are not used");
 }
 
 void noteOddMasks(Header& header) {
@@ -201,7 +212,7 @@ Result<Image> decodeDirect(ByteView file, Header& header, const DecodeLimits& li
     }
     noteOddMasks(header);
     if (limits.pixels)
-        noteUnusedAlpha(data, header);
+        readFourthBytes(data, header);
     if (header.bitsPerPixel == 16)
         for (std::uint32_t& mask : header.masks)
             mask &= 0xFFFF;
@@ -210,6 +221,9 @@ Result<Image> decodeDirect(ByteView file, Header& header, const DecodeLimits& li
         imageFor(header, fields.hasAlpha() ? PixelFormat::Rgba8 : PixelFormat::Rgb8, limits);
     if (image && limits.pixels)
         copyBitFields(data, header, fields, *image);
+    if (image && header.opaque)
+        for (std::size_t i = 3; i < image->pixels.size(); i += 4)
+            image->pixels[i] = std::byte{255};
     return image;
 }
 
@@ -227,6 +241,11 @@ Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
         TextureImage texture = textureOf(std::move(*image), "BMP");
         texture.fileTopFirst = header->topDown;
         texture.notes = std::move(header->notes);
+        texture.remarks = std::move(header->remarks);
+        for (const std::uint32_t mask : header->masks)
+            texture.componentBits = std::max(texture.componentBits, std::popcount(mask));
+        if (bmp::hasColorSpace(file, *header))
+            texture.losses.push_back({"colorProfile", "the colour space of its header", false});
         return texture;
     } catch (const std::bad_alloc&) {
         return bmp::tooLarge(

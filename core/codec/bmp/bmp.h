@@ -10,8 +10,10 @@
 // - Headers: OS/2 1.x (12 bytes, 3-byte palette entries), OS/2 2.x (16 to 64 bytes), Windows 3 (40) and with
 //   masks (52, 56), V4 (108), V5 (124). Where `dataPos` is 0 the pixels follow the palette; `imageSize` is
 //   not needed for anything; the padding of the last row may be missing.
-// - Alpha is what an alpha mask says. The fourth byte of 32-bit pixels without masks is not used, as Windows
-//   has it; a note says where it looks like alpha. A palette's fourth bytes are not alpha.
+// - Alpha is what an alpha mask says, also that of a V3, V4 or V5 header whose 32-bit pixels are no bit
+// fields,
+//   unless it is 0 everywhere. The fourth byte of 32-bit pixels without a mask is not used, as Windows has
+//   it; a note says where it looks like alpha. A palette's fourth bytes are not alpha.
 // - Pixels that RLE leaves out have the palette's first colour.
 // - Components of n bits become 8 by round(v * 255 / (2^n - 1)), as OpenGL would convert them.
 // - Gives Luminance8 where an 8-bit palette is the ramp of greys, Rgba8 where there is an alpha mask, else

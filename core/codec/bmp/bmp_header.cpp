@@ -29,6 +29,23 @@ Masks usualMasks(unsigned bitsPerPixel) {
     return {0x00FF0000, 0x0000FF00, 0x000000FF, 0};
 }
 
+/// Without bit fields the masks of a longer header need not be filled in. Writers that fill in alpha's mean
+/// it: the byte that colours leave free.
+void parseLoneAlphaMask(ByteView file, Header& header) {
+    constexpr std::size_t alphaMaskPos = fileHeaderSize + 52;
+    const HeaderKind kind = headerKind(header.headerSize);
+    const bool hasMask = (kind == HeaderKind::Windows3Masks && header.headerSize == 56) ||
+                         kind == HeaderKind::V4 || kind == HeaderKind::V5;
+    if (!hasMask || header.bitsPerPixel != 32 || header.compression != numberOf(Compression::None))
+        return;
+    ByteReader reader(file);
+    reader.skip(alphaMaskPos);
+    if (reader.u32() != 0xFF000000)
+        return;
+    header.masks[3] = 0xFF000000;
+    header.loneAlphaMask = true;
+}
+
 // The masks stand behind a header of 40 bytes and within the longer ones, both times at offset 54.
 void parseMasks(ByteView file, Header& header) {
     if (header.bitsPerPixel != 16 && header.bitsPerPixel != 32)
@@ -36,6 +53,7 @@ void parseMasks(ByteView file, Header& header) {
     const HeaderKind kind = headerKind(header.headerSize);
     if (!hasBitFields(header) || kind == HeaderKind::Os22 || kind == HeaderKind::Os21) {
         header.masks = usualMasks(header.bitsPerPixel);
+        parseLoneAlphaMask(file, header);
         return;
     }
     header.masksPos = fileHeaderSize + 40;
@@ -257,6 +275,22 @@ Header parseHeader(ByteView file) {
     parseMasks(file, header);
     placePalette(file, header);
     return header;
+}
+
+bool hasColorSpace(ByteView file, const Header& header) {
+    const HeaderKind kind = headerKind(header.headerSize);
+    if (kind != HeaderKind::V4 && kind != HeaderKind::V5)
+        return false;
+    constexpr std::uint32_t linked = 0x4C494E4B;   // 'LINK'
+    constexpr std::uint32_t embedded = 0x4D424544; // 'MBED'
+    constexpr std::uint32_t calibrated = 0;        // by primaries and gammas; writers leave them 0 as well
+    ByteReader reader(file);
+    reader.skip(fileHeaderSize + 56);
+    const std::uint32_t type = reader.u32();
+    std::uint32_t any = 0;
+    for (int i = 0; i < 12; ++i)
+        any |= reader.u32();
+    return type == linked || type == embedded || (type == calibrated && any != 0);
 }
 
 Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {

@@ -54,10 +54,13 @@ struct Header {
     std::uint32_t colorsUsed = 0;
     std::size_t masksPos = 0; ///< 0: none
     Masks masks{};
+    bool opaque = false;        ///< that alpha is 0 everywhere and not meant
+    bool loneAlphaMask = false; ///< the header has an alpha mask, although its pixels are no bit fields
     std::uint64_t palettePos = 0;
     std::size_t paletteEntryBytes = 4; ///< 3 in OS/2 1.x: no reserved byte
     std::size_t paletteEntries = 0;    ///< that lie between palettePos and the pixels
     std::vector<std::string> notes;    ///< what was odd and was survived
+    std::vector<std::string> remarks;  ///< what is right and isn't followed
 
     [[nodiscard]] bool runLengthCoded() const {
         return compression == static_cast<std::uint32_t>(Compression::Rle8) ||
@@ -83,6 +86,9 @@ struct Header {
 
 /// A header that the decoder can work with: known, within the limits, its pixel data within the file.
 [[nodiscard]] Result<Header> readHeader(ByteView file, const DecodeLimits& limits);
+
+/// Whether a V4 or V5 header says which colours its numbers mean: by a profile, or by its own primaries.
+[[nodiscard]] bool hasColorSpace(ByteView file, const Header& header);
 
 [[nodiscard]] tl::unexpected<Error> malformed(const std::string& message);
 [[nodiscard]] tl::unexpected<Error> unsupported(const std::string& message);

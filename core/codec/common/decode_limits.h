@@ -14,6 +14,9 @@ struct DecodeLimits {
     /// their formats and extents, and no bytes. What only the pixels tell is missing: their damage, notes
     /// about them, and whether bits that may be alpha are (they count as what the header says).
     bool pixels = true;
+    /// Every layer of an array, and what stands beside the picture (TextureImage::parts): for who writes it
+    /// again. Without it an array's first layer is read.
+    bool everything = false;
 };
 
 } // namespace texplorer

@@ -14,11 +14,11 @@ namespace {
 
 using namespace dds;
 
-Result<void> checkBytes(const Layout& layout, int levels, const DecodeLimits& limits) {
+Result<void> checkBytes(const Layout& layout, int faces, int levels, const DecodeLimits& limits) {
     std::uint64_t bytes = 0;
     for (int i = 0; i < levels; ++i) {
         const Level level = layout.at(0, i);
-        bytes += static_cast<std::uint64_t>(layout.faces) *
+        bytes += static_cast<std::uint64_t>(faces) *
                  layout.format.decodedBytes(level.width, level.height, level.depth);
     }
     if (bytes > limits.maxBytes)
@@ -57,7 +57,7 @@ void settleDxt1(ByteView file, const Layout& layout, TextureImage& texture) {
     if (texture.alpha == AlphaMeaning::None)
         return;
     bool alpha = saysAlpha(readHeader(file));
-    for (int face = 0; face < texture.faces; ++face)
+    for (int face = 0; face < texture.layers * texture.faces; ++face)
         for (int i = 0; i < texture.levels && !alpha; ++i) {
             const Level level = layout.at(face, i);
             alpha = hasPunchThrough(partOf(file, level.offset, level.size), level.width, level.height,
@@ -80,12 +80,21 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
     const Result<int> levels = wholeLevels(*layout, file.size(), findings);
     if (!levels)
         return fail(levels.error());
-    if (const Result<void> checked = checkBytes(*layout, *levels, limits); !checked)
+    if (std::holds_alternative<UnreadPixels>(layout->format.pixels))
+        return fail(ErrorCode::Unsupported,
+                    "DDS: " +
+                        fmt::format("{} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a "
+                                    "pixel are",
+                                    layout->format.name));
+    const int layers = limits.everything ? static_cast<int>(layout->elements) : 1;
+    const int faces = layers * layout->faces; // of all layers
+    if (const Result<void> checked = checkBytes(*layout, faces, *levels, limits); !checked)
         return fail(checked.error());
 
     try {
         TextureImage texture;
         texture.format = "DDS";
+        texture.layers = layers;
         texture.faces = layout->faces;
         texture.levels = *levels;
         texture.topFirst = true;
@@ -94,7 +103,7 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
         texture.alpha = layout->format.alpha;
         if (const MaskedPixels* masked = std::get_if<MaskedPixels>(&layout->format.pixels))
             texture.componentBits = std::max(texture.componentBits, masked->widest());
-        for (int face = 0; face < texture.faces; ++face)
+        for (int face = 0; face < faces; ++face)
             for (int level = 0; level < texture.levels; ++level)
                 texture.surfaces.push_back(limits.pixels
                                                ? readSurface(file, layout->format, layout->at(face, level))
@@ -103,7 +112,7 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
             block != nullptr && *block == BlockFormat::Dxt1)
             settleDxt1(file, *layout, texture);
         for (Finding& finding : findings)
-            texture.notes.push_back(std::move(finding.sentence));
+            (finding.isFault ? texture.notes : texture.remarks).push_back(std::move(finding.sentence));
         return texture;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,

@@ -27,9 +27,12 @@ public:
             field.value.clear();
             blame(field, fmt::format("it ends at offset {}, the file at {}", offset + size, file_.size()));
         }
-        for (const Finding& finding : findings_)
-            if (finding.offset == offset)
+        for (const Finding& finding : findings_) {
+            if (finding.offset == offset && finding.isFault)
                 blame(field, finding.sentence);
+            else if (finding.offset == offset)
+                field.meaning += "; " + finding.sentence;
+        }
         anatomy.fields.push_back(std::move(field));
         return anatomy.fields.back();
     }
@@ -101,7 +104,7 @@ std::string reservedText(ByteView file) {
 std::string describeFormat(const DxgiRow* format) {
     if (format == nullptr)
         return "not a format that is read";
-    if (!format->isRead())
+    if (std::holds_alternative<UnreadPixels>(format->pixels))
         return "known, but not read";
     if (const BlockFormat* block = std::get_if<BlockFormat>(&format->pixels))
         return std::string(findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(*block))->help);
@@ -138,8 +141,11 @@ void addPixelFormat(Dissection& to, const Header& header) {
     constexpr std::array<std::string_view, 4> channels{word("red"), word("green"), word("blue"),
                                                        word("alpha")};
     const bool luminance = (header.formatFlags & formatLuminance) != 0;
+    const bool depth = (header.formatFlags & formatZBuffer) != 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::string_view channel = luminance && i == 0 ? word("luminance") : channels[i];
+        const std::string_view channel = luminance && i == 0 ? word("luminance")
+                                         : depth && i == 1   ? word("depth")
+                                                             : channels[i];
         to.add(1, at::masks + 4 * i, 4, fmt::format("ddspf.dw{}BitMask", letters[i]), hex(header.masks[i]),
                describeMask(channel, header.masks[i]));
     }
@@ -191,9 +197,12 @@ void addExtendedHeader(Dissection& to, const Header& header) {
 std::string describeLevel(const Layout& layout, const Level& level) {
     const auto blocks = [](int extent) { return std::to_string((extent + 3) / 4); };
     const std::string slices = level.depth > 1 ? fmt::format(" x {}", level.depth) : "";
-    if (std::holds_alternative<BlockFormat>(layout.format.pixels))
+    const BlockFormat* block = std::get_if<BlockFormat>(&layout.format.pixels);
+    const UnreadPixels* unread = std::get_if<UnreadPixels>(&layout.format.pixels);
+    if (block != nullptr || (unread != nullptr && unread->extent > 1))
         return fmt::format("{} x {}{} blocks of {} bytes", blocks(level.width), blocks(level.height), slices,
-                           bytesPerBlock(std::get<BlockFormat>(layout.format.pixels)));
+                           block != nullptr ? bytesPerBlock(*block)
+                                            : static_cast<std::size_t>(unread->bytes));
     return fmt::format("rows of {} bytes, top row first", level.size /
                                                               static_cast<std::uint64_t>(level.height) /
                                                               static_cast<std::uint64_t>(level.depth));

@@ -1,3 +1,4 @@
+#include "core/base/count.h"
 #include "core/codec/common/swizzle.h"
 #include "core/codec/dds/dds.h"
 #include "core/codec/dds/dds_pixels.h"
@@ -14,7 +15,6 @@ namespace texplorer {
 namespace {
 
 using namespace dds;
-using Pixels = std::variant<MaskedPixels, BlockFormat>;
 
 constexpr MaskedPixels bgr{24, {0xFF0000, 0xFF00, 0xFF, 0}, PixelFormat::Rgb8};
 constexpr MaskedPixels bgrx{32, {0xFF0000, 0xFF00, 0xFF, 0}, PixelFormat::Rgb8};
@@ -44,10 +44,13 @@ bool sameFormat(const Surface& a, const Surface& b) {
 Result<void> check(const TextureImage& texture) {
     if (texture.faces != 1 && texture.faces != 6)
         return refuse(fmt::format("a texture has 1 or 6 faces, this one has {}", texture.faces));
-    if (texture.levels < 1 || texture.surfaces.size() != static_cast<std::size_t>(texture.faces) *
-                                                             static_cast<std::size_t>(texture.levels))
-        return refuse(fmt::format("{} faces with {} levels are expected, there are {} surfaces",
-                                  texture.faces, texture.levels, texture.surfaces.size()));
+    if (texture.layers < 1 || texture.levels < 1 ||
+        texture.surfaces.size() != static_cast<std::size_t>(texture.layers) *
+                                       static_cast<std::size_t>(texture.faces) *
+                                       static_cast<std::size_t>(texture.levels))
+        return refuse(fmt::format("{} of {} faces with {} levels are expected, there are {} surfaces",
+                                  countOf(texture.layers, "layer"), texture.faces, texture.levels,
+                                  texture.surfaces.size()));
     const Surface& base = texture.surfaces.front();
     const int width = widthOf(base);
     const int height = heightOf(base);
@@ -57,10 +60,12 @@ Result<void> check(const TextureImage& texture) {
             fmt::format("a texture has at least 1 x 1 x 1 texels, this one has {}", extentsOf(base)));
     if (texture.faces == 6 && (width != height || depth != 1))
         return refuse(fmt::format("the faces of a cube map are square, these are {}", extentsOf(base)));
+    if (texture.layers > 1 && depth != 1)
+        return refuse(fmt::format("the layers of an array are no volumes, these are {}", extentsOf(base)));
     if (texture.levels > mipLevelCount(width, height, depth))
         return refuse(fmt::format("a mip chain of {} texels has at most {} levels, this one has {}",
                                   extentsOf(base), mipLevelCount(width, height, depth), texture.levels));
-    for (int face = 0; face < texture.faces; ++face)
+    for (int face = 0; face < texture.layers * texture.faces; ++face)
         for (int level = 0; level < texture.levels; ++level) {
             const Surface& surface = texture.surface(face, level);
             const auto expected = [&](int extent) { return std::max(1, extent >> level); };
@@ -104,7 +109,7 @@ void putExtended(Header& header, const DxgiRow& row, std::uint32_t alphaMode, co
     header.dxgiFormat = row.number;
     header.dimension = depthOf(texture.surfaces.front()) > 1 ? dimension3D : dimension2D;
     header.miscFlag = texture.faces == 6 ? miscTextureCube : 0;
-    header.arraySize = 1;
+    header.arraySize = static_cast<std::uint32_t>(texture.layers);
     header.miscFlags2 = alphaMode;
 }
 
@@ -119,11 +124,11 @@ void putBlockFormat(Header& header, BlockFormat format, const TextureImage& text
     const bool opaque = format == BlockFormat::Dxt1;
     const bool onlyExtended = (format == BlockFormat::Dxt1Alpha && premultiplied) ||
                               (opaque && std::ranges::any_of(texture.surfaces, isOpaqueDespiteItsCodes));
-    if (srgb != nullptr || onlyExtended) {
+    if (srgb != nullptr || onlyExtended || texture.layers > 1) {
         std::uint32_t mode = opaque ? alphaOpaque : alphaModeFor(texture.alpha);
         if (format == BlockFormat::Dxt1Alpha && !premultiplied)
             mode = alphaStraight;
-        if (stored == BlockFormat::Bc4 || stored == BlockFormat::Bc5)
+        if (stored != BlockFormat::Dxt1 && stored != BlockFormat::Dxt3 && stored != BlockFormat::Dxt5)
             mode = alphaUnknown;
         return putExtended(header, srgb != nullptr ? *srgb : *findDxgi(Pixels{stored}, false), mode, texture);
     }
@@ -157,9 +162,11 @@ MaskedPixels legacyPixels(PixelFormat format) {
 MaskedPixels putPixelFormat(Header& header, PixelFormat format, const TextureImage& texture) {
     const bool alpha = format == PixelFormat::Rgba8 || format == PixelFormat::LuminanceAlpha8;
     const bool premultiplied = alpha && texture.alpha == AlphaMeaning::Premultiplied;
-    if (format != PixelFormat::Alpha8 && (texture.srgb || premultiplied)) {
-        const MaskedPixels pixels = alpha ? rgba : bgrx;
-        putExtended(header, *findDxgi(Pixels{pixels}, texture.srgb),
+    const bool colors = format != PixelFormat::Alpha8 && (texture.srgb || premultiplied);
+    if (colors || texture.layers > 1) {
+        const bool single = !colors && bytesPerPixel(format) == 1; // R8 is read as grey
+        const MaskedPixels pixels = single ? legacyPixels(format) : alpha ? rgba : bgrx;
+        putExtended(header, *findDxgi(Pixels{pixels}, colors && texture.srgb),
                     alpha ? alphaModeFor(texture.alpha) : alphaUnknown, texture);
         return pixels;
     }

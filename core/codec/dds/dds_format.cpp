@@ -37,37 +37,37 @@ constexpr MaskedPixels b5g6r5{16, {0xF800, 0x7E0, 0x1F, 0}, PixelFormat::Rgb8};
 constexpr MaskedPixels b5g5r5a1{16, {0x7C00, 0x3E0, 0x1F, 0x8000}, PixelFormat::Rgba8};
 constexpr MaskedPixels b4g4r4a4{16, {0xF00, 0xF0, 0xF, 0xF000}, PixelFormat::Rgba8};
 constexpr MaskedPixels a4b4g4r4{16, {0xF000, 0xF00, 0xF0, 0xF}, PixelFormat::Rgba8};
-constexpr MaskedPixels notRead{};
+constexpr UnreadPixels unreadBlocks{16, 4};
 
 constexpr std::array dxgiTable{
-    DxgiRow{2, "DXGI_FORMAT_R32G32B32A32_FLOAT", notRead, false},
-    DxgiRow{6, "DXGI_FORMAT_R32G32B32_FLOAT", notRead, false},
-    DxgiRow{10, "DXGI_FORMAT_R16G16B16A16_FLOAT", notRead, false},
-    DxgiRow{11, "DXGI_FORMAT_R16G16B16A16_UNORM", notRead, false},
-    DxgiRow{13, "DXGI_FORMAT_R16G16B16A16_SNORM", notRead, false},
-    DxgiRow{16, "DXGI_FORMAT_R32G32_FLOAT", notRead, false},
+    DxgiRow{2, "DXGI_FORMAT_R32G32B32A32_FLOAT", UnreadPixels{16, 1}, false},
+    DxgiRow{6, "DXGI_FORMAT_R32G32B32_FLOAT", UnreadPixels{12, 1}, false},
+    DxgiRow{10, "DXGI_FORMAT_R16G16B16A16_FLOAT", UnreadPixels{8, 1}, false},
+    DxgiRow{11, "DXGI_FORMAT_R16G16B16A16_UNORM", UnreadPixels{8, 1}, false},
+    DxgiRow{13, "DXGI_FORMAT_R16G16B16A16_SNORM", UnreadPixels{8, 1}, false},
+    DxgiRow{16, "DXGI_FORMAT_R32G32_FLOAT", UnreadPixels{8, 1}, false},
     DxgiRow{23, "DXGI_FORMAT_R10G10B10A2_TYPELESS", rgb10a2, false},
     DxgiRow{24, "DXGI_FORMAT_R10G10B10A2_UNORM", rgb10a2, false},
-    DxgiRow{26, "DXGI_FORMAT_R11G11B10_FLOAT", notRead, false},
+    DxgiRow{26, "DXGI_FORMAT_R11G11B10_FLOAT", UnreadPixels{4, 1}, false},
     DxgiRow{27, "DXGI_FORMAT_R8G8B8A8_TYPELESS", rgba8, false},
     DxgiRow{28, "DXGI_FORMAT_R8G8B8A8_UNORM", rgba8, false},
     DxgiRow{29, "DXGI_FORMAT_R8G8B8A8_UNORM_SRGB", rgba8, true},
-    DxgiRow{31, "DXGI_FORMAT_R8G8B8A8_SNORM", notRead, false},
+    DxgiRow{31, "DXGI_FORMAT_R8G8B8A8_SNORM", UnreadPixels{4, 1}, false},
     DxgiRow{33, "DXGI_FORMAT_R16G16_TYPELESS", rg16, false},
-    DxgiRow{34, "DXGI_FORMAT_R16G16_FLOAT", notRead, false},
+    DxgiRow{34, "DXGI_FORMAT_R16G16_FLOAT", UnreadPixels{4, 1}, false},
     DxgiRow{35, "DXGI_FORMAT_R16G16_UNORM", rg16, false},
-    DxgiRow{41, "DXGI_FORMAT_R32_FLOAT", notRead, false},
+    DxgiRow{41, "DXGI_FORMAT_R32_FLOAT", UnreadPixels{4, 1}, false},
     DxgiRow{48, "DXGI_FORMAT_R8G8_TYPELESS", rg8, false},
     DxgiRow{49, "DXGI_FORMAT_R8G8_UNORM", rg8, false},
-    DxgiRow{51, "DXGI_FORMAT_R8G8_SNORM", notRead, false},
+    DxgiRow{51, "DXGI_FORMAT_R8G8_SNORM", UnreadPixels{2, 1}, false},
     DxgiRow{53, "DXGI_FORMAT_R16_TYPELESS", r16, false},
-    DxgiRow{54, "DXGI_FORMAT_R16_FLOAT", notRead, false},
+    DxgiRow{54, "DXGI_FORMAT_R16_FLOAT", UnreadPixels{2, 1}, false},
     DxgiRow{56, "DXGI_FORMAT_R16_UNORM", r16, false},
     DxgiRow{60, "DXGI_FORMAT_R8_TYPELESS", r8, false},
     DxgiRow{61, "DXGI_FORMAT_R8_UNORM", r8, false},
-    DxgiRow{63, "DXGI_FORMAT_R8_SNORM", notRead, false},
+    DxgiRow{63, "DXGI_FORMAT_R8_SNORM", UnreadPixels{1, 1}, false},
     DxgiRow{65, "DXGI_FORMAT_A8_UNORM", a8, false},
-    DxgiRow{67, "DXGI_FORMAT_R9G9B9E5_SHAREDEXP", notRead, false},
+    DxgiRow{67, "DXGI_FORMAT_R9G9B9E5_SHAREDEXP", UnreadPixels{4, 1}, false},
     DxgiRow{70, "DXGI_FORMAT_BC1_TYPELESS", BlockFormat::Dxt1, false},
     DxgiRow{71, "DXGI_FORMAT_BC1_UNORM", BlockFormat::Dxt1, false},
     DxgiRow{72, "DXGI_FORMAT_BC1_UNORM_SRGB", BlockFormat::Dxt1, true},
@@ -91,11 +91,11 @@ constexpr std::array dxgiTable{
     DxgiRow{91, "DXGI_FORMAT_B8G8R8A8_UNORM_SRGB", bgra8, true},
     DxgiRow{92, "DXGI_FORMAT_B8G8R8X8_TYPELESS", bgrx8, false},
     DxgiRow{93, "DXGI_FORMAT_B8G8R8X8_UNORM_SRGB", bgrx8, true},
-    DxgiRow{95, "DXGI_FORMAT_BC6H_UF16", notRead, false},
-    DxgiRow{96, "DXGI_FORMAT_BC6H_SF16", notRead, false},
-    DxgiRow{97, "DXGI_FORMAT_BC7_TYPELESS", notRead, false},
-    DxgiRow{98, "DXGI_FORMAT_BC7_UNORM", notRead, false},
-    DxgiRow{99, "DXGI_FORMAT_BC7_UNORM_SRGB", notRead, true},
+    DxgiRow{95, "DXGI_FORMAT_BC6H_UF16", unreadBlocks, false},
+    DxgiRow{96, "DXGI_FORMAT_BC6H_SF16", unreadBlocks, false},
+    DxgiRow{97, "DXGI_FORMAT_BC7_TYPELESS", unreadBlocks, false},
+    DxgiRow{98, "DXGI_FORMAT_BC7_UNORM", unreadBlocks, false},
+    DxgiRow{99, "DXGI_FORMAT_BC7_UNORM_SRGB", unreadBlocks, true},
     DxgiRow{115, "DXGI_FORMAT_B4G4R4A4_UNORM", b4g4r4a4, false},
     DxgiRow{191, "DXGI_FORMAT_A4B4G4R4_UNORM", a4b4g4r4, false},
 };
@@ -109,7 +109,8 @@ tl::unexpected<Error> unsupported(const std::string& message) {
 bool mayHaveAlpha(const Format& format) {
     if (const BlockFormat* block = std::get_if<BlockFormat>(&format.pixels))
         return *block == BlockFormat::Dxt1 || *block == BlockFormat::Dxt3 || *block == BlockFormat::Dxt5;
-    return std::get<MaskedPixels>(format.pixels).masks[3] != 0;
+    const MaskedPixels* masked = std::get_if<MaskedPixels>(&format.pixels);
+    return masked != nullptr && masked->masks[3] != 0;
 }
 
 AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
@@ -134,16 +135,18 @@ AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
 
 Result<Format> fromDxgi(const Header& header, Findings& findings) {
     const DxgiRow* row = findDxgi(header.dxgiFormat);
+    constexpr std::uint32_t highestDxgi = 191; // 0 is DXGI_FORMAT_UNKNOWN
+    if (header.dxgiFormat == 0 || header.dxgiFormat > highestDxgi)
+        return fail(ErrorCode::Malformed, fmt::format("DDS: DXGI formats are 1 to {}, dxgiFormat is {}",
+                                                      highestDxgi, header.dxgiFormat));
     if (row == nullptr)
         return unsupported(fmt::format(
             "DXGI format {} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
             header.dxgiFormat));
-    if (!row->isRead())
-        return unsupported(fmt::format(
-            "{} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are", row->name));
     if (row->name.ends_with("_TYPELESS"))
-        findings.push_back(
-            {at::dxgiFormat, fmt::format("{} leaves open what its bits mean; read as UNORM", row->name)});
+        findings.push_back({at::dxgiFormat,
+                            fmt::format("{} leaves open what its bits mean; read as UNORM", row->name),
+                            false});
     Format format{row->name, row->pixels, row->srgb, AlphaMeaning::None};
     const AlphaMeaning said = alphaMeaning(header.miscFlags2 & alphaModeMask, findings);
     if (mayHaveAlpha(format))
@@ -166,12 +169,35 @@ Result<Format> fromFourCC(const Header& header, Findings& findings) {
         return unsupported(fmt::format("dwFourCC is {}; {}DX10 are read", spellFourCC(header.fourCC), known));
     }
     if (row->alpha == AlphaMeaning::Premultiplied)
-        findings.push_back({at::fourCC, fmt::format("{}: the colours are multiplied by alpha", row->name)});
+        findings.push_back(
+            {at::fourCC, fmt::format("{}: the colours are multiplied by alpha", row->name), false});
     return Format{row->name, row->format, false, row->alpha};
 }
 
 /// The channels' names as the masks' fields are called.
 constexpr std::array<std::string_view, 4> maskNames{"dwRBitMask", "dwGBitMask", "dwBBitMask", "dwABitMask"};
+
+/// D3DX writes A2B10G10R10, red in the low bits, with the masks of A2R10G10B10. Readers allow for it, because
+/// that format itself was rarely written. The opposite order is read as it says.
+void swapMasksOfD3dx(MaskedPixels& pixels, Findings& findings) {
+    constexpr std::array<std::uint32_t, 4> reversed{0x3FF00000, 0xFFC00, 0x3FF, 0xC0000000};
+    if (pixels.masks != reversed)
+        return;
+    std::swap(pixels.masks[0], pixels.masks[2]);
+    findings.push_back({at::masks,
+                        "the masks of red and blue are the wrong way round, as D3DX writes those of "
+                        "10:10:10:2; red is read from the low bits"});
+}
+
+/// Of depth with or without stencil: the second mask is the depth's.
+Result<Format> depthFormat(MaskedPixels pixels) {
+    if (pixels.masks[1] == 0)
+        return fail(ErrorCode::Malformed,
+                    "DDS: DDPF_ZBUFFER is set, but the mask of the depth, dwGBitMask, is 0");
+    pixels.decoded = PixelFormat::Luminance8;
+    pixels.masks = {pixels.masks[1], 0, 0, 0};
+    return Format{word("depth"), pixels, false, AlphaMeaning::None};
+}
 
 Result<Format> fromMasks(const Header& header, Findings& findings) {
     const std::uint32_t flags = header.formatFlags;
@@ -188,6 +214,8 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
         pixels.masks[i] &= all;
     }
 
+    if ((flags & formatZBuffer) != 0)
+        return depthFormat(pixels);
     bool alpha = (flags & formatAlphaPixels) != 0;
     if (alpha && pixels.masks[3] == 0) {
         findings.push_back(
@@ -226,8 +254,11 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
         if ((flags & formatRgb) == 0)
             findings.push_back({at::formatFlags, "neither DDPF_RGB nor another kind of pixel is set; the "
                                                  "masks are followed as if it were RGB"});
+        swapMasksOfD3dx(pixels, findings);
     }
-    const AlphaMeaning meaning = alpha || alphaAlone ? AlphaMeaning::Straight : AlphaMeaning::None;
+    AlphaMeaning meaning = alpha || alphaAlone ? AlphaMeaning::Straight : AlphaMeaning::None;
+    if (alpha && (flags & formatAlphaPremultiplied) != 0)
+        meaning = AlphaMeaning::Premultiplied;
     return Format{name, pixels, false, meaning};
 }
 
@@ -241,6 +272,10 @@ std::uint64_t texels(int width, int height, int depth) {
 std::uint64_t Format::surfaceBytes(int width, int height, int depth) const {
     if (const BlockFormat* block = std::get_if<BlockFormat>(&pixels))
         return texels((width + 3) / 4, (height + 3) / 4, depth) * bytesPerBlock(*block);
+    if (const UnreadPixels* unread = std::get_if<UnreadPixels>(&pixels)) {
+        const auto units = [&](int extent) { return (extent + unread->extent - 1) / unread->extent; };
+        return texels(units(width), units(height), depth) * static_cast<std::uint64_t>(unread->bytes);
+    }
     return texels(width, height, depth) * std::get<MaskedPixels>(pixels).bytes();
 }
 
@@ -270,12 +305,10 @@ Result<Format> formatOf(const Header& header, Findings& findings) {
              fmt::format("ddspf.dwSize is {} where 32 is expected; it is ignored", header.formatSize)});
     if (header.hasFourCC())
         return fromFourCC(header, findings);
-    constexpr std::uint32_t unreadKinds =
-        formatPalette4 | formatPalette8 | formatYuv | formatBumpLuminance | formatBump;
-    if ((header.formatFlags & unreadKinds) != 0)
+    if ((header.formatFlags & formatUnread) != 0)
         return unsupported(
-            fmt::format("pixels with {} are not read; RGB, luminance, alpha and compressed ones are",
-                        spellBits(header.formatFlags & unreadKinds, formatFlagRows)));
+            fmt::format("pixels with {} are not read; RGB, luminance, alpha, depth and compressed ones are",
+                        spellBits(header.formatFlags & formatUnread, formatFlagRows)));
     if ((header.formatFlags & formatFourCC) != 0)
         findings.push_back(
             {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are followed instead"});

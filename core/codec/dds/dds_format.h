@@ -26,9 +26,18 @@ struct MaskedPixels {
     bool operator==(const MaskedPixels&) const = default;
 };
 
+/// Pixels that are known and not decoded: units of extent x extent texels.
+struct UnreadPixels {
+    int bytes = 0;  ///< of a unit
+    int extent = 1; ///< 4 of blocks
+    bool operator==(const UnreadPixels&) const = default;
+};
+
+using Pixels = std::variant<MaskedPixels, BlockFormat, UnreadPixels>;
+
 struct Format {
     std::string_view name; ///< "DXT1", "DXGI_FORMAT_BC1_UNORM_SRGB", "RGB"
-    std::variant<MaskedPixels, BlockFormat> pixels;
+    Pixels pixels;
     bool srgb = false;
     AlphaMeaning alpha = AlphaMeaning::None;
 
@@ -45,25 +54,20 @@ struct FourCCRow {
     std::string_view name;
 };
 
-/// A number of the DX10 header. Formats without pixels (bits 0, no block format) are known and not read.
+/// A number of the DX10 header.
 struct DxgiRow {
     std::uint32_t number;
     std::string_view name;
-    std::variant<MaskedPixels, BlockFormat> pixels;
+    Pixels pixels;
     bool srgb;
-
-    [[nodiscard]] bool isRead() const {
-        const MaskedPixels* masked = std::get_if<MaskedPixels>(&pixels);
-        return masked == nullptr || masked->bits != 0;
-    }
 };
 
 [[nodiscard]] std::span<const FourCCRow> fourCCRows();
 [[nodiscard]] std::span<const DxgiRow> dxgiRows();
 [[nodiscard]] const DxgiRow* findDxgi(std::uint32_t number);
 
-/// What the header means; what was survived is added to `findings`. DXT1 is always BlockFormat::Dxt1, with
-/// what its alpha means if there is any: that only its blocks can say.
+/// What the header means, of formats that are not decoded, too; what was survived is added to `findings`.
+/// DXT1 is always BlockFormat::Dxt1, with what its alpha means if there is any: that only its blocks can say.
 [[nodiscard]] Result<Format> formatOf(const Header& header, Findings& findings);
 
 } // namespace texplorer::dds

@@ -10,8 +10,8 @@
 namespace texplorer::dds {
 
 bool Header::hasFourCC() const {
-    constexpr std::uint32_t otherKinds = formatAlpha | formatPalette4 | formatPalette8 | formatRgb |
-                                         formatYuv | formatLuminance | formatBumpLuminance | formatBump;
+    constexpr std::uint32_t otherKinds =
+        formatAlpha | formatRgb | formatLuminance | formatZBuffer | formatUnread;
     return fourCC != 0 && ((formatFlags & formatFourCC) != 0 || (formatFlags & otherKinds) == 0);
 }
 

@@ -95,6 +95,7 @@ struct Header {
 struct Finding {
     std::uint64_t offset; ///< of the field, as in `at`
     std::string sentence;
+    bool isFault = true; ///< false: it is right, and not followed
 };
 using Findings = std::vector<Finding>;
 
@@ -132,22 +133,37 @@ enum FormatFlags : std::uint32_t {
     formatAlpha = 0x2,
     formatFourCC = 0x4,
     formatPalette4 = 0x8,
+    formatPaletteTo8 = 0x10,
     formatPalette8 = 0x20,
     formatRgb = 0x40,
     formatYuv = 0x200,
+    formatZBuffer = 0x400,
+    formatPalette1 = 0x800,
+    formatPalette2 = 0x1000,
+    formatAlphaPremultiplied = 0x8000,
     formatLuminance = 0x20000,
     formatBumpLuminance = 0x40000,
     formatBump = 0x80000,
 };
+
+/// The kinds of pixels that are not read.
+inline constexpr std::uint32_t formatUnread = formatPalette1 | formatPalette2 | formatPalette4 |
+                                              formatPalette8 | formatPaletteTo8 | formatYuv |
+                                              formatBumpLuminance | formatBump;
 
 inline constexpr std::array formatFlagRows{
     NameRow{formatAlphaPixels, "DDPF_ALPHAPIXELS", "pixels have alpha"},
     NameRow{formatAlpha, "DDPF_ALPHA", "pixels are alpha alone"},
     NameRow{formatFourCC, "DDPF_FOURCC", "dwFourCC names the format"},
     NameRow{formatPalette4, "DDPF_PALETTEINDEXED4", "4-bit palette indices"},
+    NameRow{formatPaletteTo8, "DDPF_PALETTEINDEXEDTO8", "indices of a palette of 8-bit indices"},
     NameRow{formatPalette8, "DDPF_PALETTEINDEXED8", "8-bit palette indices"},
     NameRow{formatRgb, "DDPF_RGB", "the masks say where red, green and blue are"},
     NameRow{formatYuv, "DDPF_YUV", "luma and chroma"},
+    NameRow{formatZBuffer, "DDPF_ZBUFFER", "the green mask says where the depth is"},
+    NameRow{formatPalette1, "DDPF_PALETTEINDEXED1", "1-bit palette indices"},
+    NameRow{formatPalette2, "DDPF_PALETTEINDEXED2", "2-bit palette indices"},
+    NameRow{formatAlphaPremultiplied, "DDPF_ALPHAPREMULT", "colours are multiplied by alpha"},
     NameRow{formatLuminance, "DDPF_LUMINANCE", "the red mask says where the luminance is"},
     NameRow{formatBumpLuminance, "DDPF_BUMPLUMINANCE", "a bump map with luminance"},
     NameRow{formatBump, "DDPF_BUMPDUDV", "a bump map of signed numbers"},

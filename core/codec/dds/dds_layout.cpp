@@ -32,16 +32,17 @@ Result<void> checkHeaders(ByteView file, const Header& header) {
     return {};
 }
 
-void readElements(const Header& header, Layout& layout, Findings& findings) {
+void readElements(const Header& header, Layout& layout, bool everything, Findings& findings) {
     layout.elements = std::max<std::uint32_t>(1, header.arraySize);
     if (header.arraySize == 0)
         findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
-    if (header.arraySize > 1)
+    if (header.arraySize > 1 && !everything)
         findings.push_back(
             {at::arraySize,
              layout.faces > 1
                  ? fmt::format("it is an array of {} cube maps; the first is read", header.arraySize)
-                 : fmt::format("it is an array of {} textures; the first is read", header.arraySize)});
+                 : fmt::format("it is an array of {} textures; the first is read", header.arraySize),
+             false});
 }
 
 /// What kind of texture it is, in the order in which Direct3D's loaders ask: volume before cube map.
@@ -228,9 +229,13 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
     if (const Result<void> kind = readKind(header, layout, findings); !kind)
         return fail(kind.error());
     if (header.extended())
-        readElements(header, layout, findings);
+        readElements(header, layout, limits.everything, findings);
     if (const Result<void> extents = checkExtents(layout, header, limits); !extents)
         return fail(extents.error());
+    if (limits.everything && layout.elements > maxElements)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("DDS: arrays of at most {} elements are read, this one has {}", maxElements,
+                                layout.elements));
     readLevels(header, layout, findings);
     checkPitch(header, layout, findings);
 
@@ -249,11 +254,14 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
 }
 
 Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings) {
+    if (layout.elements > 1 && fileSize < layout.arrayEnd()) {
+        const std::string needed = countOf(layout.arrayEnd(), "byte");
+        return malformed(layout.faces > 1 ? fmt::format("an array of {} cube maps needs {}, the file has {}",
+                                                        layout.elements, needed, fileSize)
+                                          : fmt::format("an array of {} textures needs {}, the file has {}",
+                                                        layout.elements, needed, fileSize));
+    }
     if (fileSize >= layout.end()) {
-        if (fileSize < layout.arrayEnd())
-            findings.push_back(
-                {at::arraySize, fmt::format("its {} elements need {}, the file has {}", layout.elements,
-                                            countOf(layout.arrayEnd(), "byte"), fileSize)});
         if (fileSize > layout.arrayEnd())
             findings.push_back(
                 {layout.arrayEnd(), fmt::format("{} after the last level: ignored",

@@ -16,8 +16,11 @@ struct Level {
     std::uint64_t size;
 };
 
+/// Direct3D 11's; an array of more is refused where every element is read.
+inline constexpr std::uint32_t maxElements = 2048;
+
 /// The faces follow each other, each with all its levels, largest first, without gaps; so do the elements of
-/// an array, of which the first is read.
+/// an array.
 struct Layout {
     Format format;
     int width = 0;
@@ -28,7 +31,7 @@ struct Layout {
     std::uint32_t elements = 1; ///< of an array of such textures
     std::uint64_t begin = legacyEnd;
 
-    /// level is below 31
+    /// level is below 31; the faces of an array are counted through its elements
     [[nodiscard]] Level at(int face, int level) const;
     /// Of `count` levels of one face.
     [[nodiscard]] std::uint64_t chainBytes(int count) const;
@@ -48,8 +51,8 @@ struct Layout {
 /// choose between two readings of a wrong mip count, and to check that the headers are there.
 [[nodiscard]] Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& findings);
 
-/// How many levels of every face of the first element are whole in a file of this size, at most
-/// layout.levels. Refused where level 0 of a face isn't.
+/// How many levels of every face are whole in a file of this size, at most layout.levels. Refused where level
+/// 0 of a face isn't, or an array lacks anything.
 [[nodiscard]] Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings);
 
 } // namespace texplorer::dds

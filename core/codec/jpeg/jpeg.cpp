@@ -18,11 +18,18 @@ tl::unexpected<Error> malformed(const std::string& message) {
     return fail(ErrorCode::Malformed, "JPEG: " + message);
 }
 
+bool beginsWith(ByteView bytes, std::string_view text) {
+    return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
+}
+
 // What is known before libjpeg-turbo allocates anything.
 struct Survey {
     std::optional<JpegFrame> frame;
     int orientation = 0;
     bool adobe = false;
+    bool exif = false;
+    bool profile = false;
+    bool comment = false;
     std::size_t end = 0; // behind EOI, or 0
 };
 
@@ -32,10 +39,16 @@ Survey survey(ByteView file) {
     while (const std::optional<JpegSegment> segment = segments.next()) {
         if (segment->isFrame() && !found.frame)
             found.frame = readJpegFrame(*segment);
-        else if (segment->marker == jpegApp1 && found.orientation == 0)
-            found.orientation = exifOrientation(segment->payload);
+        else if (segment->marker == jpegApp1) {
+            found.exif = true;
+            if (found.orientation == 0)
+                found.orientation = exifOrientation(segment->payload);
+        } else if (segment->marker == jpegApp2 && beginsWith(segment->payload, "ICC_PROFILE"))
+            found.profile = true;
+        else if (segment->marker == jpegCom)
+            found.comment = true;
         else if (segment->marker == jpegApp14 && segment->payload.size() >= 12 &&
-                 std::memcmp(segment->payload.data(), "Adobe", 5) == 0)
+                 beginsWith(segment->payload, "Adobe"))
             found.adobe = true;
         else if (segment->marker == jpegEoi)
             found.end = segments.offset();
@@ -132,8 +145,16 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
 
     TextureImage texture = textureOf(std::move(image), "JPEG");
     texture.notes = reader.notes();
+    if (header->inks)
+        texture.losses.push_back({"inks", "cyan, magenta, yellow and black become red, green and blue"});
+    if (found.profile)
+        texture.losses.push_back({"colorProfile", "the ICC profile", false});
+    if (found.exif)
+        texture.losses.push_back({"metadata", "what the camera or a program noted (Exif, XMP)", false});
+    if (found.comment)
+        texture.losses.push_back({"metadata", "the comment", false});
     if (found.orientation > 1)
-        texture.notes.push_back(fmt::format(
+        texture.remarks.push_back(fmt::format(
             "Exif says that the camera was turned (orientation {}); the picture stands as it is stored",
             found.orientation));
     if (found.end != 0 && found.end < file.size())

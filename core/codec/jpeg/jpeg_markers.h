@@ -32,6 +32,7 @@ enum JpegMarker : std::uint8_t {
     jpegDri = 0xDD,
     jpegApp0 = 0xE0,
     jpegApp1 = 0xE1,
+    jpegApp2 = 0xE2,
     jpegApp14 = 0xEE,
     jpegApp15 = 0xEF,
     jpegCom = 0xFE,

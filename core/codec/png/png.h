@@ -20,7 +20,8 @@ namespace texplorer {
 /// and
 ///   extents that the compressed bytes in the file can't fill (deflate packs at most 1032 : 1).
 /// - Survived, and noted: damage in other chunks, data behind IEND, animations (the first picture is read).
-/// - Memory: the image and a few rows. Text and profiles are skipped without being unpacked.
+/// - Memory: the image and a few rows. Text and profiles are skipped without being unpacked; with
+///   DecodeLimits::everything they become TextureImage::parts as they are.
 [[nodiscard]] Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits = {});
 
 /// Signature and chunks: length, type, the fields of IHDR, texts, checksums compared, order. Goes on to where
@@ -33,7 +34,8 @@ namespace texplorer {
 /// stand in front of the pixels.
 [[nodiscard]] Result<Bytes> encodePng(const Image& image, const WriteOptions& options = {});
 
-/// The same of level 0 of face 0.
+/// The same of level 0 of face 0, with the chunks that TextureImage::parts has of another PNG, and one that
+/// says sRGB where it is.
 [[nodiscard]] Result<Bytes> encodePng(const TextureImage& texture, const WriteOptions& options);
 
 } // namespace texplorer

@@ -46,10 +46,6 @@ std::string meaningOf(const PngChunk& chunk) {
     return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown, and can't be skipped";
 }
 
-std::uint32_t crcOf(const PngChunk& chunk, ByteView file) {
-    return libdeflate_crc32(0, file.data() + chunk.offset + 4, 4 + std::size_t{chunk.length});
-}
-
 std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
     if ((index == 0) != (chunk.type == "IHDR"))
         return index == 0 ? "expected IHDR first" : "a second IHDR";
@@ -114,7 +110,7 @@ void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
                       1});
 }
 
-void describeChunk(const PngChunk& chunk, ByteView file, std::string wrong, std::vector<Field>& fields) {
+void describeChunk(const PngChunk& chunk, std::string wrong, std::vector<Field>& fields) {
     fields.push_back(
         {chunk.offset, chunk.size(), printable(chunk.type), {}, meaningOf(chunk), std::move(wrong), 0});
     fields.push_back({chunk.offset, 4, word("length"), std::to_string(chunk.length), "bytes of data", {}, 1});
@@ -126,17 +122,17 @@ void describeChunk(const PngChunk& chunk, ByteView file, std::string wrong, std:
         fields.push_back({chunk.offset + 8, chunk.length, word("data"), {}, {}, {}, 1});
     if (!chunk.complete())
         return;
-    const std::uint32_t found = crcOf(chunk, file);
+    const std::uint32_t found = pngCrc(chunk);
     fields.push_back(
         {chunk.offset + 8 + chunk.length, 4, "CRC", fmt::format("{:#010x}", *chunk.crc), "of type and data",
          found == *chunk.crc ? std::string() : fmt::format("the bytes give {:#010x}", found), 1});
 }
 
 /// Of a chunk that isn't listed: what is wrong with its place or its CRC; empty: nothing.
-std::string faultOf(const PngChunk& chunk, ByteView file, const std::string& order) {
+std::string faultOf(const PngChunk& chunk, const std::string& order) {
     if (!order.empty())
         return fmt::format("{} at {}: {}", printable(chunk.type), chunk.offset, order);
-    if (!chunk.complete() || crcOf(chunk, file) == *chunk.crc)
+    if (!chunk.complete() || pngCrc(chunk) == *chunk.crc)
         return {};
     return fmt::format("the CRC of {} at {} is another one than that of its bytes", printable(chunk.type),
                        chunk.offset);
@@ -160,14 +156,14 @@ Anatomy dissectPng(ByteView file) {
         if (index == mostChunks)
             anatomy.fields.push_back({chunk->offset, 0, "More chunks", {}, {}, {}, 0});
         if (index < mostChunks) {
-            describeChunk(*chunk, file, wrongOrder(*chunk, index, before, pixelsSeen), anatomy.fields);
+            describeChunk(*chunk, wrongOrder(*chunk, index, before, pixelsSeen), anatomy.fields);
         } else {
             Field& more = anatomy.fields.back();
             more.size = chunk->offset + chunk->size() - more.offset;
             more.value = std::to_string(index + 1 - mostChunks);
             more.meaning = fmt::format("only the first {} are listed", mostChunks);
             if (more.wrong.empty())
-                more.wrong = faultOf(*chunk, file, wrongOrder(*chunk, index, before, pixelsSeen));
+                more.wrong = faultOf(*chunk, wrongOrder(*chunk, index, before, pixelsSeen));
         }
         if (!chunk->complete()) {
             anatomy.damage = fmt::format("the chunk {} at offset {} needs {} bytes, the file has {}",

@@ -1,5 +1,7 @@
 #include "core/codec/png/png_chunks.h"
 
+#include <libdeflate.h>
+
 namespace texplorer {
 
 bool hasPngSignature(ByteView file) {
@@ -53,6 +55,11 @@ PngHeader readPngHeader(ByteView data) {
         return offset < data.size() ? std::to_integer<std::uint8_t>(data[offset]) : std::uint8_t{0};
     };
     return {bigEndian32(data, 0), bigEndian32(data, 4), byte(8), byte(9), byte(10), byte(11), byte(12)};
+}
+
+std::uint32_t pngCrc(const PngChunk& chunk) {
+    const std::uint32_t ofType = libdeflate_crc32(0, chunk.type.data(), chunk.type.size());
+    return libdeflate_crc32(ofType, chunk.data.data(), chunk.data.size());
 }
 
 std::optional<PngChunk> PngChunks::next() {

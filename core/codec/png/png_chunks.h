@@ -55,6 +55,9 @@ struct PngChunk {
     [[nodiscard]] bool complete() const { return crc.has_value(); }
 };
 
+/// The checksum that a complete chunk's type and data should have.
+[[nodiscard]] std::uint32_t pngCrc(const PngChunk& chunk);
+
 /// Walks the chunks of a file. The last may be incomplete.
 class PngChunks {
 public:

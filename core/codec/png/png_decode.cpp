@@ -1,4 +1,5 @@
 #include "core/base/count.h"
+#include "core/base/printable.h"
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
 
@@ -25,23 +26,47 @@ tl::unexpected<Error> malformed(const std::string& message) {
 struct Survey {
     PngHeader header;
     std::size_t compressed = 0; // bytes of pixel data
+    std::uint32_t pictures = 1; // of an animation
     bool animated = false;
     std::uint64_t end = 0; // behind IEND, or 0
+    std::vector<FilePart> parts;
+    std::string others; // chunks that are neither read nor among the parts: "bKGD, tIME"
 };
 
-Survey survey(ByteView file) {
+// What stays true of the same pixels in another file.
+constexpr std::array<std::string_view, 9> kept{"cHRM", "gAMA", "iCCP", "sRGB", "pHYs",
+                                               "tEXt", "zTXt", "iTXt", "eXIf"};
+// What is read, or belongs to the coding of the pixels.
+constexpr std::array<std::string_view, 5> used{"tRNS", "sBIT", "acTL", "fcTL", "fdAT"};
+
+void surveyBeside(const PngChunk& chunk, Survey& found) {
+    const bool ancillary = !chunk.type.empty() && chunk.type.front() >= 'a';
+    if (!ancillary || std::ranges::find(used, chunk.type) != used.end())
+        return;
+    constexpr std::size_t enough = 80;
+    if (std::ranges::find(kept, chunk.type) == kept.end()) {
+        if (found.others.size() < enough && found.others.find(chunk.type) == std::string::npos)
+            found.others.append(found.others.empty() ? "" : ", ").append(chunk.type);
+    } else if (chunk.complete() && pngCrc(chunk) == *chunk.crc)
+        found.parts.push_back({chunk.type, Bytes(chunk.data.begin(), chunk.data.end())});
+}
+
+Survey survey(ByteView file, bool everything) {
     Survey found;
     for (PngChunks chunks(file); const std::optional<PngChunk> chunk = chunks.next();) {
         if (chunk->type == "IHDR" && chunk->offset == pngSignature.size())
             found.header = readPngHeader(chunk->data);
         else if (chunk->type == "IDAT")
             found.compressed += chunk->data.size();
-        else if (chunk->type == "acTL")
+        else if (chunk->type == "acTL") {
             found.animated = true;
-        else if (chunk->type == "IEND" && chunk->complete()) {
+            found.pictures = bigEndian32(chunk->data, 0);
+        } else if (chunk->type == "IEND" && chunk->complete()) {
             found.end = chunk->offset + chunk->size();
             break;
         }
+        if (everything)
+            surveyBeside(*chunk, found);
     }
     return found;
 }
@@ -199,11 +224,20 @@ PixelFormat formatOf(int channels) {
     return formats[static_cast<std::size_t>(channels - 1)];
 }
 
+// Whether libpng has looked at such a chunk and left it out.
+bool isRefused(const Decoder& decoder, std::string_view chunk) {
+    constexpr std::array<std::pair<std::string_view, png_uint_32>, 4> read{
+        {{"cHRM", PNG_INFO_cHRM}, {"gAMA", PNG_INFO_gAMA}, {"sRGB", PNG_INFO_sRGB}, {"pHYs", PNG_INFO_pHYs}}};
+    return std::ranges::any_of(read, [&](const auto& each) {
+        return each.first == chunk && png_get_valid(decoder.png, decoder.info, each.second) == 0;
+    });
+}
+
 tl::unexpected<Error> failure(const Decoder& decoder) {
     return malformed(decoder.error.empty() ? "libpng refused the file" : decoder.error);
 }
 
-Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimits& limits) {
+Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& limits) {
     Decoder decoder;
     decoder.file = file;
     decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, onError, onWarning);
@@ -234,8 +268,15 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     texture.srgb = png_get_valid(decoder.png, decoder.info, PNG_INFO_sRGB) != 0;
     texture.notes = std::move(decoder.notes);
     texture.componentBits = std::max<int>(texture.componentBits, found.header.depth);
+    texture.parts = std::move(found.parts);
+    std::erase_if(texture.parts, [&](const FilePart& part) { return isRefused(decoder, part.name); });
+    if (found.pictures > 1)
+        texture.losses.push_back(
+            {"frames", fmt::format("{} of the animation's {} pictures", found.pictures - 1, found.pictures)});
+    if (!found.others.empty())
+        texture.losses.push_back({"metadata", fmt::format("the chunks {}", printable(found.others)), false});
     if (found.animated)
-        texture.notes.emplace_back("the file is an animation; its first picture is read");
+        texture.remarks.emplace_back("the file is an animation; its first picture is read");
     if (found.end != 0 && found.end < file.size())
         texture.notes.push_back(
             fmt::format("{} behind the end (IEND) left out", countOf(file.size() - found.end, "byte")));
@@ -255,10 +296,10 @@ Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits) {
                 fmt::format("the header needs {} bytes, the file has {}", pngHeaderEnd, file.size()));
         if (!beginsWithPngHeader(file))
             return malformed("the first chunk is not an IHDR of 13 bytes");
-        const Survey found = survey(file);
+        Survey found = survey(file, limits.everything);
         if (const Result<void> checked = checkSurvey(found, file, limits); !checked)
             return fail(checked.error());
-        return decode(file, found, limits);
+        return decode(file, std::move(found), limits);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "PNG: there is no memory for the pixels");
     }

@@ -155,10 +155,17 @@ struct FreeCompressor {
 constexpr std::size_t chunkFrame = 12;
 constexpr std::size_t headBytes = 8 + chunkFrame + 13;
 
-using TextChunks = std::vector<std::pair<std::string, Bytes>>; // type and data
+using OtherChunks = std::vector<std::pair<std::string, Bytes>>; // type and data
 
-Result<TextChunks> textChunks(const std::vector<PictureText>& texts) {
-    TextChunks chunks;
+// Those in front of the pixels: what stood in another PNG of the same pixels, and texts.
+Result<OtherChunks> otherChunks(const std::vector<FilePart>& parts, bool srgb,
+                                const std::vector<PictureText>& texts) {
+    OtherChunks chunks;
+    const auto saysColors = [](const FilePart& part) { return part.name == "sRGB" || part.name == "iCCP"; };
+    if (srgb && std::ranges::none_of(parts, saysColors))
+        chunks.emplace_back("sRGB", Bytes{std::byte{0}}); // perceptual intent
+    for (const FilePart& part : parts)
+        chunks.emplace_back(part.name, part.data);
     for (const PictureText& text : texts) {
         Result<std::pair<std::string, Bytes>> chunk = textChunk(text);
         if (!chunk)
@@ -169,7 +176,7 @@ Result<TextChunks> textChunks(const std::vector<PictureText>& texts) {
 }
 
 // Filtered rows as a whole file. The compressed data is written where it stays.
-Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const TextChunks& texts) {
+Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const OtherChunks& others) {
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(level));
     if (!compressor)
@@ -180,11 +187,11 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const T
         return fail(
             ErrorCode::TooLarge,
             fmt::format("PNG: a chunk holds at most {} bytes, this picture may need {}", longest, bound));
-    std::size_t textBytes = 0;
-    for (const auto& [type, data] : texts)
-        textBytes += chunkFrame + data.size();
+    std::size_t otherBytes = 0;
+    for (const auto& [type, data] : others)
+        otherBytes += chunkFrame + data.size();
     Bytes file;
-    file.resize(headBytes + textBytes + chunkFrame + bound + chunkFrame);
+    file.resize(headBytes + otherBytes + chunkFrame + bound + chunkFrame);
     std::byte* at = file.data();
     std::memcpy(at, pngSignature.data(), pngSignature.size());
     at += pngSignature.size();
@@ -194,7 +201,7 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const T
                           std::byte{0}, std::byte{0}};
     std::ranges::copy(last, at + 16);
     at = frameChunk(at, "IHDR", 13);
-    for (const auto& [type, data] : texts) {
+    for (const auto& [type, data] : others) {
         std::ranges::copy(data, at + 8);
         at = frameChunk(at, type.c_str(), data.size());
     }
@@ -206,21 +213,18 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const T
     return file;
 }
 
-Result<Bytes> encode(const Image& image, const WriteOptions& options) {
-    const Result<TextChunks> texts = textChunks(options.texts);
-    if (!texts)
-        return fail(texts.error());
-    if (!options.small)
-        return assemble(image, filterRows(image, Sub, Up), fastLevel, *texts);
+Result<Bytes> encode(const Image& image, bool small, const OtherChunks& others) {
+    if (!small)
+        return assemble(image, filterRows(image, Sub, Up), fastLevel, others);
     // Which is smaller can't be told beforehand: flat drawings pack best as they are, photographs filtered.
-    Result<Bytes> plain = assemble(image, filterRows(image, None, None), smallLevel, *texts);
-    Result<Bytes> filtered = assemble(image, filterRows(image, None, Paeth), smallLevel, *texts);
+    Result<Bytes> plain = assemble(image, filterRows(image, None, None), smallLevel, others);
+    Result<Bytes> filtered = assemble(image, filterRows(image, None, Paeth), smallLevel, others);
     return plain && filtered && plain->size() < filtered->size() ? std::move(plain) : std::move(filtered);
 }
 
-} // namespace
-
-Result<Bytes> encodePng(const Image& image, const WriteOptions& options) {
+Result<Bytes> checkAndEncode(const Image& image, bool small, const Result<OtherChunks>& others) {
+    if (!others)
+        return fail(others.error());
     if (image.width < 1 || image.height < 1 || image.empty())
         return fail(ErrorCode::OutOfRange,
                     fmt::format("PNG: a picture has at least 1 x 1 pixels, this one has {} x {}", image.width,
@@ -230,24 +234,31 @@ Result<Bytes> encodePng(const Image& image, const WriteOptions& options) {
         return fail(ErrorCode::Malformed,
                     fmt::format("PNG: the picture needs {} bytes, it has {}", slice, image.pixels.size()));
     try {
-        return encode(image, options);
+        return encode(image, small, *others);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
                     fmt::format("PNG: there is no memory for {} bytes of pixels", slice));
     }
 }
 
+} // namespace
+
+Result<Bytes> encodePng(const Image& image, const WriteOptions& options) {
+    return checkAndEncode(image, options.small, otherChunks({}, false, options.texts));
+}
+
 Result<Bytes> encodePng(const TextureImage& texture, const WriteOptions& options) {
     if (texture.surfaces.empty())
         return encodePng(Image{}, options);
-    const Image* image = std::get_if<Image>(&texture.surfaces.front());
-    if (image != nullptr && !texture.topFirst)
-        return encodePng(*image, options);
     try {
+        const Result<OtherChunks> others = otherChunks(texture.parts, texture.srgb, options.texts);
+        const Image* image = std::get_if<Image>(&texture.surfaces.front());
+        if (image != nullptr && !texture.topFirst)
+            return checkAndEncode(*image, options.small, others);
         TextureImage first;
         first.surfaces.push_back(texture.surfaces.front());
         first.topFirst = texture.topFirst;
-        return encodePng(uprightImage(std::move(first)), options);
+        return checkAndEncode(uprightImage(std::move(first)), options.small, others);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "PNG: there is no memory for the pixels");
     }

@@ -141,6 +141,7 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
         return fail(checked.error());
     if (const Result<void> checked = checkData(header, file, data); !checked)
         return fail(checked.error());
+    texture.losses = lossesOf(findExtension(file, footer));
     texture.format = "TGA";
     texture.fileTopFirst = header.topFirst();
     if (!limits.pixels) {

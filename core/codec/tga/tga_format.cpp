@@ -225,6 +225,26 @@ ByteView findExtension(ByteView file, const std::optional<Footer>& footer) {
     return ByteReader(area).u16() >= extensionBytes ? area : ByteView{};
 }
 
+std::vector<Loss> lossesOf(ByteView extension) {
+    if (extension.empty())
+        return {};
+    constexpr std::size_t authorOffset = 2; // the author's name and the comments stand side by side
+    constexpr std::size_t writtenBytes = 41 + 324;
+    constexpr std::size_t gammaOffset = 478;
+    std::vector<Loss> losses;
+    ByteReader gamma(extension.subspan(gammaOffset));
+    const unsigned numerator = gamma.u16();
+    const unsigned denominator = gamma.u16();
+    if (denominator != 0 && numerator != denominator)
+        losses.push_back({"colorProfile", fmt::format("the gamma of {}/{}", numerator, denominator), false});
+    const auto isWritten = [](std::byte letter) {
+        return letter != std::byte{0} && letter != std::byte{' '};
+    };
+    if (std::ranges::any_of(extension.subspan(authorOffset, writtenBytes), isWritten))
+        losses.push_back({"metadata", "the author's name and the comments", false});
+    return losses;
+}
+
 ByteView pixelData(ByteView file, const Header& header, const std::optional<Footer>& footer) {
     const std::size_t end = footer ? file.size() - Footer::bytes : file.size();
     return header.pixelOffset() < end ? file.subspan(header.pixelOffset(), end - header.pixelOffset())

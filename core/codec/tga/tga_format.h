@@ -4,6 +4,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/image/texture_image.h"
 
 #include <cstdint>
 #include <optional>
@@ -94,6 +95,9 @@ struct Footer {
 };
 
 [[nodiscard]] std::optional<Footer> readFooter(ByteView file);
+
+/// What an extension area says and no other file of the picture gets: its gamma, and what people wrote.
+[[nodiscard]] std::vector<Loss> lossesOf(ByteView extension);
 
 inline constexpr std::size_t extensionBytes = 495;
 inline constexpr std::size_t attributesTypeOffset = 494; ///< within the extension area

@@ -12,7 +12,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, bmp
+from texshot import TEXSHOT, Texshot, bmp, dds
 
 
 class Compress(Texshot):
@@ -67,6 +67,11 @@ class Compress(Texshot):
         header = struct.pack("<4s7I44x", b"DDS ", 124, 0x801007, 4, 4, 0, 3, 0) + struct.pack("<II4s5I", 32, 0x20000, b"", 8, 255, 0, 0, 0)
         volume.write_bytes(header + struct.pack("<5I", 0x1000, 0x200000, 0, 0, 0) + bytes(48))
         self.complains(1, "found a volume of 3 slices", "compress", volume, self.path / "out.dds", "--format", "dxt1")
+
+    def test_compress_refuses_an_array(self):
+        array = self.path / "array.dds"
+        array.write_bytes(dds(4, 4, bytes(2 * 64), 28, layers=2))
+        self.complains(1, "found an array of 2 layers", "compress", array, self.path / "out.dds", "--format", "dxt1")
 
     def test_compress_reports_what_it_cost(self):
         source, out = self.picture(16, 16), self.path / "out.dds"

@@ -1,10 +1,12 @@
 """texshot convert: Pillow reads what it writes."""
 
+import json
+import random
 import unittest
 
-from PIL import Image
+from PIL import Image, ImageCms
 
-from texshot import Texshot
+from texshot import Texshot, dds, texshot
 
 
 class Convert(Texshot):
@@ -16,6 +18,53 @@ class Convert(Texshot):
             with self.subTest(name):
                 self.succeeds("convert", source, self.path / name, *options)
                 self.assertEqual(Image.open(self.path / name).convert("RGB").tobytes(), wanted)
+
+    def test_convert_refuses_what_the_format_can_not_hold(self):
+        noise = random.Random(5)
+        for name, expected, data in [
+            ("layers", "2 of the array's 3 layers", dds(2, 2, noise.randbytes(3 * 16), 28, layers=3)),
+            ("faces", "5 of the cube map's 6 faces", dds(2, 2, noise.randbytes(6 * 16), 28, cube=True)),
+            ("slices", "3 of the volume's 4 slices", dds(2, 2, noise.randbytes(4 * 16), 28, depth=4)),
+            ("levels", "1 of the texture's 2 mip levels", dds(2, 2, noise.randbytes(16 + 4), 28, levels=2)),
+            ("componentBits", "10 bits a component become 8", dds(2, 2, noise.randbytes(16), 24)),
+        ]:
+            file = self.path / (name + ".dds")
+            file.write_bytes(data)
+            for ending in ("png", "bmp", "tga"):
+                with self.subTest(f"{name} {ending}"):
+                    out = self.path / f"{name}.{ending}"
+                    self.assertIn("--lossy", self.complains(1, expected, "convert", file, out))
+                    failed, = json.loads(texshot("convert", file, out, "--json").stdout)["failed"]
+                    self.assertIn(expected, failed["error"])
+                    self.assertFalse(out.exists())
+                    result = texshot("convert", file, out, "--json", "--lossy")
+                    self.assertEqual(result.returncode, 0, result.stderr)
+                    self.assertIn(expected, result.stderr.decode())
+                    losses = json.loads(result.stdout)["written"][0]["losses"]
+                    self.assertEqual([(loss["what"], loss["sentence"]) for loss in losses], [(name, expected)])
+                    with Image.open(out) as picture:
+                        self.assertEqual(picture.size, (2, 2))
+            if name != "componentBits":  # DDS holds it all
+                self.succeeds("convert", file, self.path / "again.dds")
+                whole, again = (json.loads(self.succeeds("info", each, "--json"))["files"][0] for each in (file, self.path / "again.dds"))
+                for fact in ("layers", "faces", "depth", "levels", "pixelBytes"):
+                    self.assertEqual(again[fact], whole[fact])
+
+    def test_convert_says_what_it_can_not_say_of_the_pixels(self):
+        source, out = self.path / "photo.jpg", self.path / "photo.bmp"
+        profile = ImageCms.ImageCmsProfile(ImageCms.createProfile("sRGB")).tobytes()
+        Image.new("RGB", (8, 8), (9, 99, 199)).save(source, icc_profile=profile, comment=b"mine")
+        result = texshot("convert", source, out, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stderr.endswith(b"lost in BMP: the ICC profile\n"), result.stderr)
+        losses = json.loads(result.stdout)["written"][0]["losses"]
+        self.assertEqual([(loss["what"], loss["ofPixels"]) for loss in losses], [("colorProfile", False), ("metadata", False)])
+
+    def test_convert_keeps_that_colours_are_srgb(self):
+        source, out = self.path / "srgb.dds", self.path / "srgb.png"
+        source.write_bytes(dds(1, 1, bytes((1, 2, 3, 255)), 29))
+        self.succeeds("convert", source, out)
+        self.assertEqual(Image.open(out).info["srgb"], 0)
 
     def test_wrong_calls(self):
         source = self.picture(4, 4)

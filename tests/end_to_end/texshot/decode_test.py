@@ -1,11 +1,12 @@
 """texshot decode: a file, or a part of it, as a picture."""
 
 import io
+import json
 import unittest
 
 from PIL import Image
 
-from texshot import Texshot, bmp
+from texshot import Texshot, bmp, dds, texshot
 
 
 class Decode(Texshot):
@@ -36,6 +37,32 @@ class Decode(Texshot):
                                   ("slice 0 alone", ["--slice", "1"])]:
             with self.subTest(options):
                 self.complains(1, expected, "decode", file, "-", *options)
+
+    def test_decode_takes_the_part_that_is_chosen(self):
+        # Every texel says which of its kind it is.
+        array = dds(1, 1, b"".join(bytes((layer, face, 0, 255)) for layer in range(2) for face in range(6)), 28, layers=2, cube=True)
+        volume = dds(1, 1, b"".join(bytes((0, 0, slice_, 255)) for slice_ in range(3)), 28, depth=3)
+        for name, data, options, pixel in [("array", array, ["--layer", "1", "--face", "4"], (1, 4, 0)),
+                                           ("array", array, ["--layer", "0", "--face", "5"], (0, 5, 0)),
+                                           ("volume", volume, ["--slice", "2"], (0, 0, 2))]:
+            with self.subTest(options):
+                file = self.path / (name + ".dds")
+                file.write_bytes(data)
+                picture = Image.open(io.BytesIO(self.succeeds("decode", file, "-", *options))).convert("RGB")
+                self.assertEqual(picture.getpixel((0, 0)), pixel)
+                said = self.complains(1, "--lossy", "decode", file, self.path / "out.png", *options[2:])
+                self.assertIn(f"({options[0]} chooses one)", said)
+                result = texshot("decode", file, self.path / "out.png", "--lossy", "--json")
+                (self.path / "out.png").unlink()
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn(options[0][2:] + "s", [loss["what"] for loss in json.loads(result.stdout)["written"][0]["losses"]])
+        self.complains(1, "layers 0 to 1", "decode", self.path / "array.dds", "-", "--layer", "2", "--face", "0")
+
+    def test_decode_refuses_to_take_bits(self):
+        deep = self.path / "deep.png"
+        Image.new("I;16", (2, 2), 257).save(deep)
+        self.complains(1, "16 bits a component become 8", "decode", deep, self.path / "out.png")
+        self.assertEqual(texshot("decode", deep, self.path / "out.png", "--lossy").returncode, 0)
 
     def test_wrong_calls(self):
         source = self.picture(4, 4)

@@ -42,6 +42,14 @@ def bmp(width, height, pixel):
     return header + rows
 
 
+def dds(width, height, pixels, dxgi, levels=1, layers=1, cube=False, depth=1):
+    """A DDS file with a DX10 header, its numbers as Microsoft documents them."""
+    flags = 0x1007 | (0x20000 if levels > 1 else 0) | (0x800000 if depth > 1 else 0)
+    header = struct.pack("<4s7I44x", b"DDS ", 124, flags, height, width, 0, depth if depth > 1 else 0, levels)
+    header += struct.pack("<II4s5I", 32, 4, b"DX10", 0, 0, 0, 0, 0) + struct.pack("<5I", 0x1000, 0, 0, 0, 0)
+    return header + struct.pack("<5I", dxgi, 4 if depth > 1 else 3, 4 if cube else 0, layers, 0) + pixels
+
+
 class Texshot(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()

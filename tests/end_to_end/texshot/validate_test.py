@@ -7,7 +7,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import Texshot, bmp, texshot
+from texshot import Texshot, bmp, dds, texshot
 
 
 class Validate(Texshot):
@@ -35,6 +35,38 @@ class Validate(Texshot):
         self.valid("BMP", self.make("ours.bmp", bmp(4, 4, lambda x, y: (x, y, 0))))
         self.succeeds("compress", self.path / "ours.bmp", self.path / "ours.dds", "--format", "dxt5")
         self.valid("DDS", self.path / "ours.dds")
+
+    def test_what_is_valid_and_not_drawn_is_valid(self):
+        for name, data in [("bc7", dds(4, 4, bytes(16), 98)), ("float", dds(1, 1, bytes(16), 2)),
+                           ("bc6h", dds(8, 8, bytes(64 + 16 + 16 + 16), 95, levels=4))]:
+            with self.subTest(name):
+                file = self.make(name + ".dds", data)
+                self.assertIn("DDS, valid, but not drawn: DDS: DXGI_FORMAT_", self.succeeds("validate", file).decode())
+                self.faulty("level 0 needs", self.make("cut.dds", data[:148 + 3]))
+        one, = json.loads(self.succeeds("validate", file, "--json"))["files"]
+        self.assertEqual((one["valid"], one["drawn"], one["faults"], len(one["remarks"])), (True, False, [], 1))
+        self.faulty("DXGI formats are 1 to 191, dxgiFormat is 500", self.make("none.dds", dds(1, 1, bytes(4), 500)))
+
+    def test_what_is_larger_than_all_that_is_drawn_is_valid(self):
+        # A line of 20000 pixels of one bit, which every reader may take; and a header that only claims to be one.
+        out = io.BytesIO()
+        Image.new("1", (20000, 1)).save(out, "PNG")
+        self.assertIn("valid, but not drawn: PNG: at most", self.succeeds("validate", self.make("long.png", out.getvalue())).decode())
+        claim = bytearray(bmp(4, 4, lambda x, y: (0, 0, 0)))
+        struct.pack_into("<i", claim, 18, 20000)
+        self.faulty("pixel data needs", self.make("claim.bmp", bytes(claim)))
+
+    def test_what_is_right_and_not_followed_is_said_of_a_valid_file(self):
+        file = self.path / "turned.jpg"
+        exif = Image.Exif()
+        exif[0x112] = 6
+        Image.new("RGB", (8, 8)).save(file, exif=exif)
+        self.assertIn(": JPEG, valid: Exif says that the camera was turned (orientation 6)", self.succeeds("validate", file).decode())
+        file = self.path / "moves.png"
+        Image.new("RGB", (2, 2)).save(file, save_all=True, append_images=[Image.new("RGB", (2, 2), (9, 9, 9))])
+        self.assertIn(": PNG, valid: the file is an animation", self.succeeds("validate", file).decode())
+        self.valid("DDS", self.make("array.dds", dds(1, 1, bytes(12), 28, layers=3)))
+        self.faulty("an array of 4294967295 textures needs", self.make("claims.dds", dds(1, 1, bytes(12), 28, layers=0xFFFFFFFF)))
 
     def test_what_is_survived_elsewhere_is_a_fault(self):
         out = io.BytesIO()

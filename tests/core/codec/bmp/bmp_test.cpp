@@ -330,21 +330,70 @@ std::vector<std::string> notesOf(const Bytes& file) {
     return texture ? texture->notes : std::vector<std::string>();
 }
 
+/// What is right about a file and isn't followed.
+std::vector<std::string> remarksOf(const Bytes& file) {
+    return decodeBmp(file)->remarks;
+}
+
 TEST(Bmp, WhatWasOddIsNoted) {
     using testing::ElementsAre;
     using testing::IsEmpty;
     EXPECT_THAT(notesOf(goodFile()), IsEmpty());
     EXPECT_THAT(notesOf(rleFile(4, 2, {4, 1, 0, 0, 4, 0, 0, 1})), IsEmpty());
     EXPECT_THAT(notesOf(rleFile(4, 2, {9, 1, 0, 1})),
-                ElementsAre("1 run-length code went on beyond a row's end and were cut off there",
-                            "the run-length codes leave 4 pixels out; they have the palette's first colour"));
+                ElementsAre("1 run-length code went on beyond a row's end and were cut off there"));
+    EXPECT_THAT(remarksOf(rleFile(4, 2, {9, 1, 0, 1})),
+                ElementsAre("the run-length codes leave 4 pixels out; they have the palette's first colour"));
     EXPECT_THAT(notesOf(rleFile(4, 1, {4, 7, 0, 1})),
                 ElementsAre("a pixel has colour 7, the palette has 2; it is black"));
     Bytes file = goodFile(); // 1 x 2 pixels of 32 bits, whose fourth bytes are 4 and 8
     file[18] = std::byte{1};
     file[28] = std::byte{32};
-    EXPECT_THAT(notesOf(file), ElementsAre("the fourth bytes of the pixels differ and may be meant as alpha; "
-                                           "without an alpha mask they are not used"));
+    EXPECT_THAT(notesOf(file), IsEmpty());
+    EXPECT_THAT(remarksOf(file),
+                ElementsAre("the fourth bytes of the pixels differ and may be meant as alpha; "
+                            "without an alpha mask they are not used"));
+}
+
+/// 2 x 1 pixels of 32 bits that are no bit fields, with a V4 header and its masks; `fourth` of both pixels.
+Bytes v4File(std::uint8_t first, std::uint8_t second, std::uint8_t highestOfMask) {
+    Bytes file(14 + 108 + 8, std::byte{0});
+    const auto put = [&](std::size_t at, std::initializer_list<int> bytes) {
+        for (const int byte : bytes)
+            file[at++] = static_cast<std::byte>(byte);
+    };
+    put(0, {'B', 'M', static_cast<int>(file.size())});
+    put(10, {122, 0, 0, 0, 108, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 32, 0});
+    put(54, {0, 0, 0xFF, 0, 0, 0xFF, 0, 0, 0xFF, 0, 0, 0, 0, 0, 0, highestOfMask});
+    put(122, {1, 2, 3, first, 4, 5, 6, second});
+    return file;
+}
+
+TEST(Bmp, AnAlphaMaskCountsWithoutBitFieldsToo) {
+    const auto alphas = [](const Bytes& file) {
+        const Image image = std::get<Image>(decodeBmp(file)->surfaces.front());
+        EXPECT_EQ(image.format, PixelFormat::Rgba8);
+        return std::pair{std::to_integer<int>(image.pixels[3]), std::to_integer<int>(image.pixels[7])};
+    };
+    EXPECT_EQ(alphas(v4File(0, 200, 0xFF)), std::pair(0, 200));
+    EXPECT_THAT(remarksOf(v4File(0, 200, 0xFF)),
+                testing::ElementsAre(
+                    testing::HasSubstr("the header has an alpha mask: their fourth bytes are alpha")));
+    EXPECT_EQ(alphas(v4File(0, 0, 0xFF)), std::pair(255, 255))
+        << "a picture that nothing is seen of is not meant";
+    EXPECT_EQ(std::get<Image>(decodeBmp(v4File(0, 200, 0))->surfaces.front()).format, PixelFormat::Rgb8);
+    EXPECT_THAT(remarksOf(v4File(0, 200, 0)),
+                testing::ElementsAre(testing::HasSubstr("without an alpha mask they are not used")));
+}
+
+TEST(Bmp, SaysHowManyBitsAComponentHas) {
+    Bytes file = v4File(0, 0, 0xC0);
+    file[30] = std::byte{3}; // bit fields of 10 bits each
+    const std::array masks{0xFF, 0x03, 0, 0, 0, 0xFC, 0x0F, 0, 0, 0, 0xF0, 0x3F};
+    for (std::size_t i = 0; i < masks.size(); ++i)
+        file[54 + i] = static_cast<std::byte>(masks[i]);
+    EXPECT_EQ(decodeBmp(file)->componentBits, 10);
+    EXPECT_EQ(decodeBmp(goodFile())->componentBits, 8);
 }
 
 TEST(Bmp, AlphaIsWhatAMaskSays) {

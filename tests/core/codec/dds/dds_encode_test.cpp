@@ -66,10 +66,45 @@ void expectRoundTrip(const TextureImage& texture) {
     EXPECT_EQ(again->srgb, texture.srgb);
     EXPECT_EQ(again->alpha, texture.alpha);
     const bool premultiplied = texture.alpha == AlphaMeaning::Premultiplied;
-    EXPECT_THAT(again->notes, testing::SizeIs(premultiplied && !isExtended(*file) ? 1 : 0))
+    EXPECT_THAT(again->notes, testing::IsEmpty());
+    EXPECT_THAT(again->remarks, testing::SizeIs(premultiplied && !isExtended(*file) ? 1 : 0))
         << "nothing odd but what DXT2 and DXT4 say";
     for (const Field& field : dissectDds(*file).fields)
         EXPECT_TRUE(field.wrong.empty() || premultiplied) << field.name << ": " << field.wrong;
+}
+
+TEST(DdsEncode, WritesEveryLayerOfAnArray) {
+    for (const PixelFormat format : {PixelFormat::Alpha8, PixelFormat::Luminance8,
+                                     PixelFormat::LuminanceAlpha8, PixelFormat::Rgb8, PixelFormat::Rgba8}) {
+        TextureImage texture;
+        texture.layers = 3;
+        texture.faces = 6;
+        texture.topFirst = true;
+        for (int i = 0; i < 18; ++i) {
+            Image image = Image::uninitialised(format, 2, 2);
+            std::ranges::fill(image.pixels, static_cast<std::byte>(10 * i));
+            texture.surfaces.emplace_back(std::move(image));
+        }
+        const Result<Bytes> file = encodeDds(texture);
+        ASSERT_TRUE(file) << file.error().message;
+        EXPECT_EQ((*file)[140], std::byte{3}) << "arraySize counts cube maps";
+        const Result<TextureImage> again = decodeDds(*file, {.everything = true});
+        ASSERT_TRUE(again) << again.error().message;
+        EXPECT_EQ(again->layers, 3);
+        EXPECT_EQ(again->faces, 6);
+        ASSERT_EQ(again->surfaces.size(), 18U);
+        for (std::size_t i = 0; i < 18; ++i)
+            EXPECT_EQ(std::get<Image>(again->surfaces[i]).pixels.front(), static_cast<std::byte>(10 * i));
+    }
+}
+
+TEST(DdsEncode, RefusesLayersThatAreVolumes) {
+    TextureImage texture;
+    texture.layers = 2;
+    for (int i = 0; i < 2; ++i)
+        texture.surfaces.emplace_back(Image{PixelFormat::Luminance8, 1, 1, 2, Bytes(2)});
+    EXPECT_EQ(encodeDds(texture).error().message,
+              "DDS: the layers of an array are no volumes, these are 1 x 1 x 2");
 }
 
 TEST(DdsEncode, WhatIsReadAgainIsWhatWasWritten) {
@@ -193,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadTexture{"Faces", [](TextureImage& texture) { texture.faces = 2; },
                    "DDS: a texture has 1 or 6 faces, this one has 2"},
         BadTexture{"Nothing", [](TextureImage& texture) { texture = {}; },
-                   "DDS: 1 faces with 1 levels are expected, there are 0 surfaces"},
+                   "DDS: 1 layer of 1 faces with 1 levels are expected, there are 0 surfaces"},
         BadTexture{"Empty", [](TextureImage& texture) { texture = textureOf({}, "BMP"); },
                    "DDS: a texture has at least 1 x 1 x 1 texels, this one has 0 x 0 x 1"},
         BadTexture{"Extents", [](TextureImage& texture) { std::get<Image>(texture.surfaces[1]).width = 3; },

@@ -140,6 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
                   {0x00, 0x02, 0xF0, 0x7F},
                   Rgba8,
                   {128, 0, 255, 85}},
+        PixelCase{"D16", masked(0x400, 16, 0, 0xFFFF, 0), {0x22, 0x22}, Luminance8, {34}},
+        PixelCase{"D24S8", masked(0x4400, 32, 8, 0xFFFFFF00, 0xFF), {7, 0, 0, 0x80}, Luminance8, {128}},
         PixelCase{
             "G16R16", masked(0x40, 32, 0xFFFF, 0xFFFF0000, 0), {0xFF, 0xFF, 0x00, 0x80}, Rgb8, {255, 128, 0}},
         PixelCase{"AnyOrder",
@@ -171,6 +173,58 @@ INSTANTIATE_TEST_SUITE_P(
         PixelCase{"DxgiA4B4G4R4", dxgi(191), {0x21, 0x43}, Rgba8, {68, 51, 34, 17}},
         PixelCase{"DxgiR10G10B10A2", dxgi(24), {0x00, 0x02, 0xF0, 0x7F}, Rgba8, {128, 0, 255, 85}}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DdsPixels, AreWhatD3dxMeansWhereItsMasksSayTheOpposite) {
+    const Header header = masked(0x41, 32, 0x3FF00000, 0xFFC00, 0x3FF, 0xC0000000);
+    const Result<TextureImage> texture = decodeDds(ddsFile(header, {0xFF, 0x03, 0x00, 0xC0}));
+    ASSERT_TRUE(texture) << texture.error().message;
+    const std::vector<std::byte> red{std::byte{255}, std::byte{0}, std::byte{0}, std::byte{255}};
+    EXPECT_THAT(std::get<Image>(texture->surfaces.front()).pixels, testing::ElementsAreArray(red));
+    EXPECT_EQ(texture->componentBits, 10);
+    EXPECT_THAT(texture->notes,
+                testing::ElementsAre(testing::HasSubstr("as D3DX writes those of 10:10:10:2")));
+}
+
+TEST(DdsPixels, OfDepthSayHowManyBitsItHas) {
+    const Header header = masked(0x400, 16, 0, 0xFFFF, 0);
+    EXPECT_EQ(decodeDds(ddsFile(header, {0, 0}))->componentBits, 16);
+}
+
+TEST(DdsPixels, AreMultipliedByAlphaWhereDirectDrawSaysSo) {
+    const Header header = masked(0x8041, 32, 0xFF0000, 0xFF00, 0xFF, 0xFF000000);
+    EXPECT_EQ(decodeDds(ddsFile(header, {1, 2, 3, 4}))->alpha, AlphaMeaning::Premultiplied);
+}
+
+TEST(Dds, OfAnArrayEveryElementIsReadWhereAllIsAsked) {
+    Header header = dxgi(61); // a byte a texel
+    header.width = header.height = 2;
+    header.mipMapCount = 2;
+    header.flags |= dds::flagMipMapCount;
+    header.arraySize = 3;
+    header.miscFlag = 4; // cube maps
+    std::vector<int> texels;
+    for (int i = 0; i < 3 * 6 * 5; ++i)
+        texels.push_back(i);
+    DecodeLimits limits;
+    limits.everything = true;
+    const Bytes file = ddsFile(header, texels);
+    const Result<TextureImage> texture = decodeDds(file, limits);
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_EQ(texture->layers, 3);
+    EXPECT_EQ(texture->faces, 6);
+    ASSERT_EQ(texture->surfaces.size(), 36U);
+    for (int face = 0; face < 18; ++face)
+        for (int level = 0; level < 2; ++level)
+            EXPECT_EQ(std::get<Image>(texture->surface(face, level)).pixels.front(),
+                      static_cast<std::byte>(5 * face + 4 * level));
+    EXPECT_THAT(texture->remarks, testing::IsEmpty());
+    limits.maxBytes = 3 * 6 * 5 - 1;
+    EXPECT_EQ(decodeDds(file, limits).error().code, ErrorCode::TooLarge);
+    header.arraySize = 2049;
+    EXPECT_EQ(
+        decodeDds(ddsFile(header, std::vector<int>(2049 * 6 * 5, 0)), {.everything = true}).error().message,
+        "DDS: arrays of at most 2048 elements are read, this one has 2049");
+}
 
 struct BlockCase {
     const char* name;

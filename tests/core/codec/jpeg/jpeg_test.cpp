@@ -54,10 +54,11 @@ TEST_F(JpegFiles, GiveThePixelsThatPillowReads) {
         for (std::size_t i = 0; i < expected.size(); ++i)
             ASSERT_NEAR(std::to_integer<int>(image.pixels[i]), std::to_integer<int>(expected[i]), tolerance)
                 << "byte " << i;
+        EXPECT_THAT(texture->notes, testing::IsEmpty());
         if (name.starts_with("turned"))
-            EXPECT_THAT(texture->notes, testing::ElementsAre(testing::HasSubstr("orientation 6")));
+            EXPECT_THAT(texture->remarks, testing::ElementsAre(testing::HasSubstr("orientation 6")));
         else
-            EXPECT_THAT(texture->notes, testing::IsEmpty());
+            EXPECT_THAT(texture->remarks, testing::IsEmpty());
         ++decoded;
     }
     EXPECT_EQ(decoded, 3 * (2 * 5 + 2));

@@ -219,8 +219,36 @@ TEST(PngDecode, WhatIsSurvivedIsNoted) {
     const Result<TextureImage> texture = decodePng(file);
     ASSERT_TRUE(texture) << texture.error().message;
     EXPECT_THAT(texture->notes, testing::ElementsAre(testing::MatchesRegex("survived: gAMA: .*"),
-                                                     "the file is an animation; its first picture is read",
                                                      "1 byte behind the end (IEND) left out"));
+    EXPECT_THAT(texture->remarks,
+                testing::ElementsAre("the file is an animation; its first picture is read"));
+    EXPECT_THAT(texture->losses, testing::ElementsAre(Loss{"frames", "1 of the animation's 2 pictures"}));
+}
+
+TEST(PngDecode, WhatStandsBesideThePictureIsKeptForAnotherPng) {
+    Bytes file = goodFile();
+    insertChunk(file, 33, "tIME", bytesOf({7, 0xE8, 1, 2, 3, 4, 5}));
+    insertChunk(file, 33, "tEXt", bytesOf({'a', 0, 'b'}));
+    insertChunk(file, 33, "gAMA", bytesOf({0, 0, 0x27})); // a byte short: left out
+    insertChunk(file, 33, "cHRM", Bytes(32, std::byte{1}));
+    EXPECT_THAT(decodePng(file)->parts, testing::IsEmpty());
+    const Result<TextureImage> texture = decodePng(file, {.everything = true});
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_THAT(texture->parts, testing::ElementsAre(testing::Field(&FilePart::name, "tEXt")))
+        << "libpng takes no primaries that are all the same";
+    EXPECT_THAT(texture->losses, testing::ElementsAre(Loss{"metadata", "the chunks tIME", false}));
+    const Result<Bytes> again = encodePng(*texture, {});
+    ASSERT_TRUE(again) << again.error().message;
+    const Result<TextureImage> copy = decodePng(*again, {.everything = true});
+    ASSERT_EQ(copy->parts.size(), 1U);
+    EXPECT_EQ(copy->parts.front().data, bytesOf({'a', 0, 'b'}));
+}
+
+TEST(PngEncode, SaysSrgbOfATextureThatIs) {
+    TextureImage texture = *decodePng(goodFile());
+    EXPECT_FALSE(decodePng(*encodePng(texture, {}))->srgb);
+    texture.srgb = true;
+    EXPECT_TRUE(decodePng(*encodePng(texture, {}))->srgb);
 }
 
 const Field* fieldNamed(const Anatomy& anatomy, std::string_view name) {
