@@ -27,7 +27,7 @@ def calls(scene, out):
     for renderer in RENDERERS:
         for time in TIMES:
             yield "shot", scene, "--renderer", renderer, "--time", time, "--size", "48x40", "-o", out / "shot.png"
-        yield ("sweep", scene, "--axis", "textures[0].minFilter=GL_NEAREST,GL_LINEAR_MIPMAP_LINEAR", "--renderer", renderer,
+        yield ("sweep", scene, "--axis", "view.distance=4,9", "--renderer", renderer,
                "--time", "-3", "--size", "24x20", "-o", out / "sheet.png")
         yield ("animate", scene, "--renderer", renderer, "--seconds", "1", "--fps", "2", "--size", "24x20",
                "-o", out / "moves.gif")
