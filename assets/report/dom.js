@@ -43,14 +43,7 @@ function say(text) {
   document.getElementById("said").textContent = text;
 }
 
-/** Without characters that would steer a terminal which it is pasted into: as JSON spells them. Lines stay lines. */
-function printable(text) {
-  const steering = /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g;
-  return text.replace(steering, (each) => `\\u${each.charCodeAt(0).toString(16).padStart(4, "0")}`);
-}
-
-async function copyText(words) {
-  const text = printable(words);
+async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
   } catch { // no permission, or a browser to which a file is no secure place
