@@ -11,6 +11,7 @@
 #include <array>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace texplorer {
 namespace {
@@ -46,6 +47,8 @@ public:
             if (face != nullptr)
                 FT_Done_Face(face);
         }
+        if (further_ != nullptr)
+            FT_Done_Face(further_);
         if (library_ != nullptr)
             FT_Done_FreeType(library_);
     }
@@ -63,6 +66,15 @@ public:
                 faces_[i] = nullptr;
         }
         return std::ranges::find(faces_, nullptr) == faces_.end();
+    }
+
+    /// A font for the letters that those lack, where there is one.
+    void openFurther() {
+        for (const view::ChineseFont& font : view::chineseFonts) {
+            if (FT_New_Face(library_, font.file, 0, &further_) == 0)
+                return;
+            further_ = nullptr;
+        }
     }
 
     [[nodiscard]] int width(TextRole role, std::string_view text) const override {
@@ -91,18 +103,22 @@ private:
     /// stand between pixels where their widths say so.
     template<class Visit>
     FT_Pos walk(TextRole role, std::string_view text, const Visit& visit) const {
-        FT_Face face = faces_.at(styleOf(role).font);
-        FT_Set_Pixel_Sizes(face, 0, styleOf(role).size);
+        FT_Face usual = faces_.at(styleOf(role).font);
+        for (FT_Face face : {usual, further_}) {
+            if (face != nullptr)
+                FT_Set_Pixel_Sizes(face, 0, styleOf(role).size);
+        }
         FT_Pos at = 0;
-        FT_UInt before = 0;
+        FT_UInt before = 0; // a letter of the usual font
         while (!text.empty()) {
             const Utf8Character next = firstCharacter(text);
             text.remove_prefix(std::max<std::size_t>(1, next.bytes));
-            const FT_UInt glyph = FT_Get_Char_Index(face, next.bytes == 0 ? U'\uFFFD' : next.character);
+            const auto [face, glyph] = letterOf(usual, next.bytes == 0 ? U'\uFFFD' : next.character);
             FT_Vector kerning{0, 0};
-            if (before != 0 && glyph != 0)
-                FT_Get_Kerning(face, before, glyph, FT_KERNING_UNFITTED, &kerning);
-            before = glyph;
+            const FT_UInt kerned = face == usual ? glyph : 0;
+            if (before != 0 && kerned != 0)
+                FT_Get_Kerning(usual, before, kerned, FT_KERNING_UNFITTED, &kerning);
+            before = kerned;
             if (FT_Load_Glyph(face, glyph, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) != 0)
                 continue;
             at = std::max<FT_Pos>(0, at + kerning.x);
@@ -111,6 +127,14 @@ private:
             at += advance;
         }
         return at;
+    }
+
+    [[nodiscard]] std::pair<FT_Face, FT_UInt> letterOf(FT_Face usual, char32_t character) const {
+        const FT_UInt glyph = FT_Get_Char_Index(usual, character);
+        if (glyph != 0 || further_ == nullptr)
+            return {usual, glyph};
+        const FT_UInt other = FT_Get_Char_Index(further_, character);
+        return other != 0 ? std::pair(further_, other) : std::pair(usual, glyph);
     }
 
     static void blend(Image& picture, int left, int top, const FT_Bitmap& bitmap, Ink ink) {
@@ -131,6 +155,7 @@ private:
     mutable std::mutex mutex_; // a face has one size and one slot
     FT_Library library_ = nullptr;
     std::array<FT_Face, fontFiles.size()> faces_{};
+    FT_Face further_ = nullptr;
 };
 
 } // namespace
@@ -139,8 +164,10 @@ Result<std::unique_ptr<sheet::Lettering>> openLettering() {
     auto lettering = std::make_unique<FontLettering>();
     std::string folders;
     for (const char* folder : view::fontFolders) {
-        if (lettering->open(folder))
+        if (lettering->open(folder)) {
+            lettering->openFurther();
             return lettering;
+        }
         folders.append(folders.empty() ? "" : ", ").append(folder);
     }
     return fail(ErrorCode::NotFound,

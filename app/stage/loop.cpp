@@ -82,7 +82,7 @@ Step Loop::step(double now, const std::vector<Event>& events) {
     if (requests.fading || requests.unfinished)
         settling_ = settlingFrames;
     settling_ = std::max(0, settling_ - 1);
-    return {nextWake(now), true, requests.quit, requests.title, ImGui::GetMouseCursor()};
+    return {nextWake(now), true, requests.unfinished, requests.quit, requests.title, ImGui::GetMouseCursor()};
 }
 
 std::optional<double> Loop::nextWake(double now) const {

@@ -16,9 +16,10 @@ struct Step {
     /// When to call again if nothing happens before, in seconds on the clock of `now`. What is not later than
     /// `now`: as soon as the display can take another picture. Nothing: when something happens.
     std::optional<double> wake;
-    bool drawn = false;  ///< there is a new picture in the framebuffer
-    bool quit = false;   ///< the user has closed the window, and decided about unsaved changes
-    std::string title{}; ///< of the window; only where it was drawn
+    bool drawn = false;      ///< there is a new picture in the framebuffer
+    bool unfinished = false; ///< the next frame differs, without anything that happens
+    bool quit = false;       ///< the user has closed the window, and decided about unsaved changes
+    std::string title{};     ///< of the window; only where it was drawn
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow; ///< what the pointer should look like; likewise
 };
 

@@ -48,7 +48,7 @@ public:
         : graphics_(graphics)
         , scale_(scale) {
         ImGui::CreateContext();
-        ui::applyTheme(scale_, theme_, textPercent_);
+        ui::applyTheme(scale_, theme_, textPercent_, nullptr, letters_);
         ui::mapKeys();
         graphics_.startPanels();
     }
@@ -70,14 +70,21 @@ public:
         ui::useCatalogue(catalogue_.get());
         ui::beginTranslations();
         const bool resized = scale != scale_ || settings.textPercent != textPercent_;
-        if (!resized && !translated && settings.theme == theme_)
+        if (!resized && !translated && !lacksLetters_ && settings.theme == theme_)
             return problem;
         scale_ = scale;
         theme_ = settings.theme;
         textPercent_ = settings.textPercent;
-        ui::applyTheme(scale_, theme_, textPercent_, catalogue_.get());
+        lacksLetters_ = false;
+        ui::applyTheme(scale_, theme_, textPercent_, catalogue_.get(), letters_);
         graphics_.fontsChanged();
         return problem;
+    }
+
+    /// Whether it has letters that the next frame will have.
+    [[nodiscard]] bool lacksLetters(const ImDrawData& drawn) {
+        lacksLetters_ = letters_.look(drawn);
+        return lacksLetters_;
     }
 
 private:
@@ -101,6 +108,8 @@ private:
     std::unique_ptr<const ui::Catalogue> catalogue_; ///< nullptr: English
     ui::Theme theme_ = ui::Theme::Dark;
     int textPercent_ = 100;
+    ui::Letters letters_;
+    bool lacksLetters_ = false;
 };
 
 struct Stage::State {
@@ -176,8 +185,9 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
                                                .keep = keepFor(Graphics::Use::Scaled),
                                                .keepTexels = keepFor(Graphics::Use::Enlarged)},
                                               graphics.capabilities(), layout);
-    requests.unfinished = state_->frames.isUnfinished() || graphics.isUploading();
     ImGui::Render();
+    const bool lacksLetters = state_->panels.lacksLetters(*ImGui::GetDrawData());
+    requests.unfinished = lacksLetters || state_->frames.isUnfinished() || graphics.isUploading();
 
     graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels, ui::panelGround());
     writeCapture(session, graphics, state_->frames.frames().front(), surface.pixels);

@@ -76,6 +76,7 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     height_ = height;
     scale_ = scale;
     ImGui::CreateContext();
+    letters_ = {};
     applyTheme(scale, Theme::Dark, 100, catalogue_.get());
     textPercent_ = 100;
     theme_ = Theme::Dark;
@@ -125,10 +126,12 @@ void Workbench::speak(Language language, std::set<std::string, std::less<>>* gap
 /// As the stage does it before a frame.
 void Workbench::layOut() {
     const Settings& settings = session->window.settings;
-    if (settings.theme != theme_ || settings.textPercent != textPercent_) {
+    const ImDrawData* drawn = ImGui::GetDrawData();
+    const bool lacksLetters = drawn && letters_.look(*drawn);
+    if (lacksLetters || settings.theme != theme_ || settings.textPercent != textPercent_) {
         theme_ = settings.theme;
         textPercent_ = settings.textPercent;
-        applyTheme(scale_, theme_, textPercent_, catalogue_.get());
+        applyTheme(scale_, theme_, textPercent_, catalogue_.get(), letters_);
         unsigned char* pixels = nullptr;
         int width = 0;
         int height = 0;

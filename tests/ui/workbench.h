@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/fonts.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/layout.h"
 #include "app/ui/window/workbench.h"
@@ -96,6 +97,7 @@ private:
     int textPercent_ = 100; ///< with the theme, what Dear ImGui was set up for
     ui::Theme theme_ = ui::Theme::Dark;
     std::unique_ptr<const ui::Catalogue> catalogue_;
+    ui::Letters letters_;
     std::unique_ptr<Drawing> drawing_;
 };
 

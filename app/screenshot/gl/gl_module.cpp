@@ -42,6 +42,7 @@ conform::Driver driverOf(const view::Capabilities& capabilities) {
 }
 
 constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
+constexpr int mostFrames = 40;    // of a window that is never finished
 
 Result<Shot> drawWindow(const ShotRequest& request) {
     if (const Result<void> readable = checkShaders(request.shaders); !readable)
@@ -117,9 +118,10 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     session.window.playback.time = request.time;
     session.window.showsFrameTime = false;
     stage::Loop loop(**graphics, session, {request.size, request.size, request.scale});
-    for (int frame = 0; frame < settlingFrames; ++frame) {
+    for (int frame = 0, last = settlingFrames; frame < std::min(last, mostFrames); ++frame) {
         session.window.wantedSection = request.section; // where it is, is known once the panel has its size
-        (void)loop.step(0, {});                         // the scene's time stands still
+        if (loop.step(0, {}).unfinished)                // the scene's time stands still
+            last = frame + 1 + settlingFrames;
     }
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, request.size.width, request.size.height);

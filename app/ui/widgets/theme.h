@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/language/catalogue.h"
+#include "app/ui/widgets/fonts.h"
 #include "app/ui/widgets/palette.h"
 
 namespace texplorer::ui {
@@ -10,15 +11,9 @@ namespace texplorer::ui {
 [[nodiscard]] float textScale(float contentScale, int textPercent);
 
 /// Sets the current ImGui context up: fonts, colours and metrics, no imgui.ini. Call it once before the first
-/// frame, and between two frames when one of the four changes; the host then renews its font texture. The
+/// frame, and between two frames when one of the five changes; the host then renews its font texture. The
 /// letters of `catalogue`, which may be nullptr, are there afterwards if hasLettersOf its language.
 void applyTheme(float contentScale, Theme theme = Theme::Dark, int textPercent = 100,
-                const Catalogue* catalogue = nullptr);
-
-/// Whether a font of this machine has the letters of a language.
-[[nodiscard]] bool hasLettersOf(Language language);
-
-/// The fixed-width font of applyTheme, for what is code.
-[[nodiscard]] ImFont* codeFont();
+                const Catalogue* catalogue = nullptr, const Letters& letters = {});
 
 } // namespace texplorer::ui

@@ -1,7 +1,7 @@
 #include "app/ui/widgets/wrapped_text.h"
 
 #include "app/ui/widgets/line_breaks.h"
-#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/palette.h"
 
 #include <imgui_internal.h> // where the window wraps text
 
@@ -133,6 +133,10 @@ void plainWrappedText(std::string_view words) {
     plainText(words);
     if (!isWrapped)
         ImGui::PopTextWrapPos();
+}
+
+void forgetWrappedTexts() {
+    wrappedBefore.clear();
 }
 
 std::string wrappedLines(std::string_view words, float room) {

@@ -20,6 +20,9 @@ void plainWrappedText(std::string_view words);
 [[nodiscard]] std::string wrappedLines(std::string_view words, float room);
 [[nodiscard]] ImVec2 wrappedSize(std::string_view words, float room);
 
+/// Call it where a font's letters have changed: the widths of its texts may have, too.
+void forgetWrappedTexts();
+
 /// A text with what one can't read left out, since a draw list of Dear ImGui's has room for 16,000 letters:
 /// of a word the middle, from 160 bytes on; of the whole the end, from 4,000.
 [[nodiscard]] std::string readablePart(std::string_view words);

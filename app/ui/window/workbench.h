@@ -28,7 +28,7 @@ struct PanelStates {
 struct Requests {
     bool quit = false;
     bool fading = false;     ///< the next frame differs without any input: the window darkens behind a dialog
-    bool unfinished = false; ///< textures are still being uploaded: the next frame differs, too
+    bool unfinished = false; ///< textures or letters are still to come: the next frame differs, too
     std::string title;
 };
 

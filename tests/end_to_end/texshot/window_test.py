@@ -2,6 +2,8 @@
 
 import unittest
 
+from PIL import Image
+
 from texshot import Texshot
 
 
@@ -17,6 +19,18 @@ class Window(Texshot):
         pretending = self.shot("--ui", "--size", "1280x800", "--pretend", "no-rgtc")
         self.assertEqual(pretending.crop((0, 0, 1280, 770)).tobytes(), plain.crop((0, 0, 1280, 770)).tobytes())
         self.assertNotEqual(pretending.crop((0, 770, 1280, 800)).tobytes(), plain.crop((0, 770, 1280, 800)).tobytes())
+
+    def test_names_of_files_are_shown_in_their_letters(self):
+        panel = (0, 165, 310, 205)
+        for language in ("en", "zh_CN"):
+            seen = set()
+            for name in ("纹理", "图像", "饕餮", "שלום", "????"):
+                Image.new("RGB", (4, 4), (90, 120, 150)).save(self.path / f"{name}.png")
+                window = self.shot("--ui", "--size", "1280x800", "--language", language,
+                                   "--set", "textures[0].source=file",
+                                   "--set", f"textures[0].file={self.path / name}.png")
+                seen.add(window.crop(panel).tobytes())
+            self.assertEqual(len(seen), 5, language)
 
     def test_each_tab_can_be_shown(self):
         dock = (321, 500, 1280, 770)
