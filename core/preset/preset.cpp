@@ -28,6 +28,10 @@ void showPatternUnless(Texture& texture, Pattern pattern, bool suits) {
         showPattern(texture, pattern);
 }
 
+void showPatternUnlessOwn(Texture& texture, Pattern pattern) {
+    showPatternUnless(texture, pattern, texture.source == SourceKind::File);
+}
+
 void filterTrilinear(Texture& texture) {
     texture.mipmaps = MipPolicy::Generated;
     texture.minFilter = MinFilter::LinearMipmapLinear;

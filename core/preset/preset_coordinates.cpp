@@ -55,7 +55,7 @@ void generate(Unit& unit, Target target, TexGenMode mode, int coordinates) {
 }
 
 Result<void> sphereMap(const PresetTarget& target) {
-    showPattern(target.texture, Pattern::MirrorBall);
+    showPatternUnlessOwn(target.texture, Pattern::MirrorBall);
     generate(target.unit, Target::Texture2D, TexGenMode::SphereMap, 2);
     return {};
 }
@@ -79,11 +79,12 @@ Result<void> reflection(const PresetTarget& target) {
 }
 
 Result<void> projector(const PresetTarget& target) {
-    showPattern(target.texture, Pattern::Planet);
+    showPatternUnlessOwn(target.texture, Pattern::Planet);
     Texture& texture = target.texture;
     texture.wrapS = texture.wrapT = Wrap::ClampToBorder;
     texture.borderColor = glm::vec4(1);
     target.unit.envMode = EnvMode::Modulate;
+    target.pass.lighting = true; // what is turned away from the light stays dark
     takeGivenCoordinates(target.unit);
     projectFromLight(target.unit); // an empty matrix has room for it
     return {};
@@ -137,7 +138,8 @@ constexpr std::array coordinateRows{
     Preset{
         "projector", generatedGroup, "Slide projector",
         "glTexGen with GL_EYE_LINEAR for s, t, r and q, and a texture matrix that is the light's camera.",
-        "The light throws one picture over all models. Beyond it the white border leaves them as they are.",
+        "The light throws one picture over all models, and what is turned away from it stays dark. Beyond the "
+        "picture the white border leaves them as they are.",
         projector},
     Preset{"shadow-map", generatedGroup, "Shadow map",
            "A depth texture of what the light sees, in a unit of its own, and a floor to fall on.",

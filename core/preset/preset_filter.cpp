@@ -26,7 +26,7 @@ void showTrilinearFloor(const PresetTarget& target) {
 
 Result<void> shimmer(const PresetTarget& target) {
     showFloor(target);
-    showPattern(target.texture, Pattern::Checker);
+    showPatternUnlessOwn(target.texture, Pattern::Checker);
     target.texture.minFilter = MinFilter::Nearest;
     target.texture.maxAnisotropy = 1;
     target.texture.wrapS = target.texture.wrapT = Wrap::Repeat;

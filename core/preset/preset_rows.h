@@ -17,6 +17,9 @@ void showPattern(Texture& texture, Pattern pattern);
 /// The same where the texture's picture isn't of a kind that suits.
 void showPatternUnless(Texture& texture, Pattern pattern, bool suits);
 
+/// A picture of one's own, from a file, stays.
+void showPatternUnlessOwn(Texture& texture, Pattern pattern);
+
 /// Trilinear, with all levels generated.
 void filterTrilinear(Texture& texture);
 

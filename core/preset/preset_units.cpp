@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view unitGroup = "Environments and several units";
 
 Result<void> decal(const PresetTarget& target) {
-    showPattern(target.texture, Pattern::Tree);
+    showPatternUnlessOwn(target.texture, Pattern::Tree);
     generateNothing(target.unit);
     target.unit.envMode = EnvMode::Decal;
     target.scene.material.color = {0.95F, 0.6F, 0.2F, 1};

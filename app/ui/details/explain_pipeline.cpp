@@ -57,22 +57,38 @@ float naturalWidth(const Card& card, const CardMeasure& measure, float scale = 1
     return std::ceil(width * scale) + 2 * measure.pad;
 }
 
-/// The cards of a lane that stand side by side. All lines but the first begin with an arrow.
+/// The cards of a lane that stand side by side: in as few lines as can be, which begin with a unit where that
+/// has room, and are else as even as can be. All lines but the first begin with an arrow.
 struct CardLines {
-    std::span<const Card> cards;
-    std::size_t perLine;
+    std::vector<std::span<const Card>> lines;
 
-    CardLines(const Lane& lane, const CardMeasure& measure, float available)
-        : cards(lane.cards) {
+    CardLines(const Lane& lane, const CardMeasure& measure, float available) {
         const float least = narrowestCard * measure.em + measure.arrow;
         const auto most = static_cast<std::size_t>(std::max(1.0F, available / least));
-        const std::size_t lines = (cards.size() + most - 1) / most;
-        perLine = (cards.size() + lines - 1) / std::max<std::size_t>(1, lines); // as even as can be
+        std::span<const Card> left(lane.cards);
+        for (std::size_t count = (left.size() + most - 1) / most; count > 0; --count) {
+            const std::size_t here = cardsInLine(left, count, most);
+            lines.push_back(left.first(here));
+            left = left.subspan(here);
+        }
     }
-    [[nodiscard]] std::size_t count() const { return (cards.size() + perLine - 1) / perLine; }
-    [[nodiscard]] std::span<const Card> line(std::size_t index) const {
-        const std::size_t first = index * perLine;
-        return cards.subspan(first, std::min(perLine, cards.size() - first));
+    [[nodiscard]] std::size_t count() const { return lines.size(); }
+    [[nodiscard]] std::span<const Card> line(std::size_t index) const { return lines[index]; }
+
+private:
+    /// Of those that are left for so many lines.
+    static std::size_t cardsInLine(std::span<const Card> left, std::size_t lines, std::size_t most) {
+        const std::size_t even = (left.size() + lines - 1) / lines;
+        const auto distance = [even](std::size_t cards) {
+            return cards > even ? cards - even : even - cards;
+        };
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < left.size() && i <= most; ++i) {
+            const bool unitBegins = left[i].unit >= 0 && left[i].unit != left[i - 1].unit;
+            if (unitBegins && left.size() - i <= (lines - 1) * most && distance(i) < distance(best))
+                best = i;
+        }
+        return best > 0 ? best : even;
     }
 };
 

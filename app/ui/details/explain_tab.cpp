@@ -101,8 +101,8 @@ void drawHead(Session& session, const Pictures& pictures, const Explanation& exp
     noteItem("explain:pixel");
     helpTip(
         fmt::format("Counted from the upper left. In OpenGL's window coordinates, which begin at the lower "
-                    "left, {},{}. Click in the picture, hold E over it, or press an arrow key for another "
-                    "pixel, Shift for ten pixels further.",
+                    "left, {},{}. Click in the picture or press an arrow key for another pixel, Shift for "
+                    "ten pixels further.",
                     explanation.pixel.x, explanation.pixel.y));
     const Comparison comparison = compareRenderers(session, pictures, explanation);
     if (wide) {
@@ -232,7 +232,7 @@ void drawLists(const Explanation* pinned, const std::vector<reference::FragmentS
 /// What to do, and what there will be to see.
 void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
     const auto [width, height] = pictures.frames.front().frame.size;
-    wrappedText("Why has this pixel that colour? Click one in the view, or hold E over it: here is "
+    wrappedText("Why has this pixel that colour? Click one in the view: here is "
                 "everything that OpenGL computes on the way, in its order.");
     noteItem("explain:none");
     if (ImGui::SmallButton(label("Explain the pixel in the middle")))

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
@@ -25,19 +26,17 @@ int offsetDigits(std::size_t fileBytes) {
 
 void fieldTip(const Field& field) {
     // Names and values are the file's.
-    std::vector<std::string> lines{field.value.empty() ? field.name
-                                                       : fmt::format("{} = {}", field.name, field.value)};
+    std::vector<TipLine> lines;
+    const auto add = [&lines](const std::string& words) {
+        lines.push_back({printable(words, LineBreaks::Keep)});
+    };
+    add(field.value.empty() ? field.name : fmt::format("{} = {}", field.name, field.value));
     if (!field.meaning.empty())
-        lines.push_back(tr(field.meaning));
+        add(tr(field.meaning));
     if (!field.wrong.empty())
-        lines.push_back(tr(field.wrong));
-    lines.push_back(tr(fmt::format("{} from offset {}", countOf(field.size, "byte"), field.offset)));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-    for (const std::string& line : lines)
-        plainText(printable(line, LineBreaks::Keep));
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+        add(tr(field.wrong));
+    add(tr(fmt::format("{} from offset {}", countOf(field.size, "byte"), field.offset)));
+    showTip(lines);
 }
 
 std::string indented(const Field& field) {

@@ -283,9 +283,10 @@ void stepButtons(Session& session, const LessonRun& run) {
         goToLessonStep(session, *wanted);
 }
 
-/// A text is read by keyboard, too, where nothing in it takes the focus.
-void scrollByPages() {
-    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput)
+/// A text is read by keyboard, too, where nothing in it takes the focus, and the lesson not the key.
+void scrollByPages(const LessonRun& run) {
+    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput ||
+        run.heldKey)
         return;
     const float page = ImGui::GetWindowHeight() - ImGui::GetTextLineHeight() * 2;
     if (ImGui::IsKeyPressed(key::pageDown))
@@ -317,7 +318,7 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     space();
     drawLessonKeys(session, run);
     std::visit([&](const auto& task) { drawTask(session, run, task, pictures); }, step.task);
-    scrollByPages();
+    scrollByPages(run);
     ImGui::EndChild();
     stepButtons(session, run);
 }

@@ -177,7 +177,7 @@ void followBlockSource(Session& session, BlockMicroscopeState& state) {
     if (source.kind == SourceKind::Probed) {
         const std::optional<glm::ivec3> block = probedBlock(session, levels);
         if (!block) {
-            source.problem = "Hold E and click a pixel that reads this texture.";
+            source.problem = "Explain a pixel that reads this texture.";
             return;
         }
         source.x = block->x;

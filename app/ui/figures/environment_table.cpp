@@ -161,7 +161,7 @@ void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
         : subject.probed
             ? "Rest on a cell: the view shows it; click: the unit takes it. The colours are those "
               "of the probed pixel."
-            : "Rest on a cell: the view shows it; click: the unit takes it. Hold E over a pixel: the "
+            : "Rest on a cell: the view shows it; click: the unit takes it. Explain a pixel: the "
               "colours are its own.";
     if (sameLineFor(ImGui::GetFontSize() * 16, ImGui::GetFontSize() * 0.8F))
         ImGui::AlignTextToFramePadding();

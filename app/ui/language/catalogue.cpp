@@ -371,7 +371,12 @@ std::optional<std::string> Catalogue::afterPlace(std::string_view english, Searc
         return std::nullopt;
     const std::size_t begin = at + colon.size();
     const std::optional<std::string> text = lookUp(english.substr(begin), search.deeper());
-    return text ? std::optional(std::string(english.substr(0, begin)) + *text) : std::nullopt;
+    if (!text)
+        return std::nullopt;
+    const std::string place(english.substr(0, at));
+    const auto word =
+        search.names->contains(place) ? whole_.end() : whole_.find(place); // a parameter's label
+    return (word == whole_.end() ? place : word->second) + std::string(colon) + *text;
 }
 
 std::optional<std::string> Catalogue::joined(std::string_view english, std::string_view separator,

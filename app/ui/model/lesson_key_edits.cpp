@@ -5,12 +5,23 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace texplorer::ui {
 
 bool isUsable(const LessonRun& run, std::size_t key) {
     return key < run.usable.size() && run.usable[key];
+}
+
+bool isTakenByLesson(const Session& session, std::string_view key) {
+    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    if (!run)
+        return false;
+    const std::vector<lesson::LessonKey>& keys = run->lesson.keys;
+    const auto found = std::ranges::find(keys, key, &lesson::LessonKey::key);
+    return found != keys.end() && isUsable(*run, static_cast<std::size_t>(found - keys.begin()));
 }
 
 void pressLessonKey(Session& session, std::size_t key, float times) {

@@ -156,10 +156,9 @@ void environmentLine(Session& session) {
     ImGui::SameLine(0, gap);
     swatch("Cv", sample.result, true,
            fmt::format("{}\n{}",
-                       sample.probed
-                           ? "Cv: what this unit made of the probed pixel"
-                           : "Cv: what this unit makes of glColor and the image's mean. Hold E over "
-                             "a pixel, and it is that of the pixel.",
+                       sample.probed ? "Cv: what this unit made of the probed pixel"
+                                     : "Cv: what this unit makes of glColor and the image's mean. Explain a "
+                                       "pixel, and it is that of the pixel.",
                        numbersOf(sample.result)));
     if (sample.probed)
         noteItem("environment:probed");

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -25,7 +26,8 @@ struct Canvas {
     ImVec2 middle;
     Plane plane;
     float pixelsPerUnit;
-    Box legend{}; ///< what names the things that are shown: small pictures leave it free
+    Box legend{};                 ///< what names the things that are shown: small pictures leave it free
+    std::vector<ImVec2> chosen{}; ///< vertices, which they leave free, too
 
     Canvas(ImVec2 topLeft, ImVec2 size, const Plane& seen)
         : low(topLeft)

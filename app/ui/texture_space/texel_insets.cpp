@@ -95,10 +95,16 @@ Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
 
 namespace {
 
-/// What the small pictures should not cover: first what they explain, then the names of the axes and the
-/// image.
+Box aroundVertex(ImVec2 at) {
+    const float margin = ImGui::GetFontSize() * 0.6F;
+    return {{at.x - margin, at.y - margin}, {at.x + margin, at.y + margin}};
+}
+
+/// What the small pictures should not cover: first what they explain, then the chosen vertices, the names of
+/// the axes and the image.
 std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
     constexpr float mark = 100;
+    constexpr float vertex = 30;
     constexpr float name = 3;
     constexpr float image = 1;
     const float em = ImGui::GetFontSize();
@@ -108,6 +114,8 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
     if (unit.target == Target::CubeMap)
         return kept; // its texels are marked in the small pictures alone
     kept.push_back({canvas.legend, name});
+    for (const ImVec2& place : canvas.chosen)
+        kept.push_back({aroundVertex(place), vertex});
     kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
     kept.push_back({{{low.x - 1.5F * em, high.y - 2 * em}, {low.x, high.y + em}}, name});
     const Box marks = marksOf(unit, canvas);
@@ -187,25 +195,32 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
         return {};
     const bool isCube = unit->target == Target::CubeMap; // its texels are marked in the small pictures alone
     const Box marks = marksOf(*unit, canvas);
-    const auto hides = [&](const std::vector<Inset>& insets) {
+    const auto hides = [&](const std::vector<Inset>& insets, bool vertices) {
         float area = 0;
         for (const Inset& inset : insets) {
             const Box frame = inset.frame();
+            const auto hidesVertex = [&](ImVec2 at) { return overlaps(frame, aroundVertex(at)); };
             if (!isCube && overlaps(frame, marks))
+                return true;
+            if (!vertices && std::ranges::any_of(canvas.chosen, hidesVertex))
                 return true;
             area += (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
         }
         return area > largestShare * width * height;
     };
     // The smaller, the better one sees what is around; where two have no room, that of the greater share is
-    // shown alone, and where it has none, either, the texels marked in the image are all.
+    // shown alone, and where it has none, either, the texels marked in the image are all. Only where there is
+    // no other place do they hide a chosen vertex.
     const std::span<const LevelPatch> all(unit->patches);
     const std::span<const LevelPatch> heaviest(&heaviestPatch(*unit), 1);
-    for (const std::span<const LevelPatch> patches : {all, heaviest}) {
-        for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
-            std::vector<Inset> insets = insetsOf(unit, patches, canvas, std::max(largest * share, smallest));
-            if (!hides(insets))
-                return insets;
+    for (const bool overVertices : {false, true}) {
+        for (const std::span<const LevelPatch> patches : {all, heaviest}) {
+            for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
+                std::vector<Inset> insets =
+                    insetsOf(unit, patches, canvas, std::max(largest * share, smallest));
+                if (!hides(insets, overVertices))
+                    return insets;
+            }
         }
     }
     return isCube ? insetsOf(unit, heaviest, canvas, smallest) : std::vector<Inset>{};

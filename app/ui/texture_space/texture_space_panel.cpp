@@ -63,6 +63,19 @@ OutlineMarks marksNow(const Session& session, const std::optional<Grip>& grip) {
     return marks;
 }
 
+/// Where the chosen vertices are; of very many the first.
+std::vector<ImVec2> chosenPlaces(const Session& session, const PlaneCoords& coords, const Canvas& canvas) {
+    constexpr std::size_t most = 64;
+    std::vector<ImVec2> places;
+    for (const std::size_t vertex : chosenVertices(session.window.selection)) {
+        if (places.size() < most && vertex < coords.resultingPlaces().size()) {
+            const glm::vec2 place = coords.resultingPlaces()[vertex];
+            places.push_back(canvas.toPixel(place.x, place.y));
+        }
+    }
+    return places;
+}
+
 void noteCoordPlaces(const Canvas& canvas, const PlaneCoords& coords) {
     if (!arePlacesWanted())
         return;
@@ -90,6 +103,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     const float margin = ImGui::GetFontSize() * 0.4F;
     const PlaneLegend legend = legendOf(session, state, size.x - 2 * margin);
     canvas.legend = boxOf(legend, {topLeft.x + margin, topLeft.y + margin});
+    canvas.chosen = chosenPlaces(session, state.coords, canvas);
 
     PlaneMouse mouse{.hovered = ImGui::IsItemHovered(),
                      .active = ImGui::IsItemActive(),

@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/camera.h"
 #include "app/ui/model/chosen_vertices.h"
+#include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/shown_passes.h"
 #include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
@@ -257,18 +258,24 @@ void pick(Session& session, const Layout& layout, const Panes& panes, view::Size
 }
 
 /// What the mouse does, first what one would not find alone: as much of it as fits.
-constexpr std::array hints{"Hold E: explain",
-                           "Drag: orbit",
-                           "Wheel: zoom",
-                           "Right drag: pan",
-                           "M: magnifier",
-                           "Click: pick a vertex",
-                           "Ctrl + wheel: enlarge the pixels"};
+struct ViewHint {
+    const char* words;
+    const char* key = ""; ///< that a lesson may take
+};
+constexpr std::array hints{ViewHint{"Hold E: explain", "E"},
+                           ViewHint{"Drag: orbit"},
+                           ViewHint{"Wheel: zoom"},
+                           ViewHint{"Right drag: pan"},
+                           ViewHint{"M: magnifier", "M"},
+                           ViewHint{"Click: pick a vertex"},
+                           ViewHint{"Ctrl + wheel: enlarge the pixels"}};
 
-std::string hintsFor(float available) {
+std::string hintsFor(const Session& session, float available) {
     std::string line;
-    for (const char* hint : hints) {
-        const std::string longer = line.empty() ? hint : fmt::format("{}  ·  {}", line, hint);
+    for (const ViewHint& hint : hints) {
+        if (isTakenByLesson(session, hint.key))
+            continue;
+        const std::string longer = line.empty() ? hint.words : fmt::format("{}  ·  {}", line, hint.words);
         if (ImGui::CalcTextSize(tr(longer).c_str()).x > available)
             break;
         line = longer;
@@ -282,7 +289,7 @@ void hintLine(const Session& session, const Layout& layout) {
     const float available = static_cast<float>(layout.view.width) - em;
     const std::optional<Preview>& shown = session.window.preview;
     const std::string line =
-        shown ? fitted(fmt::format("Preview: {}", shown->text), available) : tr(hintsFor(available));
+        shown ? fitted(fmt::format("Preview: {}", shown->text), available) : tr(hintsFor(session, available));
     const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
     const auto height = static_cast<float>(layout.view.bottom() - top);
     ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
@@ -292,6 +299,8 @@ void hintLine(const Session& session, const Layout& layout) {
     ImGui::PopStyleColor();
     if (shown)
         noteItem("preview");
+    else
+        noteItem("view hints:" + line);
 }
 
 /// Says that the picture is not the whole of it, over its lower edge.

@@ -93,16 +93,17 @@ std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owne
 }
 
 bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
-                 const std::string& path, const std::optional<SegmentPlan>& plan) {
+                 const std::string& path, const std::optional<SegmentPlan>& plan,
+                 std::optional<ImU32> chosenInk) {
     if (!plan)
         return listOfChoices(session, owner, row, value, path);
     const EnumRow* current = findRow(row.choices, value.number);
     const auto chosen =
         current ? std::optional(static_cast<std::size_t>(current - row.choices.data())) : std::nullopt;
-    const auto pressed =
-        drawSegments(segmentsOf(session, owner, row), *plan, chosen, [&](std::size_t number) {
-            offerChoice(session, row, row.choices[number], path, number == chosen);
-        });
+    const auto pressed = drawSegments(
+        segmentsOf(session, owner, row), *plan, chosen,
+        [&](std::size_t number) { offerChoice(session, row, row.choices[number], path, number == chosen); },
+        chosenInk);
     if (!pressed || pressed == chosen)
         return false;
     value.number = row.choices[*pressed].value;

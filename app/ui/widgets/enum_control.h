@@ -17,8 +17,10 @@ namespace texplorer::ui {
                                                      const ParamRow& row, float width, std::size_t mostLines);
 
 /// The choices as a plan has them, or, without one, as a list in the item's width. The one that the pointer
-/// rests on is previewed. Tests call each "path=NAME". True where `value` changed.
+/// rests on is previewed. `chosenInk`: of the chosen one of a plan. Tests call each "path=NAME". True where
+/// `value` changed.
 bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
-                 const std::string& path, const std::optional<SegmentPlan>& plan);
+                 const std::string& path, const std::optional<SegmentPlan>& plan,
+                 std::optional<ImU32> chosenInk);
 
 } // namespace texplorer::ui

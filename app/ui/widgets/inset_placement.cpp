@@ -54,26 +54,26 @@ std::vector<ImVec2> placed(std::span<const ImVec2> sizes, const Box& room, float
     return places;
 }
 
-float overlap(const Box& a, const Box& b) {
-    const float width = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
-    const float height = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
-    return width > 0 && height > 0 ? width * height : 0;
-}
-
 float costOf(std::span<const ImVec2> places, std::span<const ImVec2> sizes, const Box& room,
              std::span<const Uncovered> kept) {
     constexpr float unseen = 1000; // a pixel of an inset beyond the room
     float cost = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const Box inset{places[i], {places[i].x + sizes[i].x, places[i].y + sizes[i].y}};
-        cost += unseen * (sizes[i].x * sizes[i].y - overlap(inset, room));
+        cost += unseen * (sizes[i].x * sizes[i].y - sharedArea(inset, room));
         for (const Uncovered& each : kept)
-            cost += each.worth * overlap(inset, each.box);
+            cost += each.worth * sharedArea(inset, each.box);
     }
     return cost;
 }
 
 } // namespace
+
+float sharedArea(const Box& a, const Box& b) {
+    const float width = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
+    const float height = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
+    return width > 0 && height > 0 ? width * height : 0;
+}
 
 std::vector<ImVec2> placeInsets(std::span<const ImVec2> sizes, const Box& room, float gap,
                                 std::span<const Uncovered> kept) {

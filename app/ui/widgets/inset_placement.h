@@ -17,6 +17,9 @@ struct Box {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
+/// In pixels; 0: they don't overlap.
+[[nodiscard]] float sharedArea(const Box& a, const Box& b);
+
 /// What one would rather see than an inset.
 struct Uncovered {
     Box box;

@@ -5,17 +5,17 @@
 #include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
-
-constexpr float tipWidth = 26; ///< of a tooltip, in letters' heights
 
 /// Who clicks looks at what came of it: what covers a part of that waits until the pointer moves on.
 bool hasJustClicked() {
@@ -23,19 +23,6 @@ bool hasJustClicked() {
     const ImVec2 way(io.MousePos.x - io.MouseClickedPos[0].x, io.MousePos.y - io.MouseClickedPos[0].y);
     const float near = ImGui::GetFontSize() * 0.4F;
     return io.MouseClickedTime[0] > 0 && way.x * way.x + way.y * way.y < near * near;
-}
-
-/// In the usual ink, whatever that of what it is about.
-void beginTip() {
-    ImGui::BeginTooltip();
-    ImGui::PushStyleColor(ImGuiCol_Text, color::text);
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-}
-
-void endTip() {
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    ImGui::EndTooltip();
 }
 
 /// In which frame a choice has said what it is, which needn't be said again of the row that it belongs to.
@@ -85,9 +72,8 @@ void helpTip(std::string_view words) {
         return hint(std::string(words));
     if (ImGui::IsItemHovered() && hasJustClicked())
         return;
-    beginTip();
-    plainText(printable(tr(words), LineBreaks::Keep));
-    endTip();
+    const TipLine line{printable(tr(words), LineBreaks::Keep)};
+    showTip({&line, 1});
 }
 
 void warningSign() {
@@ -165,40 +151,29 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
         return;
     if (ImGui::IsItemHovered() && hasJustClicked())
         return;
-    beginTip();
-    if (const std::string call = formatCall(row, value, target); !call.empty()) {
-        ImGui::PushFont(codeFont());
-        plainText(call);
-        ImGui::PopFont();
-    }
-    text(row.help);
+    std::vector<TipLine> lines;
+    const auto add = [&lines](std::string words, ImU32 ink) { lines.push_back({std::move(words), ink}); };
+    if (const std::string call = formatCall(row, value, target); !call.empty())
+        lines.push_back({call, color::text, true});
+    add(tr(row.help), color::text);
     if (row.kind == Kind::Text && !std::get<std::string>(value).empty())
-        dimPlainText(printable(std::get<std::string>(value))); // the field shows the beginning
+        add(printable(std::get<std::string>(value)), color::dim); // the field shows the beginning
     if (row.kind == Kind::Enum) {
         if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
-            dimPlainText(fmt::format("{}: {}", tr(choice->label), tr(choice->help)));
+            add(fmt::format("{}: {}", tr(choice->label), tr(choice->help)), color::dim);
             if (!choice->since.empty())
-                dimText(nameAndOrigin(*choice));
+                add(tr(nameAndOrigin(*choice)), color::dim);
         }
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
-        dimText("Drag it, or double-click to type a number.");
-    if (problem) {
-        const bool isWrong = problem->severity <= Severity::Warning;
-        ImGui::PushStyleColor(ImGuiCol_Text, isWrong ? color::problem : color::text);
-        text(sentenceOf(*problem));
-        ImGui::PopStyleColor();
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        add(tr("Drag it, or double-click to type a number."), color::dim);
+    if (problem)
+        add(tr(sentenceOf(*problem)), problem->severity <= Severity::Warning ? color::problem : color::text);
     if (idle)
-        text(fmt::format("No effect now: {}.", idle->sentence));
-    ImGui::PopStyleColor();
-    if (value != initial) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        text(howToReset(row, initial, hasSign));
-        ImGui::PopStyleColor();
-    }
-    endTip();
+        add(tr(fmt::format("No effect now: {}.", idle->sentence)), color::problem);
+    if (value != initial)
+        add(tr(howToReset(row, initial, hasSign)), color::changed);
+    showTip(lines);
 }
 
 namespace {
@@ -225,16 +200,10 @@ void choiceTip(const EnumRow& choice) {
     toldChoice = {ImGui::GetFrameCount(), hintChoice(choice)};
     if (toldChoice.below || hasJustClicked())
         return;
-    // Beside the list, so that it doesn't hide the next choices.
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-    if (right + ImGui::GetFontSize() * (tipWidth + 2) < ImGui::GetIO().DisplaySize.x)
-        ImGui::SetNextWindowPos({right + ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y});
-    beginTip();
-    text(choice.label);
-    text(choice.help);
+    std::vector<TipLine> lines{{tr(choice.label)}, {tr(choice.help)}};
     if (!choice.since.empty())
-        dimText(nameAndOrigin(choice));
-    endTip();
+        lines.push_back({tr(nameAndOrigin(choice)), color::dim});
+    showTip(lines);
 }
 
 } // namespace texplorer::ui

@@ -22,12 +22,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
 
 constexpr float labelShare = 0.44F;        ///< of a line's width
 constexpr float narrowest = 7.5F;          ///< of a control beside its label, in letters' heights
+constexpr float resetRoom = 1.3F;          ///< of ↺ and the gap before it, likewise
 constexpr float wideColumn = 37.3F;        ///< room for two columns of lines, in letters' heights: 560 pixels
 constexpr std::size_t mostButtonLines = 3; ///< of the buttons of a choice
 
@@ -52,6 +54,7 @@ struct Line {
     bool reset = false;
     bool hasSign = true;               ///< ↺, once it isn't the initial value
     std::optional<SegmentPlan> plan{}; ///< of a choice whose names are all in sight
+    std::optional<ImU32> chosenInk{};  ///< of the chosen one of these
     std::optional<float> slidesTo{};   ///< of a number with a slider: where that ends
 };
 
@@ -88,7 +91,8 @@ bool control(Session& session, const Owner& owner, const ParamRow& row, Line& li
     case Kind::Color:
         return colorControl(std::get<glm::vec4>(value));
     case Kind::Enum:
-        return enumControl(session, owner, row, std::get<EnumValue>(value), line.path, line.plan);
+        return enumControl(session, owner, row, std::get<EnumValue>(value), line.path, line.plan,
+                           line.chosenInk);
     case Kind::Text:
         return textField("##value", std::get<std::string>(value), ImGuiInputTextFlags_EnterReturnsTrue);
     case Kind::Matrix:
@@ -111,7 +115,7 @@ bool isContinuous(Kind kind) {
 
 namespace {
 
-/// What the history calls it: of choices several in a row would all be "Mode".
+/// What the history calls it: of choices several in a row would all be "Wrap s".
 std::string wordsOfEdit(const ParamRow& row, const Value& value) {
     const EnumRow* choice =
         row.kind == Kind::Enum ? findRow(row.choices, std::get<EnumValue>(value).number) : nullptr;
@@ -151,8 +155,17 @@ bool squareButton(const char* sign, std::string_view name, std::string_view help
 }
 
 void caption(std::string_view words) {
-    ImGui::Dummy({0, ImGui::GetFontSize() * 0.15F});
-    dimText(words);
+    const float em = ImGui::GetFontSize();
+    ImGui::Dummy({0, em * 0.15F});
+    ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the dim one says that something has no effect
+    text(words);
+    ImGui::PopStyleColor();
+    const float left = ImGui::GetItemRectMax().x + em * 0.5F;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float middle = std::round((ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2);
+    if (left < right)
+        ImGui::GetWindowDrawList()->AddLine({left, middle}, {right, middle},
+                                            ImGui::GetColorU32(ImGuiCol_Separator), std::max(1.0F, em / 15));
 }
 
 namespace {
@@ -261,9 +274,8 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
     if (!ImGui::BeginPopup("row"))
         return;
     Settings& settings = session.window.settings;
-    dimText(glNameOf(row).empty() ? std::string(row.label)
+    caption(glNameOf(row).empty() ? std::string(row.label)
                                   : fmt::format("{} · {}", row.label, glNameOf(row)));
-    ImGui::Separator();
     line.reset |= ImGui::MenuItem(label(backTo(row, line)).c_str(), nullptr, false, line.changed);
     noteItem(line.path + "#menu:reset");
     const bool isThere = isEssential(line.path);
@@ -328,42 +340,9 @@ bool finish(Session& session, const Owner& owner, const ParamRow& row, const Lin
 
 namespace {
 
-bool controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width) {
-    ImGui::PushID(line.path.c_str());
-    line.hasSign = false;
-    drawControl(session, owner, row, line, width,
-                line.problem && line.problem->severity <= Severity::Warning ? color::problem
-                : line.changed                                              ? color::changed
-                                                                            : color::text);
-    if (line.problem)
-        noteItem(line.path + "#problem");
-    rowMenu(session, row, line);
-    ImGui::PopID();
-    return finish(session, owner, row, line);
-}
-
-} // namespace
-
-bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
-    Line line = lineOf(session, owner, row);
-    line.plan = planChoices(session, owner, row, width, lines);
-    return controlAlone(session, owner, row, std::move(line), width);
-}
-
-bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
-    Line line = lineOf(session, owner, row);
-    line.slidesTo = end;
-    return controlAlone(session, owner, row, std::move(line), width);
-}
-
-namespace {
-
-/// Back to the initial value, at the right end of a line that is so wide.
-void resetSign(const ParamRow& row, Line& line, float full) {
-    if (!line.changed)
-        return;
+/// Back to the initial value, of a line that has another one.
+void resetSign(const ParamRow& row, Line& line) {
     const float em = ImGui::GetFontSize();
-    ImGui::SameLine(full - em);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
     ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
@@ -374,7 +353,50 @@ void resetSign(const ParamRow& row, Line& line, float full) {
     helpTip(backTo(row, line));
 }
 
+/// `sign`: the room for ↺ beside it; 0: that it was changed is said by its colour, of buttons by that of the
+/// chosen one.
+bool controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width,
+                  float sign = 0) {
+    ImGui::PushID(line.path.c_str());
+    line.hasSign = sign > 0;
+    ImU32 ink = line.problem && line.problem->severity <= Severity::Warning ? color::problem
+                : line.changed && !line.hasSign                             ? color::changed
+                                                                            : color::text;
+    if (line.plan && !line.idle)
+        line.chosenInk = std::exchange(ink, color::text);
+    drawControl(session, owner, row, line, width - sign, ink);
+    if (line.problem)
+        noteItem(line.path + "#problem");
+    if (line.hasSign) {
+        const float em = ImGui::GetFontSize();
+        ImGui::SameLine(0, sign - em);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {segmentGap(), segmentGap()}); // as after the buttons
+        line.changed ? resetSign(row, line) : ImGui::Dummy({em, 0});
+        ImGui::PopStyleVar();
+    }
+    rowMenu(session, row, line);
+    ImGui::PopID();
+    return finish(session, owner, row, line);
+}
+
 } // namespace
+
+bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
+    Line line = lineOf(session, owner, row);
+    const float sign = ImGui::GetFontSize() * resetRoom;
+    line.plan = planChoices(session, owner, row, width, lines);
+    auto narrower = line.plan ? planChoices(session, owner, row, width - sign, lines) : std::nullopt;
+    if (!narrower || narrower->lines.size() > line.plan->lines.size()) // the sign isn't worth another line
+        return controlAlone(session, owner, row, std::move(line), width);
+    line.plan = std::move(narrower);
+    return controlAlone(session, owner, row, std::move(line), width, sign);
+}
+
+bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
+    Line line = lineOf(session, owner, row);
+    line.slidesTo = end;
+    return controlAlone(session, owner, row, std::move(line), width);
+}
 
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     if (isList(row.kind))
@@ -386,7 +408,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     // Controls stand below each other, beside lines that are indented, too.
     const float indent = ImGui::GetCurrentWindowRead()->DC.Indent.x - ImGui::GetStyle().WindowPadding.x;
     const float full = ImGui::GetContentRegionAvail().x;
-    const float resetWidth = em * 1.3F;
+    const float resetWidth = em * resetRoom;
     const std::string_view name = shownName(session.window.settings, row);
     // A label that is a little wider than its column takes some of the control's.
     const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) +
@@ -416,15 +438,21 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     }
     keySign(session, line);
     float controlWidth = hasLines ? full : full - resetWidth;
+    const auto resetAtEnd = [&] {
+        if (!line.changed)
+            return;
+        ImGui::SameLine(full - em);
+        resetSign(row, line);
+    };
     if (hasLines) {
-        resetSign(row, line, full);
+        resetAtEnd();
     } else if (!ownLine) {
         ImGui::SameLine(labelWidth); // from where the group begins
         controlWidth -= labelWidth;
     }
     drawControl(session, owner, row, line, controlWidth, color::text);
     if (!hasLines)
-        resetSign(row, line, full);
+        resetAtEnd();
     ImGui::EndGroup();
     rowMenu(session, row, line);
     ImGui::PopID();

@@ -3,18 +3,17 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_tips.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace texplorer::ui {
-namespace {
 
 float segmentGap() {
     return std::max(1.0F, std::floor(ImGui::GetFontSize() / 12));
 }
+
+namespace {
 
 float segmentPadding() {
     return std::floor(ImGui::GetFontSize() * 0.3F);
@@ -105,7 +104,8 @@ std::optional<SegmentPlan> planSegments(std::span<const Segment> segments, float
 
 std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const SegmentPlan& plan,
                                         std::optional<std::size_t> chosen,
-                                        const std::function<void(std::size_t)>& after) {
+                                        const std::function<void(std::size_t)>& after,
+                                        std::optional<ImU32> chosenInk) {
     const float gap = segmentGap();
     std::optional<std::size_t> pressed;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
@@ -116,7 +116,7 @@ std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const
     for (const SegmentPlan::Line& line : plan.lines) {
         if (plan.names > 0) {
             ImGui::AlignTextToFramePadding();
-            dimText(line.group);
+            text(line.group);
             ImGui::SameLine();
             ImGui::SetCursorPosX(left + plan.names);
         }
@@ -127,9 +127,11 @@ std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const
             ImGui::PushID(static_cast<int>(number));
             ImGui::PushStyleColor(ImGuiCol_Button,
                                   ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+            if (isChosen && chosenInk)
+                ImGui::PushStyleColor(ImGuiCol_Text, *chosenInk);
             if (ImGui::Button(label(segments[number].text).c_str(), {line.widths[i], 0}))
                 pressed = number;
-            ImGui::PopStyleColor();
+            ImGui::PopStyleColor(isChosen && chosenInk ? 2 : 1);
             ImGui::PopID();
             if (isChosen) { // not by its ground alone
                 const ImVec2 low = ImGui::GetItemRectMin();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -26,15 +28,17 @@ struct SegmentPlan {
     float names = 0; ///< what the groups' names take at the left
 };
 
+/// Between two buttons, and between two lines of them.
+[[nodiscard]] float segmentGap();
+
 /// The plan with the fewest lines in which no text is cut short; nothing: there is none with so few.
 [[nodiscard]] std::optional<SegmentPlan> planSegments(std::span<const Segment> segments, float width,
                                                       std::size_t mostLines);
 
-/// Draws the buttons as one group. `after` is called with the number of each, right after it. The one that
-/// was pressed, if any.
-[[nodiscard]] std::optional<std::size_t> drawSegments(std::span<const Segment> segments,
-                                                      const SegmentPlan& plan,
-                                                      std::optional<std::size_t> chosen,
-                                                      const std::function<void(std::size_t)>& after);
+/// Draws the buttons as one group. `after` is called with the number of each, right after it; `chosenInk` is
+/// for the name of the chosen one. The one that was pressed, if any.
+[[nodiscard]] std::optional<std::size_t>
+drawSegments(std::span<const Segment> segments, const SegmentPlan& plan, std::optional<std::size_t> chosen,
+             const std::function<void(std::size_t)>& after, std::optional<ImU32> chosenInk = {});
 
 } // namespace texplorer::ui

@@ -92,12 +92,13 @@ void comfortItems(Session& session) {
         ImGui::EndMenu();
     }
     if (comfortMenu("Text size")) {
-        if (comfortItem("Larger", keysOf("larger text"), false, settings.textPercent < Settings::largestText))
+        if (comfortItem("Larger", keysOf(session, "larger text"), false,
+                        settings.textPercent < Settings::largestText))
             changeTextSize(session, 1);
-        if (comfortItem("Smaller", keysOf("smaller text"), false,
+        if (comfortItem("Smaller", keysOf(session, "smaller text"), false,
                         settings.textPercent > Settings::smallestText))
             changeTextSize(session, -1);
-        if (comfortItem("Usual", keysOf("usual text")))
+        if (comfortItem("Usual", keysOf(session, "usual text")))
             settings.textPercent = Settings{}.textPercent;
         ImGui::Separator();
         for (const int size : textSizes) {
@@ -110,9 +111,10 @@ void comfortItems(Session& session) {
         settings.helpBelow = !settings.helpBelow;
     helpTip("What the pointer rests on is explained at the lower edge of the window, and not over its "
             "neighbours.");
-    if (comfortItem("Full screen", keysOf("full screen"), session.window.fillsScreen))
+    if (comfortItem("Full screen", keysOf(session, "full screen"), session.window.fillsScreen))
         session.window.fillsScreen = !session.window.fillsScreen;
-    if (comfortItem("View alone", keysOf("view alone"), maximisedOf(settings.workspace) == Maximised::View))
+    if (comfortItem("View alone", keysOf(session, "view alone"),
+                    maximisedOf(settings.workspace) == Maximised::View))
         toggleMaximised(settings.workspace, Maximised::View);
 }
 

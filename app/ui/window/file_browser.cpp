@@ -219,8 +219,11 @@ bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, flo
             }
         }
     }
-    if (!any)
-        dimText("Nothing to open here.");
+    if (!any) {
+        const char* words = browser.saving ? "Nothing to replace here." : "Nothing to open here.";
+        dimText(words);
+        noteItem(fmt::format("browser:{}", words));
+    }
     ImGui::EndChild();
     ImGui::PopStyleColor();
     return chosen;

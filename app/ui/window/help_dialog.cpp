@@ -1,6 +1,7 @@
 #include "app/ui/window/help_dialog.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/texture_space/plane_keys.h"
 #include "app/ui/widgets/keys.h"
@@ -50,7 +51,6 @@ constexpr std::array otherKeys{
     Line{"F6, Shift+F6",
          "to the next panel: arrows walk among its controls, Space works them; Escape ends it"},
     Line{"Menu key, Shift+F10", "what a right click opens, of the control that the keyboard is at"},
-    Line{"hold E", "explain the pixel under the mouse"},
 };
 
 struct Legend {
@@ -83,20 +83,24 @@ struct HelpRow {
 
 using HelpRows = std::vector<HelpRow>;
 
-/// A row for each thing that keys do, with all keys that do it.
-void addKeys(HelpRows& help) {
+/// A row for each thing that keys do, with all keys that do it, without those that the lesson has taken.
+void addKeys(const Session& session, HelpRows& help) {
     const std::span<const Shortcut> rows = shortcuts();
     for (auto row = rows.begin(); row != rows.end();) {
+        const bool taken = isTaken(session, *row);
         std::string keys = labelOf(*row);
         const char* effect = row->effect;
         for (++row; row != rows.end() && row->name.empty(); ++row) {
             if (const std::string other = labelOf(*row); keys.find(other) == std::string::npos)
                 keys += ", " + other;
         }
-        help.push_back({keys, effect});
+        if (!taken)
+            help.push_back({keys, effect});
     }
     for (const Line& line : otherKeys)
         help.push_back({line.keys, line.effect});
+    if (!isTakenByLesson(session, "E"))
+        help.push_back({"hold E", "explain the pixel under the mouse"});
 }
 
 /// The lesson's own, which go before the others.
@@ -113,7 +117,7 @@ HelpRows helpRows(const Session& session) {
     HelpRows help;
     addLessonKeys(session, help);
     help.push_back({"Keys", "", color::dim});
-    addKeys(help);
+    addKeys(session, help);
     help.push_back({"Mouse", "", color::dim});
     for (const Line& line : mouseLines)
         help.push_back({line.keys, line.effect});

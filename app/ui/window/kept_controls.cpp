@@ -61,18 +61,21 @@ bool isInRow(const Session& session, const KeptRow& row) {
     return row.brief && (row.needsKept ? session.document.kept.scene != nullptr : true);
 }
 
-std::string helpOf(const KeptRow& row) {
-    return row.shortcut.empty()
-               ? std::string(row.help)
-               : fmt::format("{}\n{}", row.help, fmt::format("Key {}", keysOf(row.shortcut)));
+/// The key that does it; empty: none.
+std::string keyOf(const Session& session, const KeptRow& row) {
+    return row.shortcut.empty() ? std::string() : keysOf(session, row.shortcut);
+}
+
+std::string helpOf(const Session& session, const KeptRow& row) {
+    const std::string key = keyOf(session, row);
+    return key.empty() ? std::string(row.help) : fmt::format("{}\n{}", row.help, fmt::format("Key {}", key));
 }
 
 } // namespace
 
 void drawKeptMenu(Session& session) {
     for (const KeptRow& row : keptRows) {
-        const std::string keys = row.shortcut.empty() ? std::string() : keysOf(row.shortcut);
-        if (ImGui::MenuItem(label(row.label), keys.c_str(), row.isOn(session),
+        if (ImGui::MenuItem(label(row.label), keyOf(session, row).c_str(), row.isOn(session),
                             !row.needsKept || session.document.kept.scene))
             row.act(session);
         noteItem(fmt::format("a-b:{}", row.name));
@@ -103,7 +106,7 @@ void drawKeptControls(Session& session, float available) {
             row.act(session);
         ImGui::PopStyleColor();
         noteItem(fmt::format("a-b row:{}", row.name));
-        helpTip(helpOf(row));
+        helpTip(helpOf(session, row));
         ImGui::SameLine(0, gap);
     }
 }

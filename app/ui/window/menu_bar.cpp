@@ -27,9 +27,8 @@
 namespace texplorer::ui {
 namespace {
 
-/// `shortcut` is the name of its row; empty: it has none.
-bool item(const std::string& name, std::string_view shortcut = {}, bool enabled = true, bool marked = false) {
-    const std::string keys = shortcut.empty() ? std::string() : keysOf(shortcut);
+/// `keys`: what does the same, "Ctrl+S".
+bool item(const std::string& name, const std::string& keys = {}, bool enabled = true, bool marked = false) {
     const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
     noteItem("menu:" + name);
     return pressed;
@@ -89,32 +88,62 @@ void examplesMenu(Session& session) {
     ImGui::EndMenu();
 }
 
-void fileMenu(Session& session) {
+void drawLessonsMenu(Session& session) {
+    const Language language = catalogueInUse() ? catalogueInUse()->language() : Language::English;
+    std::string wanted;
+    for (const LessonTitle& each : lessonTitles(language)) {
+        const LessonProgress progress = progressOf(session, each.name, each.steps);
+        const bool isOpen = session.window.lesson && session.window.lesson->key == each.name;
+        const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
+        if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
+            wanted = each.name;
+        noteItem("menu:lesson:" + each.name);
+        helpTip(each.about);
+    }
+    ImGui::Separator();
+    if (item("Leave the lesson", {}, session.window.lesson != nullptr))
+        closeLesson(session);
+    if (item("Save my answers…", {}, !session.window.settings.lessons.empty()))
+        askSaveAnswers(session);
+    if (item("Copy my answers", {}, !session.window.settings.lessons.empty())) {
+        ImGui::SetClipboardText(answersText(session).c_str());
+        tell(session, "The clipboard has what you did in each lesson, as JSON.");
+    }
+    if (!wanted.empty())
+        askLesson(session, wanted);
+}
+
+/// `hasLessons`: they have no menu of their own.
+void fileMenu(Session& session, bool hasLessons) {
     if (item("New"))
         askNewScene(session);
     examplesMenu(session);
-    if (item("Open scene…", "open scene"))
+    if (hasLessons && menu("Lessons")) {
+        drawLessonsMenu(session);
+        ImGui::EndMenu();
+    }
+    if (item("Open scene…", keysOf(session, "open scene")))
         askOpenScene(session);
-    if (item("Open image…", "open image"))
+    if (item("Open image…", keysOf(session, "open image")))
         askOpenImage(session);
     if (menu("Open recent")) {
         recentItems(session);
         ImGui::EndMenu();
     }
     ImGui::Separator();
-    if (item("Save", "save"))
+    if (item("Save", keysOf(session, "save")))
         save(session);
-    if (item("Save as…", "save as"))
+    if (item("Save as…", keysOf(session, "save as")))
         askSaveAs(session);
     if (menu("Export as program")) {
         programMenuItems(session);
         ImGui::EndMenu();
     }
     ImGui::Separator();
-    if (item("Picture of the view", "view picture"))
+    if (item("Picture of the view", keysOf(session, "view picture")))
         session.window.wantedCapture = Capture::View;
     helpTip("Writes what the view shows as a PNG file into your folder of pictures.");
-    if (item("Picture of the window", "window picture"))
+    if (item("Picture of the window", keysOf(session, "window picture")))
         session.window.wantedCapture = Capture::Window;
     helpTip("The same with all panels.");
     if (item("Sheet of variations…"))
@@ -129,11 +158,11 @@ void fileMenu(Session& session) {
         copySceneLink(session);
     helpTip(
         "The scene as a text, for a mail or a chat. Pasting it opens the scene; files are named, not packed.");
-    if (item("Paste scene", "paste"))
+    if (item("Paste scene", keysOf(session, "paste")))
         pasteScene(session);
     helpTip("Opens the scene of a link that was copied.");
     ImGui::Separator();
-    if (item("Quit", "quit"))
+    if (item("Quit", keysOf(session, "quit")))
         requestQuit(session);
 }
 
@@ -152,10 +181,10 @@ void editMenu(Session& session, const Layout& layout) {
     const History& history = session.document.history;
     const std::string_view undone = history.undoName();
     const std::string_view redone = history.redoName();
-    if (item(undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone), "undo",
+    if (item(undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone), keysOf(session, "undo"),
              history.canUndo()))
         undo(session);
-    if (item(redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone), "redo",
+    if (item(redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone), keysOf(session, "redo"),
              history.canRedo()))
         redo(session);
     ImGui::Separator();
@@ -164,7 +193,7 @@ void editMenu(Session& session, const Layout& layout) {
     helpTip("A command line that draws this view without a window, for scripts.");
     ImGui::Separator();
     resetItem(session);
-    dimText("Reset to GL's initial values");
+    caption("Reset to GL's initial values");
     Texture* texture = boundTexture(session);
     if (item("Texture parameters", {}, texture != nullptr))
         resetTo(session, *texture, "Reset texture", withInitialParameters(*texture));
@@ -185,13 +214,13 @@ std::string_view shortcutOf(RendererKind renderer) {
 /// For those who show the window to others.
 void presentingItems(Session& session) {
     ViewNotes& notes = session.window.notes;
-    if (item("Note", "note"))
+    if (item("Note", keysOf(session, "note")))
         addNoteInTheMiddle(session);
     helpTip("Words over the view: drag them, double-click to edit, Delete removes. The key puts them at the "
             "pointer.");
     if (item("Clear notes", {}, !notes.list.empty()))
         clearNotes(session);
-    if (item("Spotlight", "spotlight", true, session.window.spotlight))
+    if (item("Spotlight", keysOf(session, "spotlight"), true, session.window.spotlight))
         session.window.spotlight = !session.window.spotlight;
     helpTip("All but what is near the pointer is dim, so that everybody looks there.");
 }
@@ -218,12 +247,13 @@ void viewMenu(Session& session, const Layout& layout) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen =
             !comparesRenderers(session.window.view) && session.window.view.renderer == renderer;
-        if (item(fmt::format("Drawn by: {}", row.label), shortcutOf(renderer),
+        if (item(fmt::format("Drawn by: {}", row.label), keysOf(session, shortcutOf(renderer)),
                  session.window.view.offered.has(renderer), chosen))
             showOne(session.window.view, renderer);
         helpTip(helpOf(session.window.view, row));
     }
-    if (item("Compare", "compare", canCompare(session.window.view), comparesRenderers(session.window.view)))
+    if (item("Compare", keysOf(session, "compare"), canCompare(session.window.view),
+             comparesRenderers(session.window.view)))
         showComparison(session.window.view);
     methodItems("Anisotropy of the reference: {}", session.window.view.anisotropy);
     methodItems("rho of the reference: {}", session.window.view.rho);
@@ -232,9 +262,10 @@ void viewMenu(Session& session, const Layout& layout) {
         shownItems(session.window.view);
         ImGui::EndMenu();
     }
-    if (item("Magnifier", "magnifier", true, session.window.view.magnifies))
+    if (item("Magnifier", keysOf(session, "magnifier"), true, session.window.view.magnifies))
         session.window.view.magnifies = !session.window.view.magnifies;
-    if (item("Picture pixel for pixel", "pixel for pixel", session.window.view.zoom.factor > 1))
+    if (item("Picture pixel for pixel", keysOf(session, "pixel for pixel"),
+             session.window.view.zoom.factor > 1))
         session.window.view.zoom = {};
     ImGui::Separator();
     presentingItems(session);
@@ -247,35 +278,10 @@ void viewMenu(Session& session, const Layout& layout) {
     layoutsMenu(session);
     panelsMenu(session);
     ImGui::Separator();
-    if (item("Frame the models", "frame"))
+    if (item("Frame the models", keysOf(session, "frame")))
         frameAll(session, layout);
-    if (item("Reset camera", "reset camera"))
+    if (item("Reset camera", keysOf(session, "reset camera")))
         resetCamera(session, layout);
-}
-
-void drawLessonsMenu(Session& session) {
-    const Language language = catalogueInUse() ? catalogueInUse()->language() : Language::English;
-    std::string wanted;
-    for (const LessonTitle& each : lessonTitles(language)) {
-        const LessonProgress progress = progressOf(session, each.name, each.steps);
-        const bool isOpen = session.window.lesson && session.window.lesson->key == each.name;
-        const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
-        if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
-            wanted = each.name;
-        noteItem("menu:lesson:" + each.name);
-        helpTip(each.about);
-    }
-    ImGui::Separator();
-    if (item("Leave the lesson", {}, session.window.lesson != nullptr))
-        closeLesson(session);
-    if (item("Save my answers…", {}, !session.window.settings.lessons.empty()))
-        askSaveAnswers(session);
-    if (item("Copy my answers", {}, !session.window.settings.lessons.empty())) {
-        ImGui::SetClipboardText(answersText(session).c_str());
-        tell(session, "The clipboard has what you did in each lesson, as JSON.");
-    }
-    if (!wanted.empty())
-        askLesson(session, wanted);
 }
 
 /// Who draws, and A: as large as the clock leaves room for both. Where there is hardly any, who draws has it,
@@ -315,11 +321,7 @@ void drawMenuBar(Session& session, const Layout& layout) {
         const bool isWide =
             static_cast<float>(layout.menu.width) > ImGui::GetFontSize() * narrowestWithLessons;
         if (menu("File")) {
-            fileMenu(session);
-            if (!isWide && menu("Lessons")) {
-                drawLessonsMenu(session);
-                ImGui::EndMenu();
-            }
+            fileMenu(session, !isWide);
             ImGui::EndMenu();
         }
         if (menu("Edit")) {
@@ -343,7 +345,7 @@ void drawMenuBar(Session& session, const Layout& layout) {
             ImGui::EndMenu();
         }
         if (menu("Help")) {
-            if (item("Keys and mouse, about…", "help"))
+            if (item("Keys and mouse, about…", keysOf(session, "help")))
                 session.window.dialog = Dialog::Help;
             if (item("Tour"))
                 session.window.tour = 0;

@@ -13,10 +13,8 @@ void drawPresetsMenu(Session& session) {
     std::string_view group;
     for (const Preset& preset : presets()) {
         if (preset.group != group) {
-            if (!group.empty())
-                ImGui::Separator();
             group = preset.group;
-            dimText(group);
+            caption(group);
         }
         if (ImGui::MenuItem(label(preset.label).c_str()))
             choosePreset(session, preset);

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/view/framing.h"
@@ -137,20 +138,32 @@ std::span<const Shortcut> shortcuts() {
     return shortcutRows;
 }
 
+namespace {
+
+std::string nameOfKey(int key) {
+    const auto* named = std::ranges::find(keyNames, key, &KeyName::key);
+    return named != keyNames.end() ? named->name : std::string(1, static_cast<char>(key));
+}
+
+} // namespace
+
 std::string labelOf(const Shortcut& shortcut) {
     std::string label;
     if (shortcut.control)
         label += "Ctrl+";
     if (shortcut.shift)
         label += "Shift+";
-    const auto* named = std::ranges::find(keyNames, shortcut.key, &KeyName::key);
-    return named != keyNames.end() ? label + tr(named->name) : label + static_cast<char>(shortcut.key);
+    return label + tr(nameOfKey(shortcut.key));
 }
 
-std::string keysOf(std::string_view name) {
+bool isTaken(const Session& session, const Shortcut& shortcut) {
+    return !shortcut.control && !shortcut.shift && isTakenByLesson(session, nameOfKey(shortcut.key));
+}
+
+std::string keysOf(const Session& session, std::string_view name) {
     const auto* row = std::ranges::find(shortcutRows, name, &Shortcut::name);
     assert(row != shortcutRows.end());
-    return labelOf(*row);
+    return isTaken(session, *row) ? std::string() : labelOf(*row);
 }
 
 void handleShortcuts(Session& session, const Layout& layout) {

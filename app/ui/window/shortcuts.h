@@ -24,8 +24,11 @@ struct Shortcut {
 /// "Ctrl+Shift+Z"
 [[nodiscard]] std::string labelOf(const Shortcut& shortcut);
 
-/// The same of the shortcut with this name, for a menu.
-[[nodiscard]] std::string keysOf(std::string_view name);
+/// Whether the open lesson has taken the key, so that the shortcut does nothing.
+[[nodiscard]] bool isTaken(const Session& session, const Shortcut& shortcut);
+
+/// The label of the shortcut with this name, for a menu; empty while it is taken.
+[[nodiscard]] std::string keysOf(const Session& session, std::string_view name);
 
 /// Does what the keys of this frame say. After the panels.
 void handleShortcuts(Session& session, const Layout& layout);

@@ -44,7 +44,7 @@ constexpr std::array passRows{
 constexpr std::array fogRows{
     param<&Fog::enabled>("enabled", "Fog", "Fog", "glEnable(GL_FOG)",
                          "Whether colours fade with the distance, after texturing."),
-    param<&Fog::mode>("mode", "Fog", "Mode", "glFogi(GL_FOG_MODE, {})",
+    param<&Fog::mode>("mode", "Fog", "Fog mode", "glFogi(GL_FOG_MODE, {})",
                       "How fog thickens with the distance."),
     param<&Fog::density>("density", "Fog", "Density", "glFogf(GL_FOG_DENSITY, {})",
                          "How thick exponential fog is: at a distance of 1 / density a third is left.",

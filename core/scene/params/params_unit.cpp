@@ -17,7 +17,7 @@ constexpr std::array unitRows{
     param<&Unit::texture>("texture", "Unit", "Texture", "glBindTexture(target, textures[{}])",
                           "Which of the scene's textures is bound, counted from 0.",
                           {0, static_cast<float>(maxTextures - 1), 0.05F, {}}),
-    param<&Unit::envMode>("envMode", "Environment", "Mode",
+    param<&Unit::envMode>("envMode", "Environment", "Environment mode",
                           "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {})",
                           "How the texture's colour and the fragment's colour become one."),
     color<&Unit::envColor>(
@@ -136,7 +136,7 @@ constexpr std::array<TexGenCalls, 4> texGenCalls{{
 }};
 
 constexpr auto texGenRows(const TexGenCalls& calls) {
-    ParamRow mode = param<&TexGen::mode>("mode", "Generation", "Mode", calls.mode,
+    ParamRow mode = param<&TexGen::mode>("mode", "Generation", "Generation mode", calls.mode,
                                          "What the coordinate is made from instead of what the vertex has.");
     mode.choices = calls.modes;
     return std::array{

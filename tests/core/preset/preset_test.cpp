@@ -150,6 +150,19 @@ TEST(Presets, ChangeExactlyWhatTheySay) {
     }
 }
 
+TEST(Presets, LeaveAPictureOfOnesOwn) {
+    Scene own = defaultScene();
+    own.textures[0].source = SourceKind::File;
+    own.textures[0].file = "mine.png";
+    own.passes[0].lighting = false;
+    for (const char* name : {"projector", "sphere-map", "shimmer", "decal", "cut-out", "anisotropy"}) {
+        const Texture texture = with(name, own).textures[0];
+        EXPECT_EQ(texture.source, SourceKind::File) << name;
+        EXPECT_EQ(texture.file, "mine.png") << name;
+    }
+    EXPECT_TRUE(with("projector", own).passes[0].lighting) << "what is turned away from the light stays dark";
+}
+
 TEST(Presets, OnceMoreChangeNothing) {
     for (const Preset& each : presets()) {
         const Scene once = with(each.name);

@@ -474,6 +474,24 @@ TEST_F(ExplainTab, TheCardsOfOneUnitFit) {
     }
 }
 
+// A line of cards ends where a unit does.
+TEST_F(ExplainTab, TheCardsOfAUnitStandInOneLine) {
+    Scene two = defaultScene();
+    Unit& second = two.passes[0].units[1];
+    second.enabled = true;
+    second.texture = 0;
+    start(std::move(two));
+    clickAt(onTheCube());
+    for (const char* unit : {", unit 0", ", unit 1"}) {
+        const float top = places.items.at(std::string("card:Coordinates") + unit).top;
+        for (const char* stage : {"LOD", "Texels", "Filter", "Environment"})
+            EXPECT_EQ(places.items.at(std::string("card:") + stage + unit).top, top) << stage << unit;
+    }
+    EXPECT_EQ(places.items.at("card:Vertices").top, places.items.at("card:LOD, unit 0").top);
+    EXPECT_EQ(places.items.at("card:Pixel").top, places.items.at("card:LOD, unit 1").top);
+    EXPECT_LT(places.items.at("card:LOD, unit 0").bottom, places.items.at("card:LOD, unit 1").top);
+}
+
 // Separate specular is a ninth card.
 TEST_F(ExplainTab, NineCardsShareTheRoom) {
     for (const auto& [width, height, scale] : {std::tuple(1280, 800, 1.0F), std::tuple(1920, 1200, 1.5F)}) {

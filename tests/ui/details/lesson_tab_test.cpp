@@ -39,6 +39,15 @@ protected:
     }
 };
 
+// Without room for a menu of their own they are among what one opens.
+TEST_F(LessonTab, AreHighUpInTheFileMenuWhereTextIsLarge) {
+    session->window.settings.textPercent = 200;
+    frames(4);
+    ASSERT_FALSE(has("menu:Lessons"));
+    click("menu:File");
+    EXPECT_LT(place("menu:Lessons").y, place("menu:Open scene…").y);
+}
+
 TEST_F(LessonTab, MenuListsThemInTheirOrder) {
     click("menu:Lessons");
     float above = 0;

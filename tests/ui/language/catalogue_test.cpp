@@ -100,6 +100,8 @@ TEST(Catalogue, TranslatesPartsOneByOne) {
         read("msgid \"Red\"\nmsgstr \"Красный\"\n\nmsgid \"Green\"\nmsgstr \"Зелёный\"\n");
     EXPECT_THAT(catalogue.translate("Red\nGL_RED  ·  Green"), Optional(StrEq("Красный\nGL_RED  ·  Зелёный")));
     EXPECT_THAT(catalogue.translate("a.png: Red"), Optional(StrEq("a.png: Красный")));
+    EXPECT_THAT(catalogue.translate("Green: Red"), Optional(StrEq("Зелёный: Красный")));
+    EXPECT_THAT(catalogue.translate("Green: Red", {"Green"}), Optional(StrEq("Green: Красный"))) << "a name";
     EXPECT_THAT(catalogue.translate("Red 12"), Optional(StrEq("Красный 12")));
     EXPECT_THAT(catalogue.translate("  Red"), Optional(StrEq("  Красный")));
     EXPECT_THAT(catalogue.translate("Red 25 %, Red"), Optional(StrEq("Red 25 %, Красный")));

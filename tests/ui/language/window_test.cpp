@@ -59,6 +59,11 @@ void lookUp(const Catalogue& catalogue, const StructTable& table, std::set<std::
         for (const EnumRow& choice : row.choices) {
             for (const std::string_view text : {choice.label, choice.help, choice.group, choice.brief})
                 lookUp(catalogue, text, gaps);
+            // What a preview and the history say.
+            const std::string edit = fmt::format("{}: {}", row.label, choice.label);
+            const auto choiceInWords = catalogue.translate(choice.label);
+            if (const auto label = catalogue.translate(row.label); label && choiceInWords)
+                EXPECT_EQ(catalogue.translate(edit), *label + ": " + *choiceInWords) << edit;
         }
     }
     for (const ChildRow& child : table.children) {

@@ -32,6 +32,25 @@ protected:
     }
 };
 
+// All names of a row of buttons are in sight: that one of them is no longer GL's is said by one sign.
+TEST_F(Essentials, ARowOfButtonsIsResetByItsSign) {
+    for (const char* path : {"textures[0].wrapS", "textures[0].wrapT", "passes[0].units[0].envMode"})
+        EXPECT_FALSE(has(std::string(path) + "#reset")) << path;
+    const ImVec2 before = place("textures[0].wrapS=GL_CLAMP");
+    click("textures[0].wrapS=GL_CLAMP");
+    click("passes[0].units[0].envMode=GL_DECAL");
+    EXPECT_EQ(place("textures[0].wrapS=GL_CLAMP").x, before.x) << "it stays under the pointer";
+    EXPECT_FALSE(has("textures[0].wrapT#reset"));
+    const WidgetPlaces::Item& sign = places.items.at("textures[0].wrapS#reset");
+    EXPECT_GE(sign.left, places.items.at("textures[0].wrapS=GL_CLAMP").right);
+    EXPECT_LE(sign.right, static_cast<float>(layout.parameters.right()));
+    click("textures[0].wrapS#reset");
+    EXPECT_EQ(texture().wrapS, Wrap::Repeat);
+    click("passes[0].units[0].envMode#reset");
+    EXPECT_EQ(unit().envMode, EnvMode::Modulate);
+    EXPECT_FALSE(has("passes[0].units[0].envMode#reset"));
+}
+
 constexpr std::array needed{"search",
                             "GL names",
                             "unit:0",

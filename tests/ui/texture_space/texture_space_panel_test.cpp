@@ -54,6 +54,30 @@ TEST_F(TextureSpace, AVertexIsDraggedToOtherCoordinates) {
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
+TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
+    const auto covers = [this](const ImVec2& place) {
+        return std::ranges::any_of(places.items, [place](const auto& item) {
+            const WidgetPlaces::Item& box = item.second;
+            return item.first.starts_with("patch:") && box.left <= place.x && place.x <= box.right &&
+                   box.top <= place.y && place.y <= box.bottom;
+        });
+    };
+    session->window.explaining.pixel = {159, 165};
+    frames(5);
+    ASSERT_TRUE(
+        std::ranges::any_of(places.items, [](const auto& item) { return item.first.starts_with("patch:"); }));
+    int covered = 0; // while none is chosen
+    for (const ImVec2& corner : {at(0, 0), at(1, 0), at(0, 1), at(1, 1)})
+        covered += covers(corner);
+    EXPECT_GT(covered, 0);
+    for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+        session->window.selection.vertex = vertex;
+        frames(3);
+        const glm::vec4 place = coord(vertex);
+        EXPECT_FALSE(covers(at(place.s, place.t))) << vertex;
+    }
+}
+
 TEST_F(TextureSpace, OfVerticesAtOnePlaceTheChosenFacesIsTaken) {
     session->window.selection.vertex = 4; // of the back face
     clickAt(at(1, 1));

@@ -35,6 +35,17 @@ protected:
     texplorer::test::TempDir folder;
 };
 
+TEST_F(FileBrowserDialog, SaysWhatAnEmptyFolderLacks) {
+    session->document.file = folder / "mine.texplorer.json";
+    key('S', {ctrl, shift});
+    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    EXPECT_TRUE(has("browser:Nothing to replace here."));
+    key(key::escape);
+    key('O', {ctrl});
+    ASSERT_EQ(session->window.dialog, Dialog::OpenScene);
+    EXPECT_TRUE(has("browser:Nothing to open here."));
+}
+
 TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
     change();
     key('S', {ctrl});

@@ -2,9 +2,14 @@
 
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/window/shortcuts.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
+#include <imgui_internal.h> // windows, and how far they are scrolled
+
+#include <algorithm>
+#include <string_view>
 
 namespace texplorer::ui::lesson_keys_test {
 namespace {
@@ -64,6 +69,45 @@ TEST_F(LessonKeys, FTakesTheNextFilterInTheCameraAsItIs) {
     key('F');
     EXPECT_EQ(texture().minFilter, MinFilter::Linear);
     EXPECT_EQ(scene().view.azimuth, 33) << "F alone frames all models";
+}
+
+[[nodiscard]] float scrollOfText() {
+    float scroll = 0;
+    for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
+        if (each->Active && std::string_view(each->Name).find("/step_") != std::string_view::npos)
+            scroll += each->Scroll.y;
+    }
+    return scroll;
+}
+
+TEST_F(LessonKeys, DoNothingElse) {
+    open();
+    clickAt(place("lesson title"));
+    const float distance = scene().view.distance;
+    key(key::pageDown);
+    EXPECT_NE(scene().view.distance, distance);
+    EXPECT_EQ(scrollOfText(), 0);
+    session->window.lesson->usable.assign(session->window.lesson->usable.size(), false);
+    key(key::pageDown);
+    EXPECT_GT(scrollOfText(), 0) << "a key that the step hasn't turns the page";
+}
+
+TEST_F(LessonKeys, AreNoLongerOfferedForWhatTheyDidBefore) {
+    const auto offered = [this](std::string_view words) {
+        return std::ranges::any_of(places.items, [words](const auto& item) {
+            return item.first.starts_with("view hints:") && item.first.find(words) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(offered("Hold E"));
+    EXPECT_TRUE(offered("M: magnifier"));
+    EXPECT_EQ(keysOf(*session, "frame"), "F");
+    open();
+    EXPECT_FALSE(offered("Hold E"));
+    EXPECT_FALSE(offered("M: magnifier"));
+    EXPECT_TRUE(offered("Drag: orbit"));
+    EXPECT_EQ(keysOf(*session, "frame"), "");
+    EXPECT_EQ(keysOf(*session, "search"), "Ctrl+F");
+    EXPECT_EQ(keysOf(*session, "note"), "N");
 }
 
 TEST_F(LessonKeys, EachPressIsAStepOfUndo) {

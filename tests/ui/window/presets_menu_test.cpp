@@ -2,6 +2,7 @@
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
+#include <imgui_internal.h>
 
 namespace texplorer::ui::presets_menu_test {
 namespace {
@@ -55,6 +56,20 @@ TEST_F(PresetsMenu, ShowsWhatItWouldDoWhileThePointerRestsOnIt) {
     EXPECT_EQ(session->window.preview->scene->passes[0].units[0].envMode, EnvMode::Decal);
     moveTo({600, 700});
     EXPECT_FALSE(session->window.preview);
+}
+
+TEST_F(PresetsMenu, ExplainsItselfBesideTheMenuAndThePicture) {
+    click("menu:Presets");
+    for (const Preset& each : presets()) {
+        moveTo(place("preset:" + std::string(each.name)));
+        const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+        ASSERT_TRUE(tip && tip->Active) << each.name;
+        for (const char* covered : {"View", "##Menu_00"}) {
+            const ImGuiWindow* other = ImGui::FindWindowByName(covered);
+            ASSERT_TRUE(other && other->Active) << covered;
+            EXPECT_FALSE(tip->Rect().Overlaps(other->Rect())) << each.name << " over " << covered;
+        }
+    }
 }
 
 TEST_F(PresetsMenu, LetsWhatMovesPlay) {

@@ -26,16 +26,16 @@ TEST(Shortcuts, HaveEachAKeyOfTheirOwnAndAName) {
     EXPECT_FALSE(shortcuts().front().name.empty());
 }
 
-TEST(Shortcuts, AreCalledAsOnTheKeyboard) {
-    EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
-    EXPECT_EQ(keysOf("redo"), "Ctrl+Shift+Z");
-    EXPECT_EQ(keysOf("play"), "Space");
-    EXPECT_EQ(keysOf("larger text"), "Ctrl++");
-    EXPECT_EQ(keysOf("smaller text"), "Ctrl+−");
+TEST_F(Workbench, CallsShortcutsAsOnTheKeyboard) {
+    EXPECT_EQ(keysOf(*session, "undo"), "Ctrl+Z");
+    EXPECT_EQ(keysOf(*session, "redo"), "Ctrl+Shift+Z");
+    EXPECT_EQ(keysOf(*session, "play"), "Space");
+    EXPECT_EQ(keysOf(*session, "larger text"), "Ctrl++");
+    EXPECT_EQ(keysOf(*session, "smaller text"), "Ctrl+−");
     for (const Shortcut& row : shortcuts())
         EXPECT_TRUE(row.key != ui::key::keypadPlus || labelOf(row) == "Ctrl++");
-    EXPECT_EQ(keysOf("full screen"), "F11");
-    EXPECT_EQ(keysOf("view picture"), "Shift+F12");
+    EXPECT_EQ(keysOf(*session, "full screen"), "F11");
+    EXPECT_EQ(keysOf(*session, "view picture"), "Shift+F12");
 }
 
 TEST_F(Workbench, TabShowsTheViewAlone) {
