@@ -51,6 +51,12 @@ REFUSAL = re.compile(r'(\b(fail|refuse)\(|\bFailureWords \w+\{)[^;]*$')
 COUNT = re.compile(r'\bcountOf\([^"]*,\s*$')
 
 
+# One word for one thing: what a translation must not say, and what it says instead.
+TERMS = {"zh_CN": {"滤波": "过滤", "回答": "答案", "探测点": "采样点", "眼坐标系": "眼坐标", "眼空间": "眼坐标", "最近点": "最邻近",
+                   "mipmap 级别": "mip 级别"},
+         "ru": {r"режим\w* повторения": "режим наложения", r"[Тт]екстурн\w+ блок": "текстурный модуль",
+                r"рису\w+ эталон(ом)?\b": "эталонный рендерер"}}
+
 PIECES = []  # (catalogue, source, text) of half sentences
 
 
@@ -239,6 +245,9 @@ def complaints(found):
                 texts = known.get(key)
                 if not texts or not all(texts) or len(texts) != (forms if plural else 1):
                     yield "%s: not translated: %s" % (path.relative_to(ROOT), quote(key))
+                for term, instead in TERMS[language].items() if name in CATALOGUES else ():
+                    if any(re.search(term, text) for text in texts or []):
+                        yield "%s: \"%s\" is called \"%s\": %s" % (path.relative_to(ROOT), term, instead, quote(key))
             for key in known:
                 if key not in entries:
                     yield "%s: the sources no longer have %s" % (path.relative_to(ROOT), quote(key))
