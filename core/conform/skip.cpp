@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace texplorer::conform {
 
@@ -94,15 +95,17 @@ constexpr std::array skipRows{
             });
         },
         "GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.21)"},
-    Skip{"switch-over",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
-                    anyUnit(scene, [](const Unit&, const Texture& texture) {
-                        return reference::switchOverOf(texture.magFilter, texture.minFilter) > 0;
-                    });
-         },
-         "llvmpipe takes 0 for the constant c between magnification and minification; the specification has "
-         "0.5 for these filters (OpenGL 2.1, section 3.8.9)"},
+    Skip{
+        "switch-over",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) &&
+                   (driver.name.starts_with("llvmpipe") || driver.name.starts_with("softpipe")) &&
+                   anyUnit(scene, [](const Unit&, const Texture& texture) {
+                       return reference::switchOverOf(texture.magFilter, texture.minFilter) > 0;
+                   });
+        },
+        "llvmpipe and softpipe take 0 for the constant c between magnification and minification; the specification has "
+        "0.5 for these filters (OpenGL 2.1, section 3.8.9)"},
     Skip{"driver-compression",
          [](const Scene& scene, const Pair& pair, const Driver&) {
              return pair.has(RendererKind::Reference) &&
@@ -193,6 +196,40 @@ constexpr std::array skipRows{
          },
          "llvmpipe's ellipse looks texels up at their lower edge and not at their middle, so that a mirrored "
          "image is off by one texel"},
+    Skip{
+        "filtered-depths",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
+                   anyUnit(scene, [](const Unit&, const Texture& texture) {
+                       return isDepth(texture.internalFormat) &&
+                              texture.compareMode == CompareMode::RToTexture && isLinearAnywhere(texture);
+                   });
+        },
+        "under GL_LINEAR softpipe compares r with the mean of the depths, and not with each; OpenGL 2.1, section "
+        "3.8.14, leaves that to the implementation"},
+    Skip{
+        "mirrored-slices",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
+                   anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                       return unit.target == Target::Texture3D && texture.wrapR == Wrap::MirroredRepeat &&
+                              isLinearAnywhere(texture);
+                   });
+        },
+        "softpipe reads the slice beside where GL_MIRRORED_REPEAT leads a linear filter to the very middle of one"},
+    Skip{
+        "half-way",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            const auto isHalf = [](float lambda) { return lambda - std::floor(lambda) == 0.5F; };
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
+                   anyUnit(scene, [&](const Unit&, const Texture& texture) {
+                       return reference::wantsMipmaps(texture.minFilter) &&
+                              !reference::blendsLevels(texture.minFilter) &&
+                              (isHalf(texture.minLod) || isHalf(texture.maxLod));
+                   });
+        },
+        "softpipe takes the smaller of two levels where lambda is clamped to half-way between them; the specification "
+        "has the larger one (OpenGL 2.1, equation 3.25)"},
     Skip{"cube-wrap",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
@@ -257,6 +294,17 @@ constexpr std::array skipRows{
         },
         "softpipe draws lines from one whole pixel to another, and wide ones and points as squares a quarter of "
         "a pixel beside the centre; OpenGL 2.1 allows lines a pixel more or less (section 3.4.1)"},
+    Skip{
+        "unrounded-alpha",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Fixed) && driver.name.starts_with("softpipe") &&
+                   std::ranges::any_of(scene.passes, [](const Pass& pass) {
+                       const float bytes = pass.alphaRef * 255;
+                       return pass.enabled && pass.alphaTest && bytes != std::floor(bytes);
+                   });
+        },
+        "softpipe's fixed function compares alpha with a reference value that it hasn't rounded to the bits of the "
+        "framebuffer before (OpenGL 2.1, section 4.1.4)"},
     Skip{"sum-in-fog",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Fixed) && driver.version.find("Mesa") != std::string::npos &&

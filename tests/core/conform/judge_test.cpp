@@ -220,6 +220,55 @@ TEST(Skipping, NamesACubeMapsOtherWraps) {
     }
 }
 
+// What softpipe was seen to do, on scenes that another driver is compared by.
+TEST(Skipping, NamesWhatSoftpipeDoesOtherwise) {
+    const auto with = [](auto change) {
+        Dice dice("softpipe", 1, 1);
+        Scene scene = texturedQuad({Pattern::Checker, 0, 64, 64}, dice);
+        change(scene, scene.textures[0], scene.passes[0]);
+        return scene;
+    };
+    const std::pair<const char*, Scene> rows[] = {
+        {"filtered-depths", with([](Scene&, Texture& texture, Pass&) {
+             texture.internalFormat = InternalFormat::DepthComponent24;
+             texture.compareMode = CompareMode::RToTexture;
+             texture.minFilter = MinFilter::Linear;
+         })},
+        {"mirrored-slices", with([](Scene&, Texture& texture, Pass& pass) {
+             pass.units[0].target = Target::Texture3D;
+             texture.wrapR = Wrap::MirroredRepeat;
+             texture.magFilter = MagFilter::Linear;
+         })},
+        {"half-way", with([](Scene&, Texture& texture, Pass&) {
+             texture.minFilter = MinFilter::LinearMipmapNearest;
+             texture.magFilter = MagFilter::Nearest;
+             texture.maxLod = 2.5F;
+         })},
+        {"ellipse-of-one-level", with([](Scene&, Texture& texture, Pass&) {
+             texture.minFilter = MinFilter::LinearMipmapNearest;
+             texture.magFilter = MagFilter::Nearest;
+             texture.maxAnisotropy = 4;
+         })},
+        {"unrounded-alpha", with([](Scene&, Texture&, Pass& pass) {
+             pass.alphaTest = true;
+             pass.alphaRef = 0.3F;
+         })},
+        {"whole-pixels", with([](Scene& scene, Texture&, Pass&) {
+             scene.models[0].shape = Shape::Mesh;
+             scene.models[0].mesh.primitive = Primitive::Lines;
+         })},
+    };
+    DriverFacts facts;
+    facts.maxAnisotropy = 16;
+    constexpr Pair pair{RendererKind::Reference, RendererKind::Fixed};
+    for (const auto& [name, scene] : rows) {
+        const Skip* skip = skipOf(scene, pair, {"softpipe", "", "", facts});
+        EXPECT_EQ(skip ? skip->name : std::string_view(), name);
+        const Skip* other = skipOf(scene, pair, {"llvmpipe (LLVM 15)", "", "", facts});
+        EXPECT_TRUE(!other || other->name != name) << name;
+    }
+}
+
 // A texel of a file is as large as the file says.
 TEST_F(Judging, MovesByTheTexelsOfFiles) {
     Scene scene = boardWithEdgesAt(0.005F);
