@@ -62,6 +62,7 @@ class Lookups {
 public:
     Lookups(const Triangle& triangle, std::size_t unit)
         : plane_(triangle.texCoords[unit])
+        , invW_(triangle.invW)
         , origin_(triangle.origin)
         , unit_(triangle.pass->units[unit]) {}
 
@@ -70,21 +71,37 @@ public:
         const int left = first / blockExtent * blockExtent;
         const int right = (first + count - 1) / blockExtent * blockExtent + blockExtent - 1;
         const int low = y / 2 * 2;
-        const std::array corners{overW(left, low).q, overW(right, low).q, overW(left, low + 1).q,
-                                 overW(right, low + 1).q};
-        const auto [least, most] = std::ranges::minmax(corners);
-        if (!(least > 0 || most < 0))
+        if (runsThroughZero(first, first + count - 1, low))
             return endless;
-        // Next to q = 0 the box is largest: that is at one of the ends, because q is linear. Between them it
-        // changes slowly, and some places stand for all.
+        // The box is largest next to q = 0: that is at one of the ends, because q is linear, or where it
+        // changes its sign. Elsewhere the box changes slowly, and some places stand for all.
         const int step = blockExtent * std::max(1, (right - left) / (blockExtent * placesInRow));
         double visited = blockExtent * visitedAt(right - 1, low);
         for (int x = left; x < right; x += step)
             visited += step * visitedAt(x, low);
+        const double begin = overW(left, low).q;
+        const double end = overW(right, low).q;
+        if ((begin < 0) != (end < 0)) {
+            const int at = left + static_cast<int>((right - left) * (begin / (begin - end)));
+            for (int x = std::max(left, at - 1); x <= std::min(right - 1, at + 1); ++x)
+                visited += visitedAt(x, low);
+        }
         return visited;
     }
 
 private:
+    /// q itself: beyond a steep triangle's edge 1 / w changes its sign, and q over w with it.
+    [[nodiscard]] bool runsThroughZero(int left, int right, int low) const {
+        const auto q = [this](int x, int y) { return overW(x, y).q * invW(x, y); };
+        const std::array corners{q(left, low), q(right, low), q(left, low + 1), q(right, low + 1)};
+        const auto [least, most] = std::ranges::minmax(corners);
+        return !(least > 0 || most < 0);
+    }
+
+    [[nodiscard]] double invW(int x, int y) const {
+        const glm::dvec2 offset = glm::dvec2(x, y) - glm::dvec2(origin_);
+        return double{invW_.origin} + double{invW_.dx} * offset.x + double{invW_.dy} * offset.y;
+    }
     [[nodiscard]] glm::dvec4 overW(int x, int y) const {
         const glm::dvec2 offset = glm::dvec2(x, y) - glm::dvec2(origin_);
         return glm::dvec4(plane_.origin) + glm::dvec4(plane_.dx) * offset.x +
@@ -116,6 +133,7 @@ private:
     }
 
     const Plane<glm::vec4>& plane_;
+    const Plane<float>& invW_;
     glm::vec2 origin_;
     const UnitState& unit_;
 };

@@ -74,6 +74,16 @@ TEST(VisitedTexels, OfACubeMapAreAsManyAsAFaceHasAtMost) {
     EXPECT_GT(visited(scene), 160.0 * 120);
 }
 
+// Beyond the edge of a triangle that is seen from its side 1 / w changes its sign, but q doesn't.
+TEST(VisitedTexels, AreFewAtTheRimOfASphere) {
+    Scene scene = defaultScene();
+    scene.textures[0].maxAnisotropy = 16;
+    for (int azimuth = 0; azimuth < 360; azimuth += 7) {
+        scene.view.azimuth = static_cast<float>(azimuth);
+        EXPECT_LT(visited(scene, 400, 300), 0x1p26) << azimuth;
+    }
+}
+
 TEST(VisitedTexels, HaveNoEndWhereQRunsThroughZero) {
     EXPECT_TRUE(std::isfinite(visited(squareWith(1, 2))));
     EXPECT_TRUE(std::isfinite(visited(squareWith(-1, -2))));

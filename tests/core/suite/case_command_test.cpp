@@ -26,7 +26,7 @@ TEST(CaseCommand, RunsTheCaseAloneAsTheRunDid) {
 
 // As a shell undoes the quotes, and --only the backslashes.
 TEST(CaseCommand, NamesNoOtherCase) {
-    EXPECT_EQ(commandOfCase("t", "a*[b]?\\'"), "t --only 'a\\*\\[b]\\?\\\\'\\'''");
+    EXPECT_EQ(commandOfCase("t", "a*[b]?\\'"), R"(t --only 'a'\\'*'\\'[b]'\\'?'\\''\\''\''')");
 }
 
 TEST(CaseCommand, IsNoneWhereAShellCouldNotBeGivenTheName) {

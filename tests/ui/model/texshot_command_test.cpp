@@ -128,10 +128,5 @@ TEST_F(TexshotCommand, OfASheetSaysWhatIsWrongWithIt) {
     EXPECT_THAT(sweepCommand(session).error().where, HasSubstr("textures[3]"));
 }
 
-TEST(ShellWord, StaysOneWord) {
-    for (const char* word : {"plain", "", "two words", "it's", "$(rm)", "a*b[0]", "\"", "\\", "-x"})
-        EXPECT_THAT(wordsOf(shellWord(word)), testing::ElementsAre(word));
-}
-
 } // namespace
 } // namespace texplorer::texshot_command_test
