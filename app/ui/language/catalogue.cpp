@@ -367,15 +367,16 @@ std::optional<std::string> Catalogue::fromKey(Keys keys, std::string_view englis
 std::optional<std::string> Catalogue::afterPlace(std::string_view english, Search search) const {
     constexpr std::string_view colon = ": ";
     const std::size_t at = english.find(colon);
-    if (at == std::string_view::npos || english.substr(0, at).find_first_of(" \n") != std::string_view::npos)
-        return std::nullopt;
-    const std::size_t begin = at + colon.size();
-    const std::optional<std::string> text = lookUp(english.substr(begin), search.deeper());
-    if (!text)
+    if (at == std::string_view::npos)
         return std::nullopt;
     const std::string place(english.substr(0, at));
     const auto word =
         search.names->contains(place) ? whole_.end() : whole_.find(place); // a parameter's label
+    if (word == whole_.end() && place.find_first_of(" \n") != std::string::npos)
+        return std::nullopt;
+    const std::optional<std::string> text = lookUp(english.substr(at + colon.size()), search.deeper());
+    if (!text)
+        return std::nullopt;
     return (word == whole_.end() ? place : word->second) + std::string(colon) + *text;
 }
 
