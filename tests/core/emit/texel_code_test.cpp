@@ -89,6 +89,16 @@ TEST(TexelCode, HalvesOnlyWhatIsTheAverage) {
     EXPECT_THAT(std::vector(chain.begin(), chain.begin() + 4), Each(TexelSource::Packed));
 }
 
+// 64 x 64 texels have levels 0 to 6; of one texel there is no half.
+TEST(TexelCode, OfLevelsBeyondTheChainIsNoHalf) {
+    Texture texture{.pattern = Pattern::Checker, .mipmaps = MipPolicy::Given};
+    texture.levels.assign(8, GivenLevel{});
+    texture.levels[6] = {.source = SourceKind::File, .file = "missing.png"}; // level 7
+    const std::vector<TexelSource> sources = sourcesOf(texture);
+    ASSERT_GE(sources.size(), 7U);
+    EXPECT_NE(sources.back(), TexelSource::Halved);
+}
+
 // The first bytes, by hand from the formats' descriptions.
 TEST(FileReaders, ReadWhatTakesFewLines) {
     using emit::FileReader;
