@@ -34,7 +34,8 @@ struct ImageFormats {
     std::string_view lossy = {};
 };
 
-/// Declares IN, OUT, -o, --to, --lossy, --report and --json; -o is what it returns. `report`: what --report prints.
+/// Declares IN, OUT, -o, --to, --lossy, --report and --json; -o is what it returns. `report`: what --report
+/// prints.
 const Option& addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
                             const std::string& in, const std::string& report);
 

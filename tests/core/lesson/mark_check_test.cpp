@@ -1,6 +1,7 @@
 // Marks and numbers that are wrong, each as somebody may write it.
 
 #include "core/lesson/mark_check.h"
+#include "tests/support/flat_scene.h"
 
 #include <gmock/gmock.h>
 
@@ -18,20 +19,11 @@ using testing::IsEmpty;
 LessonScene tiled() {
     LessonScene tiled;
     Scene& scene = tiled.scene;
-    scene.view.projection = Projection::Orthographic;
-    scene.view.fieldOfView = 90;
-    scene.view.distance = 1;
-    scene.models.resize(1);
-    scene.models[0].shape = Shape::Quad;
-    scene.textures.resize(1);
-    scene.textures[0].source = SourceKind::File;
-    scene.textures[0].file = "four";
+    scene = texplorer::test::texturedScene();
     scene.textures[0].magFilter = MagFilter::Linear;
     scene.textures[0].minFilter = MinFilter::Linear;
-    scene.passes[0].units[0].enabled = true;
-    scene.passes[0].units[0].envMode = EnvMode::Replace;
     tiled.images.put(
-        "four",
+        "image",
         Image{
             PixelFormat::Luminance8, 2, 2, 1, {std::byte{0}, std::byte{51}, std::byte{102}, std::byte{255}}});
     EXPECT_TRUE(makeEdits(scene, {{"models[0].texCoords0", "0,0;72,0;72,72;0,72"}}));

@@ -2,6 +2,7 @@
 
 #include "core/lesson/match.h"
 #include "core/lesson/numbers.h"
+#include "tests/support/flat_scene.h"
 
 #include <gmock/gmock.h>
 
@@ -14,21 +15,9 @@ using testing::HasSubstr;
 /// lowest row first. A pixel is 1/72 wide; the square lies 24 pixels from the left edge of the picture.
 LessonScene flat() {
     LessonScene flat;
-    Scene& scene = flat.scene;
-    scene.view.projection = Projection::Orthographic;
-    scene.view.fieldOfView = 90;
-    scene.view.distance = 1;
-    scene.models.resize(1);
-    scene.models[0].shape = Shape::Quad;
-    scene.textures.resize(1);
-    scene.textures[0].source = SourceKind::File;
-    scene.textures[0].file = "four";
-    scene.textures[0].magFilter = MagFilter::Nearest;
-    scene.textures[0].minFilter = MinFilter::Nearest;
-    scene.passes[0].units[0].enabled = true;
-    scene.passes[0].units[0].envMode = EnvMode::Replace;
+    flat.scene = texplorer::test::texturedScene();
     flat.images.put(
-        "four",
+        "image",
         Image{
             PixelFormat::Luminance8, 2, 2, 1, {std::byte{0}, std::byte{51}, std::byte{102}, std::byte{255}}});
     return flat;

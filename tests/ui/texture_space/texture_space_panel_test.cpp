@@ -64,8 +64,8 @@ TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
     };
     session->window.explaining.pixel = {159, 165};
     frames(5);
-    ASSERT_TRUE(
-        std::ranges::any_of(places.items, [](const auto& item) { return item.first.starts_with("patch frame:"); }));
+    ASSERT_TRUE(std::ranges::any_of(places.items,
+                                    [](const auto& item) { return item.first.starts_with("patch frame:"); }));
     int covered = 0; // while none is chosen
     for (const ImVec2& corner : {at(0, 0), at(1, 0), at(0, 1), at(1, 1)})
         covered += covers(corner);
