@@ -53,7 +53,7 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
                        {inset.low.x + inset.width + pad, end.y + pad}, faded(color::ground, 0.96F),
                        em * 0.2F);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.shown.c_str());
-    noteDrawn("patch frame:" + inset.title, inset.frame().low, inset.frame().high);
+    noteDrawn("patch-frame:" + inset.title, inset.frame().low, inset.frame().high);
     noteDrawn("patch title:" + inset.title, {inset.low.x, inset.low.y - insetTitleHeight()},
               {inset.low.x + ImGui::CalcTextSize(inset.shown.c_str()).x, inset.low.y});
     draw.PushClipRect(inset.low, end, true);

@@ -58,14 +58,14 @@ TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
     const auto covers = [this](const ImVec2& place) {
         return std::ranges::any_of(places.items, [place](const auto& item) {
             const WidgetPlaces::Item& box = item.second;
-            return item.first.starts_with("patch frame:") && box.left <= place.x && place.x <= box.right &&
+            return item.first.starts_with("patch-frame:") && box.left <= place.x && place.x <= box.right &&
                    box.top <= place.y && place.y <= box.bottom;
         });
     };
     session->window.explaining.pixel = {159, 165};
     frames(5);
     ASSERT_TRUE(std::ranges::any_of(places.items,
-                                    [](const auto& item) { return item.first.starts_with("patch frame:"); }));
+                                    [](const auto& item) { return item.first.starts_with("patch-frame:"); }));
     int covered = 0; // while none is chosen
     for (const ImVec2& corner : {at(0, 0), at(1, 0), at(0, 1), at(1, 1)})
         covered += covers(corner);
