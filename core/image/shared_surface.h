@@ -9,7 +9,7 @@
 
 namespace texplorer {
 
-/// A surface that was made, or one that somebody else has, too: what is taken as it is, need not be copied.
+/// A surface that was made, or one that another program has, too: what is taken as it is, need not be copied.
 /// Compares by what it holds.
 class SharedSurface {
 public:

@@ -22,7 +22,7 @@ void askExample(Session& session, std::string_view file); ///< see examples.h
 void askLesson(Session& session, std::string nameOrFolder);
 void askSaveAnswers(Session& session); ///< what was done in which lesson, as a file
 void save(Session& session);           ///< asks for a name where there is none
-/// Saves, asks where somebody else has written the file meanwhile, and goes on with what waits for it.
+/// Saves, asks where another program has written the file meanwhile, and goes on with what waits for it.
 /// Errors: those of saveScene.
 [[nodiscard]] Result<void> saveTo(Session& session, const std::filesystem::path& file,
                                   const std::optional<FileFingerprint>& replaces = {});

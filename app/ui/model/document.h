@@ -58,8 +58,8 @@ struct Document {
     ImageSource images;
     std::filesystem::path file;      ///< empty: never saved
     std::filesystem::path suggested; ///< what it would be saved as, where it was never saved; may be empty
-    /// Of what the file had in it when it was read or written last, to notice what somebody else has written
-    /// since. Empty: not known.
+    /// Of what the file had in it when it was read or written last, to notice what another program has
+    /// written since. Empty: not known.
     std::string fileHash{};
     std::shared_ptr<const ChangedFile> changedFile{}; ///< of Dialog::FileHasChanged: see scene_saving.h
     bool isLessons = false;                           ///< a lesson's: nobody misses what was tried with it

@@ -41,7 +41,7 @@ struct Load {
     Scene before{};                   ///< Scene: what was shown when it was asked for
     ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene
     std::string fileHash{};                                    ///< Scene: Document::fileHash
-    bool reloads = false;              ///< Scene: the document's own file, which somebody else has written
+    bool reloads = false;              ///< Scene: the document's own file, which another program has written
     std::filesystem::path suggested{}; ///< Scene: of one that has no file, Document::suggested
 };
 

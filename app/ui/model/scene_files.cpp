@@ -33,7 +33,7 @@ SceneText savedScene(const fs::path& file) {
     return file.empty() ? SceneText{defaultScene()} : readScene(file).value_or(SceneText{});
 }
 
-/// What somebody else has written takes the place of the document's scene, as a step of its history: it is
+/// What another program has written takes the place of the document's scene, as a step of its history: it is
 /// looked at as before.
 void replaceByFile(Session& session, Load load) {
     Document document(std::move(load.scene), std::move(load.images), load.path);

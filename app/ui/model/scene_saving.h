@@ -16,7 +16,7 @@ struct SceneText {
 };
 [[nodiscard]] Result<SceneText> readScene(const std::filesystem::path& path);
 
-/// The document's file, which somebody else has written since it was read or saved here.
+/// The document's file, which another program has written since it was read or saved here.
 struct ChangedFile {
     std::string hash;                 ///< of what it has now, for Document::fileHash
     Result<Scene> theirs;             ///< the error: it holds no scene now
@@ -27,7 +27,7 @@ struct ChangedFile {
 enum class Saving { Written, FileHasChanged };
 
 /// Writes the scene. Image paths are kept relative to the scene file where they lie below its folder. A file
-/// of the document's that somebody else has changed stays, and Document::changedFile says what it has; so
+/// of the document's that another program has changed stays, and Document::changedFile says what it has; so
 /// does, with an error, another one that isn't what the user has agreed to replace, `replaces`.
 [[nodiscard]] Result<Saving> saveScene(Session& session, const std::filesystem::path& path,
                                        const std::optional<FileFingerprint>& replaces = {});
