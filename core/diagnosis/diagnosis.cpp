@@ -114,12 +114,12 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
 }
 
 Result<void> apply(const Fix& fix, Scene& scene) {
-    Scene mended = scene;
+    Scene fixed = scene;
     for (const Assignment& each : fix.assignments) {
-        if (const Result<void> set = setParam(mended, each.path, each.value); !set)
+        if (const Result<void> set = setParam(fixed, each.path, each.value); !set)
             return fail(set.error());
     }
-    scene = std::move(mended);
+    scene = std::move(fixed);
     return {};
 }
 

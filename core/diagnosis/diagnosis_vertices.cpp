@@ -45,15 +45,15 @@ std::string andMore(std::string sentence, std::size_t others) {
 /// no fix that one would read.
 std::vector<Fix> normalFixes(const Scene& scene, std::size_t model, const std::string& path) {
     constexpr std::size_t longest = 64;
-    Scene mended;
-    mended.models.assign(model + 1, {});
-    std::vector<glm::vec3>& normals = mended.models[model].mesh.normals;
+    Scene fixed;
+    fixed.models.assign(model + 1, {});
+    std::vector<glm::vec3>& normals = fixed.models[model].mesh.normals;
     normals = scene.models[model].mesh.normals;
     if (normals.size() > longest)
         return {};
     std::ranges::replace_if(
         normals, [](glm::vec3 each) { return !(glm::length(each) > 0); }, glm::vec3(0, 0, 1));
-    const Result<std::string> value = getParam(mended, path);
+    const Result<std::string> value = getParam(fixed, path);
     return value ? std::vector{Fix{"Make them 0,0,1", {{path, *value}}}} : std::vector<Fix>();
 }
 

@@ -101,9 +101,9 @@ struct Trial::State::Run {
                 if (!isOneSentence(each.sentence))
                     broken("a finding isn't one sentence: " + each.sentence);
                 for (const Fix& fix : each.fixes) {
-                    Scene mended = scene();
-                    if (const Result<void> applied = apply(fix, mended); !applied)
-                        broken("can't be mended as " + std::string(each.rule) +
+                    Scene fixed = scene();
+                    if (const Result<void> applied = apply(fix, fixed); !applied)
+                        broken("can't be fixed as " + std::string(each.rule) +
                                " says: " + describe(applied.error()));
                 }
             }

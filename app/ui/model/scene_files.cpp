@@ -52,7 +52,7 @@ void replaceByUnsaved(Session& session, Load load) {
     const UnsavedScene draft{load.path, load.images.directory(), load.scene, load.fileHash};
     Document document(std::move(load.scene), std::move(load.images), load.path);
     SceneText saved = savedScene(document.file);
-    if (saved.hash == load.fileHash) // else somebody has written it since
+    if (saved.hash == load.fileHash) // else it was written again since
         document.fileHash = std::move(saved.hash);
     document.saved = std::move(saved.scene);
     document.needsFit = false; // the camera is part of the work

@@ -1,4 +1,4 @@
-// Marks and numbers that are wrong, each as somebody may write it.
+// Marks and numbers that are wrong, each as an author may write it.
 
 #include "core/lesson/mark_check.h"
 #include "tests/support/flat_scene.h"
