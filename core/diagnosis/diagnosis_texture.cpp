@@ -373,6 +373,21 @@ void lostBorder(const Case& about, Report& report) {
     });
 }
 
+/// Where levels are made of each other, it can't be seen. Mesa 22.3 (lp_bld_sample.c): one derivative for
+/// four pixels, and the logarithm of rho^2 from a float's exponent and mantissa, which is up to 0.0861 too
+/// small.
+void roughLambda(const Case& about, Report& report) {
+    if (!about.driver.renderer.starts_with("llvmpipe"))
+        return;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (texture.mipmaps == MipPolicy::Given && reference::wantsMipmaps(texture.minFilter) &&
+            facts.targets.front().plan.levels.size() > 1)
+            report.add(path + keyOf<&Texture::minFilter>(),
+                       "llvmpipe computes lambda once for 2 x 2 pixels, up to 0.1 off: given levels change a "
+                       "few pixels earlier or later than in the reference renderer");
+    });
+}
+
 constexpr std::array textureRuleRows{
     Rule{"missing-file", Severity::Error, missingFile, true},
     Rule{"missing-part", Severity::Error, missingPart, true},
@@ -386,6 +401,7 @@ constexpr std::array textureRuleRows{
     Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
     Rule{"lost-border", Severity::Warning, lostBorder},
+    Rule{"rough-lambda", Severity::Note, roughLambda},
 };
 
 } // namespace

@@ -305,6 +305,13 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.scene.models[0].texCoords[0].assign(24, {1, 1, 1, 1});
             }},
+        Row{"GivenLevelsOnLlvmpipe", "rough-lambda", Note, "textures[0].minFilter", "up to 0.1 off",
+            [](Stage& s) {
+                s.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels.resize(6);
+            },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Generated; }},
         Row{"LostBorder", "lost-border", Warning, "textures[0].border", "the reference renderer shows",
             [](Stage& s) {
                 s.driver.textureBorders = false;
