@@ -249,6 +249,11 @@ TEST(Skipping, NamesWhatSoftpipeDoesOtherwise) {
              texture.magFilter = MagFilter::Nearest;
              texture.maxAnisotropy = 4;
          })},
+        {"seamless-corners", with([](Scene&, Texture& texture, Pass& pass) {
+             pass.units[0].target = Target::CubeMap;
+             pass.seamlessCubeMap = true;
+             texture.minFilter = MinFilter::Linear;
+         })},
         {"unrounded-alpha", with([](Scene&, Texture&, Pass& pass) {
              pass.alphaTest = true;
              pass.alphaRef = 0.3F;
