@@ -5,6 +5,7 @@
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -65,6 +66,21 @@ bool hasThinLines(const Model& model) {
     return model.shape == Shape::Mesh && lines && reference::roundedSize(model.lineWidth) == 1;
 }
 
+bool isFar(const glm::vec3& position) {
+    const glm::vec3 amount = glm::abs(position);
+    return std::max({amount.x, amount.y, amount.z}) > 1e5F;
+}
+
+/// Whether a depth test decides over parts with a vertex so far away that a float's bits leave their depths
+/// no difference.
+bool comparesFarDepths(const Scene& scene) {
+    return std::ranges::any_of(scene.passes,
+                               [](const Pass& pass) { return pass.enabled && pass.depthTest; }) &&
+           anyDrawn(scene, [](const Model& model) {
+               return model.shape == Shape::Mesh && std::ranges::any_of(model.mesh.positions, isFar);
+           });
+}
+
 /// Whether a point's size is so near to half a pixel that it is rounded either way.
 bool isHalfAPoint(const Model& model) {
     const float fraction = model.pointSize - std::floor(model.pointSize);
@@ -78,6 +94,12 @@ constexpr std::array rows{
                    return each.random.temper > Temper::Ordinary && each.pair.has(RendererKind::Reference);
                },
                "numbers at their limits leave a float's 24 bits no texel to tell"},
+    RandomSkip{"far-vertices",
+               [](const Comparison& each) {
+                   return each.random.temper > Temper::Ordinary && comparesFarDepths(each.random.scene);
+               },
+               "where a part reaches beyond 100,000, two vertex programs round its depths to either side of "
+               "what another pass left there"},
     RandomSkip{
         "anisotropy",
         [](const Comparison& each) {
