@@ -125,11 +125,8 @@ InputState stateOf(const ImGuiIO& io) {
             io.WantTextInput && !io.KeyCtrl};
 }
 
-void setModifiers(ImGuiIO& io, const Modifiers& modifiers) {
-    io.KeyCtrl = modifiers.control;
-    io.KeyShift = modifiers.shift;
-    io.KeyAlt = modifiers.alt;
-    io.KeySuper = modifiers.super;
+void setModifiers(const Modifiers& modifiers) {
+    ui::setModifiers(modifiers.control, modifiers.shift, modifiers.alt, modifiers.super);
 }
 
 bool isAnyButtonHeld() {
@@ -240,18 +237,16 @@ void InputQueue::apply(const Input& input) {
                               if (event.button < 0 || event.button >= ImGuiMouseButton_COUNT)
                                   return;
                               io.MouseDown[event.button] = event.down;
-                              setModifiers(io, event.modifiers);
+                              setModifiers(event.modifiers);
                           },
                           [&](const WheelTurned& event) {
                               io.MouseWheelH += event.x;
                               io.MouseWheel += event.y;
-                              setModifiers(io, event.modifiers);
+                              setModifiers(event.modifiers);
                           },
                           [&](const KeyChanged& event) {
-                              setModifiers(io, event.modifiers);
-                              if (event.code >= 0 &&
-                                  static_cast<std::size_t>(event.code) < std::size(io.KeysDown))
-                                  io.KeysDown[event.code] = event.kind != KeyChanged::Kind::Release;
+                              setModifiers(event.modifiers);
+                              ui::setKey(event.code, event.kind != KeyChanged::Kind::Release);
                           },
                           [&](const TextEntered& event) { io.AddInputCharacter(event.character); },
                           [&](const FocusChanged& event) { io.AddFocusEvent(event.focused); }},

@@ -49,7 +49,7 @@ public:
         , scale_(scale) {
         ImGui::CreateContext();
         ui::applyTheme(scale_, theme_, textPercent_, nullptr, letters_);
-        ui::mapKeys();
+        ui::prepareKeys();
         graphics_.startPanels();
     }
     ~HostedPanels() {

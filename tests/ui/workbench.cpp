@@ -75,12 +75,13 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     width_ = width;
     height_ = height;
     scale_ = scale;
+    held_.clear();
     ImGui::CreateContext();
     letters_ = {};
     applyTheme(scale, Theme::Dark, 100, catalogue_.get());
     textPercent_ = 100;
     theme_ = Theme::Dark;
-    mapKeys();
+    prepareKeys();
     unsigned char* pixels = nullptr;
     int textureWidth = 0;
     int textureHeight = 0;
@@ -343,23 +344,23 @@ void Workbench::choose(std::string_view param, std::string_view name) {
     click(choice);
 }
 
-void Workbench::setModifiers() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = io.KeysDown[ctrl];
-    io.KeyShift = io.KeysDown[shift];
+void Workbench::setHeld(int code, bool held) {
+    setKey(code, held);
+    if (held)
+        held_.insert(code);
+    else
+        held_.erase(code);
+    setModifiers(held_.contains(ctrl), held_.contains(shift), false, false);
 }
 
 void Workbench::key(int code, std::initializer_list<int> modifiers) {
-    ImGuiIO& io = ImGui::GetIO();
     for (const int modifier : modifiers)
-        io.KeysDown[modifier] = true;
-    setModifiers();
-    io.KeysDown[code] = true;
+        setHeld(modifier, true);
+    setHeld(code, true);
     frames(1);
-    io.KeysDown[code] = false;
+    setHeld(code, false);
     for (const int modifier : modifiers)
-        io.KeysDown[modifier] = false;
-    setModifiers();
+        setHeld(modifier, false);
     frames(3);
 }
 

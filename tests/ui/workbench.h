@@ -57,6 +57,7 @@ protected:
     void scrollTo(std::string_view name);
     void choose(std::string_view param, std::string_view name); ///< in a combo
 
+    void setHeld(int code, bool held); ///< a key, from the next frame on
     void key(int code, std::initializer_list<int> modifiers = {});
     void type(std::string_view text);
 
@@ -85,7 +86,6 @@ private:
     struct Drawing;
 
     void layOut();
-    void setModifiers();
     void rest(); ///< so long that the next click is no second one
     void build(const ui::Pictures& pictures);
 
@@ -95,6 +95,7 @@ private:
     int height_ = 800;
     float scale_ = 1;
     int textPercent_ = 100; ///< with the theme, what Dear ImGui was set up for
+    std::set<int> held_;    ///< keys
     ui::Theme theme_ = ui::Theme::Dark;
     std::unique_ptr<const ui::Catalogue> catalogue_;
     ui::Letters letters_;

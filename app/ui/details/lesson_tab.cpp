@@ -289,9 +289,9 @@ void scrollByPages(const LessonRun& run) {
         run.heldKey)
         return;
     const float page = ImGui::GetWindowHeight() - ImGui::GetTextLineHeight() * 2;
-    if (ImGui::IsKeyPressed(key::pageDown))
+    if (isKeyPressed(key::pageDown))
         ImGui::SetScrollY(std::min(ImGui::GetScrollY() + page, ImGui::GetScrollMaxY()));
-    if (ImGui::IsKeyPressed(key::pageUp))
+    if (isKeyPressed(key::pageUp))
         ImGui::SetScrollY(std::max(ImGui::GetScrollY() - page, 0.0F));
 }
 

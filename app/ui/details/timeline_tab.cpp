@@ -182,8 +182,8 @@ void takeKeys(Session& session, TimelineTabState& state) {
         return;
     const std::size_t number = state.chosen->number;
     const bool walks = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
-    const int way = walks ? 0 : ImGui::IsKeyPressed(key::right) ? 1 : ImGui::IsKeyPressed(key::left) ? -1 : 0;
-    if (ImGui::IsKeyPressed(key::del, false)) {
+    const int way = walks ? 0 : isKeyPressed(key::right) ? 1 : isKeyPressed(key::left) ? -1 : 0;
+    if (isKeyPressed(key::del, false)) {
         removeKey(session, number);
         state.chosen.reset();
     } else if (way != 0) {

@@ -188,7 +188,7 @@ void searchLine(Session& session, ParametersState& state) {
     ImGui::SetNextItemWidth(width);
     textField("##search", state.search, 0, hint == hints.end() ? hints.back() : *hint);
     noteItem("search");
-    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(key::escape, false))
+    if (ImGui::IsItemDeactivated() && isKeyPressed(key::escape, false))
         state.search.clear();
     helpTip(
         "By label, by OpenGL's name, by a choice or by what is said of it: \"aniso\", \"GL_TEXTURE_MIN\", "

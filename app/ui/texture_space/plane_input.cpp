@@ -59,7 +59,7 @@ std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std:
 }
 
 bool isPressed(int code, bool repeat = false) {
-    return ImGui::IsKeyPressed(code, repeat);
+    return isKeyPressed(code, repeat);
 }
 
 /// Whether the mouse has gone so far that it isn't a click.

@@ -1,5 +1,6 @@
 #include "app/ui/view/probed_pixel.h"
 
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -10,7 +11,7 @@ namespace texplorer::ui {
 void probeWithMouse(Session& session, const Panes& panes, bool hovered, bool clicked) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool held =
-        hovered && ImGui::IsKeyDown('E') && !io.WantTextInput && !io.KeyCtrl && !session.window.keyTaken;
+        hovered && isKeyDown('E') && !io.WantTextInput && !io.KeyCtrl && !session.window.keyTaken;
     if (!held && !(clicked && session.window.explaining.isOpen))
         return;
     if (const auto pixel = panes.pixelAt(io.MousePos))

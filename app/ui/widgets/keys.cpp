@@ -1,38 +1,170 @@
 #include "app/ui/widgets/keys.h"
 
 #include <imgui.h>
+#if IMGUI_VERSION_NUM >= 18700
+#include <imgui_internal.h> // who has Tab
+#endif
+
+#include <array>
+#include <cstddef>
+#include <iterator>
 
 namespace texplorer::ui {
 
-bool isMenuAsked() {
-    return ImGui::IsItemFocused() && (ImGui::IsKeyPressed(key::menu, false) ||
-                                      (ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(key::f10, false)));
+namespace {
+
+struct KeyRow {
+    int code;
+    ImGuiKey name;
+};
+
+/// Those that Dear ImGui has had a name for from the beginning.
+constexpr std::array editingKeys {
+    KeyRow{key::tab, ImGuiKey_Tab}, KeyRow{key::left, ImGuiKey_LeftArrow},
+        KeyRow{key::right, ImGuiKey_RightArrow}, KeyRow{key::up, ImGuiKey_UpArrow},
+        KeyRow{key::down, ImGuiKey_DownArrow}, KeyRow{key::pageUp, ImGuiKey_PageUp},
+        KeyRow{key::pageDown, ImGuiKey_PageDown}, KeyRow{key::home, ImGuiKey_Home},
+        KeyRow{key::end, ImGuiKey_End}, KeyRow{key::insert, ImGuiKey_Insert},
+        KeyRow{key::del, ImGuiKey_Delete}, KeyRow{key::backspace, ImGuiKey_Backspace},
+        KeyRow{key::space, ImGuiKey_Space}, KeyRow{key::enter, ImGuiKey_Enter},
+        KeyRow{key::escape, ImGuiKey_Escape},
+#if IMGUI_VERSION_NUM >= 18700
+        KeyRow{key::keypadEnter, ImGuiKey_KeypadEnter},
+#else
+        KeyRow{key::keypadEnter, ImGuiKey_KeyPadEnter},
+#endif
+};
+
+} // namespace
+
+#if IMGUI_VERSION_NUM >= 18700
+
+namespace {
+
+constexpr std::array otherKeys{
+    KeyRow{'\'', ImGuiKey_Apostrophe},
+    KeyRow{',', ImGuiKey_Comma},
+    KeyRow{'-', ImGuiKey_Minus},
+    KeyRow{'.', ImGuiKey_Period},
+    KeyRow{'/', ImGuiKey_Slash},
+    KeyRow{';', ImGuiKey_Semicolon},
+    KeyRow{'=', ImGuiKey_Equal},
+    KeyRow{'[', ImGuiKey_LeftBracket},
+    KeyRow{'\\', ImGuiKey_Backslash},
+    KeyRow{']', ImGuiKey_RightBracket},
+    KeyRow{'`', ImGuiKey_GraveAccent},
+    KeyRow{key::keypadMinus, ImGuiKey_KeypadSubtract},
+    KeyRow{key::keypadPlus, ImGuiKey_KeypadAdd},
+    KeyRow{340, ImGuiKey_LeftShift},
+    KeyRow{341, ImGuiKey_LeftCtrl},
+    KeyRow{342, ImGuiKey_LeftAlt},
+    KeyRow{343, ImGuiKey_LeftSuper},
+    KeyRow{344, ImGuiKey_RightShift},
+    KeyRow{345, ImGuiKey_RightCtrl},
+    KeyRow{346, ImGuiKey_RightAlt},
+    KeyRow{347, ImGuiKey_RightSuper},
+    KeyRow{key::menu, ImGuiKey_Menu},
+};
+
+ImGuiKey nameOf(int code) {
+    const auto after = [code](ImGuiKey first, int from) {
+        return static_cast<ImGuiKey>(static_cast<int>(first) + code - from);
+    };
+    if (code >= 'A' && code <= 'Z')
+        return after(ImGuiKey_A, 'A');
+    if (code >= '0' && code <= '9')
+        return after(ImGuiKey_0, '0');
+    if (code >= key::f1 && code <= key::f12)
+        return after(ImGuiKey_F1, key::f1);
+    for (const KeyRow& row : editingKeys) {
+        if (row.code == code)
+            return row.name;
+    }
+    for (const KeyRow& row : otherKeys) {
+        if (row.code == code)
+            return row.name;
+    }
+    return ImGuiKey_None;
 }
 
-void mapKeys() {
+} // namespace
+
+bool isKeyDown(int code) {
+    return ImGui::IsKeyDown(nameOf(code));
+}
+
+bool isKeyPressed(int code, bool repeats) {
+    return ImGui::IsKeyPressed(nameOf(code), repeats);
+}
+
+void prepareKeys() {
+    ImGui::GetIO().ConfigInputTrickleEventQueue = false; // a frame is told what belongs together
+}
+
+void setKey(int code, bool down) {
+    const ImGuiKey name = nameOf(code);
+    if (name != ImGuiKey_None)
+        ImGui::GetIO().AddKeyEvent(name, down);
+}
+
+void setModifiers(bool control, bool shift, bool alt, bool super) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddKeyEvent(ImGuiMod_Ctrl, control);
+    io.AddKeyEvent(ImGuiMod_Shift, shift);
+    io.AddKeyEvent(ImGuiMod_Alt, alt);
+    io.AddKeyEvent(ImGuiMod_Super, super);
+}
+
+void letTabMove(bool moves) {
+    const ImGuiID other = ImHashStr("tab-other");
+    ImGui::SetKeyOwner(ImGuiKey_Tab, moves ? ImGuiKeyOwner_None : other, ImGuiInputFlags_None);
+}
+
+#else // Dear ImGui 1.86 takes the host's codes, and is told which of them it edits text with
+
+bool isKeyDown(int code) {
+    return ImGui::IsKeyDown(code);
+}
+
+bool isKeyPressed(int code, bool repeats) {
+    return ImGui::IsKeyPressed(code, repeats);
+}
+
+void prepareKeys() {
     int* map = ImGui::GetIO().KeyMap;
-    map[ImGuiKey_Tab] = key::tab;
-    map[ImGuiKey_LeftArrow] = key::left;
-    map[ImGuiKey_RightArrow] = key::right;
-    map[ImGuiKey_UpArrow] = key::up;
-    map[ImGuiKey_DownArrow] = key::down;
-    map[ImGuiKey_PageUp] = key::pageUp;
-    map[ImGuiKey_PageDown] = key::pageDown;
-    map[ImGuiKey_Home] = key::home;
-    map[ImGuiKey_End] = key::end;
-    map[ImGuiKey_Insert] = key::insert;
-    map[ImGuiKey_Delete] = key::del;
-    map[ImGuiKey_Backspace] = key::backspace;
-    map[ImGuiKey_Space] = key::space;
-    map[ImGuiKey_Enter] = key::enter;
-    map[ImGuiKey_Escape] = key::escape;
-    map[ImGuiKey_KeyPadEnter] = key::keypadEnter;
+    for (const KeyRow& row : editingKeys)
+        map[row.name] = row.code;
     map[ImGuiKey_A] = 'A';
     map[ImGuiKey_C] = 'C';
     map[ImGuiKey_V] = 'V';
     map[ImGuiKey_X] = 'X';
     map[ImGuiKey_Y] = 'Y';
     map[ImGuiKey_Z] = 'Z';
+}
+
+void setKey(int code, bool down) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (code >= 0 && static_cast<std::size_t>(code) < std::size(io.KeysDown))
+        io.KeysDown[code] = down;
+}
+
+void setModifiers(bool control, bool shift, bool alt, bool super) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = control;
+    io.KeyShift = shift;
+    io.KeyAlt = alt;
+    io.KeySuper = super;
+}
+
+void letTabMove(bool moves) {
+    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = moves ? key::tab : -1;
+}
+
+#endif
+
+bool isMenuAsked() {
+    return ImGui::IsItemFocused() &&
+           (isKeyPressed(key::menu, false) || (ImGui::GetIO().KeyShift && isKeyPressed(key::f10, false)));
 }
 
 } // namespace texplorer::ui

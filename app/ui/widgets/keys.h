@@ -2,8 +2,8 @@
 
 namespace texplorer::ui {
 
-// Dear ImGui 1.86 leaves key codes to the host. Ours are GLFW's: letters are their capitals in ASCII, the
-// others below. Every host reports keys under these numbers.
+// Keys have GLFW's codes everywhere: letters and digits are ASCII, the others below. Every host reports them
+// so, and everything that asks for a key does it here: versions of Dear ImGui number them differently.
 namespace key {
 inline constexpr int space = 32;
 inline constexpr int escape = 256;
@@ -33,11 +33,25 @@ inline constexpr int lastModifier = 347;
 inline constexpr int menu = 348;
 } // namespace key
 
+[[nodiscard]] bool isKeyDown(int code);
+
+/// Whether a key has gone down in this frame, or repeats in it.
+[[nodiscard]] bool isKeyPressed(int code, bool repeats = true);
+
 /// Whether the keyboard opens the menu of the last widget, as a right click does: the key for menus, or
 /// Shift+F10, where the keyboard is.
 [[nodiscard]] bool isMenuAsked();
 
-/// Tells Dear ImGui which of the codes are its own editing keys.
-void mapKeys();
+/// Prepares a new context of Dear ImGui for the functions below.
+void prepareKeys();
+
+/// Tells Dear ImGui of a key, before the frame. Codes that it doesn't know are ignored.
+void setKey(int code, bool down);
+
+/// Tells Dear ImGui which modifiers are held, on either side of the keyboard, before the frame.
+void setModifiers(bool control, bool shift, bool alt, bool super);
+
+/// Whether Tab moves from field to field in the next frame, or means something else.
+void letTabMove(bool moves);
 
 } // namespace texplorer::ui

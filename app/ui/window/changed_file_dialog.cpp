@@ -70,9 +70,9 @@ Decision decisionButtons(bool readable) {
     ImGui::EndDisabled();
     button("Save elsewhere", Decision::Elsewhere, "changed:elsewhere",
            "Under another name: the file stays as it is.\nKey Enter");
-    if (ImGui::IsKeyPressed(key::enter, false)) // what loses nothing
+    if (isKeyPressed(key::enter, false)) // what loses nothing
         decision = Decision::Elsewhere;
-    if (dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false))
+    if (dialogButton("Cancel") || isKeyPressed(key::escape, false))
         decision = Decision::Cancel;
     noteItem("changed:cancel");
     return decision;

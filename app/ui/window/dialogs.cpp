@@ -105,13 +105,13 @@ void drawDiscard(Session& session) {
              ? std::string("This scene has changes that are not saved.")
              : fmt::format("{} has changes that are not saved.", printable(file.filename().string())));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    const bool keep = dialogButton("Save") || ImGui::IsKeyPressed(key::enter, false);
+    const bool keep = dialogButton("Save") || isKeyPressed(key::enter, false);
     noteItem("discard:save");
     ImGui::SameLine();
     const bool drop = dialogButton("Don't save");
     noteItem("discard:drop");
     ImGui::SameLine();
-    const bool stay = dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false);
+    const bool stay = dialogButton("Cancel") || isKeyPressed(key::escape, false);
     noteItem("discard:cancel");
     if (keep || drop || stay) {
         ImGui::CloseCurrentPopup();
@@ -134,13 +134,13 @@ void drawPictureQuestion(Session& session) {
     const std::string name = session.window.askedPicture.file.filename().string();
     text(fmt::format("{} holds the scene that it was drawn from.", printable(name)));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    const bool open = dialogButton("Open its scene") || ImGui::IsKeyPressed(key::enter, false);
+    const bool open = dialogButton("Open its scene") || isKeyPressed(key::enter, false);
     noteItem("picture:scene");
     ImGui::SameLine();
     const bool use = dialogButton("Use it as an image");
     noteItem("picture:image");
     ImGui::SameLine();
-    const bool stay = dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false);
+    const bool stay = dialogButton("Cancel") || isKeyPressed(key::escape, false);
     noteItem("picture:cancel");
     if (open || use || stay) {
         ImGui::CloseCurrentPopup();
@@ -176,8 +176,8 @@ void drawRefused(Session& session) {
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
-    const bool read = dialogButton("Close") || ImGui::IsKeyPressed(key::escape, false) ||
-                      ImGui::IsKeyPressed(key::enter, false);
+    const bool read =
+        dialogButton("Close") || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false);
     noteItem("refused:close");
     if (read) {
         session.window.refused.clear();

@@ -333,7 +333,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
         browser.overwrites.reset();
         browser.error.clear();
     }
-    const bool enterElsewhere = ImGui::IsKeyPressed(key::enter, false) && !ImGui::IsAnyItemActive();
+    const bool enterElsewhere = isKeyPressed(key::enter, false) && !ImGui::IsAnyItemActive();
     if (entered || (enterElsewhere && result == Browsing::Open)) {
         result = choose(browser, chosen);
         browser.focusName = true;
@@ -349,7 +349,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
     const char* verb = !browser.saving ? "Open" : browser.overwrites ? "Overwrite" : "Save";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -
                     ImGui::GetStyle().ItemSpacing.x);
-    if (dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false))
+    if (dialogButton("Cancel") || isKeyPressed(key::escape, false))
         result = Browsing::Cancelled;
     noteItem("browser:cancel");
     ImGui::SameLine();
@@ -357,9 +357,9 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
         result = choose(browser, chosen);
     noteItem("browser:ok");
 
-    if (ImGui::IsKeyPressed(key::down))
+    if (isKeyPressed(key::down))
         moveMark(browser, 1);
-    if (ImGui::IsKeyPressed(key::up))
+    if (isKeyPressed(key::up))
         moveMark(browser, -1);
     if (result != Browsing::Open)
         ImGui::CloseCurrentPopup();

@@ -314,8 +314,7 @@ void drawHelp(Session& session) {
     const auto count = static_cast<float>(plan.columns.size());
     helpText(intro, color::text, count * plan.width + (count - 1) * 2 * style.ItemSpacing.x);
     drawHelpColumns(plan, room);
-    if (dialogButton("Close") || ImGui::IsKeyPressed(key::escape, false) ||
-        ImGui::IsKeyPressed(key::enter, false)) {
+    if (dialogButton("Close") || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false)) {
         session.window.dialog = Dialog::None;
         ImGui::CloseCurrentPopup();
     }

@@ -58,14 +58,14 @@ void moveKeyboardFocus(Session& session, KeyboardFocus& focus) {
         session.window.dialog == Dialog::None && !io.WantTextInput && !session.window.keyTaken;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || session.window.dialog != Dialog::None)
         focus.walks = false;
-    if (isFree && ImGui::IsKeyPressed(key::f6, false)) {
+    if (isFree && isKeyPressed(key::f6, false)) {
         focusNextPanel(io.KeyShift ? -1 : 1);
         focus.walks = true;
-    } else if (focus.walks && isFree && ImGui::IsKeyPressed(key::escape, false)) {
+    } else if (focus.walks && isFree && isKeyPressed(key::escape, false)) {
         focus.walks = false;
         session.window.keyTaken = true;
     }
-    if (focus.walks && std::ranges::any_of(walkingKeys, [](int each) { return ImGui::IsKeyPressed(each); }))
+    if (focus.walks && std::ranges::any_of(walkingKeys, [](int each) { return isKeyPressed(each); }))
         session.window.keyTaken = true;
 }
 

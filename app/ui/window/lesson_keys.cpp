@@ -53,11 +53,11 @@ void takeLessonKeys(Session& session, bool popup) {
         for (std::size_t i = 0; i < run->lesson.keys.size(); ++i) {
             const lesson::LessonKey& each = run->lesson.keys[i];
             const int code = codeOfKey(each.key);
-            if (!isUsable(*run, i) || !ImGui::IsKeyDown(code))
+            if (!isUsable(*run, i) || !isKeyDown(code))
                 continue;
             session.window.keyTaken = true;
             run->heldKey = i;
-            const bool pressed = ImGui::IsKeyPressed(code, false);
+            const bool pressed = isKeyPressed(code, false);
             const bool goesOn = std::holds_alternative<lesson::Addition>(each.effect);
             run->holdsKey |= goesOn;
             if (pressed)

@@ -159,7 +159,7 @@ void drawNotes(Session& session, const Layout& layout) {
     const bool isFree = !notes.isEdited && session.window.dialog == Dialog::None &&
                         !session.window.keyTaken && !ImGui::GetIO().WantTextInput &&
                         !ImGui::IsAnyItemActive();
-    if (notes.chosen && isFree && ImGui::IsKeyPressed(key::del, false)) {
+    if (notes.chosen && isFree && isKeyPressed(key::del, false)) {
         session.window.keyTaken = true;
         removeNote(notes, *notes.chosen);
     }

@@ -49,7 +49,7 @@ void movePixelWithKeys(Session& session, const Layout& layout, view::Size pictur
         return;
     const int step = io.KeyShift ? shiftedStep : 1;
     for (const ArrowRow& row : arrowRows) {
-        if (!ImGui::IsKeyPressed(row.key))
+        if (!isKeyPressed(row.key))
             continue;
         pixel->x = std::clamp(pixel->x + row.x * step, 0, std::max(0, picture.width - 1));
         pixel->y = std::clamp(pixel->y + row.y * step, 0, std::max(0, picture.height - 1));

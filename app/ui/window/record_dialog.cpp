@@ -137,7 +137,7 @@ void drawRecord(Session& session) {
     const bool typing = ImGui::GetIO().WantTextInput;
     ImGui::BeginDisabled(!recording);
     const bool goesOn =
-        dialogButton("Choose a file…") || (recording && !typing && ImGui::IsKeyPressed(key::enter, false));
+        dialogButton("Choose a file…") || (recording && !typing && isKeyPressed(key::enter, false));
     ImGui::EndDisabled();
     noteItem("record:choose");
     ImGui::SameLine();
@@ -147,7 +147,7 @@ void drawRecord(Session& session) {
     noteItem("record:copy");
     helpTip("A \"texshot animate\" that writes the same file without a window, for scripts.");
     ImGui::SameLine();
-    const bool stays = dialogButton("Cancel") || (!typing && ImGui::IsKeyPressed(key::escape, false));
+    const bool stays = dialogButton("Cancel") || (!typing && isKeyPressed(key::escape, false));
     noteItem("record:cancel");
     if (copies)
         copyCommand(session);

@@ -81,7 +81,7 @@ void drawRestore(Session& session, const Pictures& pictures) {
     if (readable)
         drawPicture(session, pictures);
     ImGui::Dummy({0, em * 0.3F});
-    const bool enter = ImGui::IsKeyPressed(key::enter, false);
+    const bool enter = isKeyPressed(key::enter, false);
     bool restore = false;
     if (readable) {
         restore = dialogButton("Restore") || enter;
@@ -95,7 +95,7 @@ void drawRestore(Session& session, const Pictures& pictures) {
         helpTip("It is lost for good.");
         ImGui::SameLine();
     }
-    const bool later = dialogButton("Later") || ImGui::IsKeyPressed(key::escape, false);
+    const bool later = dialogButton("Later") || isKeyPressed(key::escape, false);
     noteItem("restore:later");
     helpTip("It is offered again at the next start.");
     if (restore || discard || later) {

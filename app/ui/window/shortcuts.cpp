@@ -174,7 +174,7 @@ void handleShortcuts(Session& session, const Layout& layout) {
         return;
     for (const Shortcut& row : shortcutRows) {
         if (io.KeyCtrl == row.control && io.KeyShift == row.shift && !io.KeyAlt && !io.KeySuper &&
-            ImGui::IsKeyPressed(row.key, row.repeats))
+            isKeyPressed(row.key, row.repeats))
             row.act(session, layout);
     }
 }

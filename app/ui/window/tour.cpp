@@ -130,7 +130,7 @@ void drawTour(Session& session, const Layout& layout, bool takesEscape) {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
-    if (takesEscape && ImGui::IsKeyPressed(key::escape, false) && !session.window.keyTaken &&
+    if (takesEscape && isKeyPressed(key::escape, false) && !session.window.keyTaken &&
         !ImGui::GetIO().WantTextInput) {
         session.window.keyTaken = true;
         answer = TourAnswer::Skip;

@@ -201,7 +201,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
     // Elsewhere Tab shows the view alone.
     const bool fields = navigates || io.WantTextInput || session.window.dialog != Dialog::None;
-    io.KeyMap[ImGuiKey_Tab] = fields ? key::tab : -1;
+    letTabMove(fields);
     return requests;
 }
 

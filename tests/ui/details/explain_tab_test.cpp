@@ -88,13 +88,13 @@ TEST_F(ExplainTab, AClickMeansNothingWhileItIsClosed) {
 TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
     close();
     moveTo(onTheCube());
-    ImGui::GetIO().KeysDown[int{'E'}] = true;
+    setHeld('E', true);
     frames(3);
     EXPECT_TRUE(session->window.explaining.isOpen);
     const auto first = session->window.explaining.pixel;
     ASSERT_TRUE(first);
     moveTo({onTheCube().x + 7, onTheCube().y - 5});
-    ImGui::GetIO().KeysDown[int{'E'}] = false;
+    setHeld('E', false);
     frames(2);
     EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
     moveTo(onTheCube());

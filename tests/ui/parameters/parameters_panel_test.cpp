@@ -70,13 +70,11 @@ TEST_F(ParametersPanel, ANumberCanBeTypedAndIsBroughtIntoItsRange) {
     scrollTo("textures[0].maxAnisotropy");
     const ImVec2 at = place("textures[0].maxAnisotropy");
     moveTo(at);
-    ImGui::GetIO().KeysDown[ctrl] = true;
-    ImGui::GetIO().KeyCtrl = true;
+    setHeld(ctrl, true);
     ImGui::GetIO().MouseDown[0] = true;
     frames(1);
     ImGui::GetIO().MouseDown[0] = false;
-    ImGui::GetIO().KeysDown[ctrl] = false;
-    ImGui::GetIO().KeyCtrl = false;
+    setHeld(ctrl, false);
     frames(2);
     type("1e999");
     key(key::enter);

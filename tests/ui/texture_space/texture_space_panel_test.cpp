@@ -251,7 +251,7 @@ TEST_F(TextureSpace, WhatFacesShareIsDrawnOnce) {
         scene().models[0].shape = shape;
         frames(3);
         for (const ImDrawList* list :
-             std::span(ImGui::GetDrawData()->CmdLists,
+             std::span(&ImGui::GetDrawData()->CmdLists[0],
                        static_cast<std::size_t>(ImGui::GetDrawData()->CmdListsCount))) {
             if (std::string_view(list->_OwnerName) == "Texture space")
                 return list->VtxBuffer.Size;

@@ -58,9 +58,9 @@ TEST_F(ViewPanel, ARightDragAndAShiftDragPan) {
     EXPECT_NE(scene().view.target, before.target);
     EXPECT_EQ(scene().view.azimuth, before.azimuth);
     const glm::vec3 once = scene().view.target;
-    ImGui::GetIO().KeysDown[shift] = ImGui::GetIO().KeyShift = true;
+    setHeld(shift, true);
     drag(corner(), {-30, 0});
-    ImGui::GetIO().KeysDown[shift] = ImGui::GetIO().KeyShift = false;
+    setHeld(shift, false);
     EXPECT_NE(scene().view.target, once);
     EXPECT_EQ(scene().view.azimuth, before.azimuth);
 }
@@ -75,20 +75,19 @@ TEST_F(ViewPanel, TheWheelZoomsAndADoubleClickFrames) {
 
 TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
     const View before = scene().view;
-    const auto hold = [](bool down) { ImGui::GetIO().KeysDown[ctrl] = ImGui::GetIO().KeyCtrl = down; };
-    hold(true);
+    setHeld(ctrl, true);
     wheel(pixelOf(0, 2), 1);
     wheel(pixelOf(0, 2), 1);
     EXPECT_EQ(session->window.view.zoom.factor, 4);
-    hold(false);
+    setHeld(ctrl, false);
     const ImVec2 where = pixelOf(0, 2); // of the vertex, which stayed under the mouse
     clickAt(where);
     EXPECT_EQ(session->window.selection.vertex, 2U);
     EXPECT_NEAR(places.items.at("marker").left, where.x, 2); // half a pixel of the enlarged picture
     frames(25);                                              // the next press is no double click
-    hold(true);
+    setHeld(ctrl, true);
     drag(where, {40, 20});
-    hold(false);
+    setHeld(ctrl, false);
     EXPECT_NEAR(places.items.at("marker").left, where.x + 40, 8); // but for the click's first pixels
     EXPECT_NEAR(places.items.at("marker").top, where.y + 20, 8);
     EXPECT_EQ(scene().view, before);

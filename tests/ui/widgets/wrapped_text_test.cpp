@@ -50,7 +50,7 @@ TEST_F(WrappedText, NamesOfFourKilobytesNeedFewLetters) {
         session->window.wantedTab = tab;
         frames(3);
         for (const ImDrawList* list :
-             std::span(ImGui::GetDrawData()->CmdLists,
+             std::span(&ImGui::GetDrawData()->CmdLists[0],
                        static_cast<std::size_t>(ImGui::GetDrawData()->CmdListsCount)))
             EXPECT_LT(list->VtxBuffer.Size, 30'000) << list->_OwnerName << rowOf(tab).label;
         expectSoundFrame();

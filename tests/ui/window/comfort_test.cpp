@@ -59,11 +59,9 @@ TEST_F(Comfort, TextHasALargestAndASmallestSize) {
 
 TEST_F(Comfort, CtrlAndTheWheelResizeWhereNothingElseDoes) {
     const auto turn = [&](ImVec2 where, float notches) {
-        ImGui::GetIO().KeysDown[ctrl] = true;
-        ImGui::GetIO().KeyCtrl = true;
+        setHeld(ctrl, true);
         wheel(where, notches);
-        ImGui::GetIO().KeysDown[ctrl] = false;
-        ImGui::GetIO().KeyCtrl = false;
+        setHeld(ctrl, false);
         frames(1);
     };
     turn(place("parameters"), 1);

@@ -263,7 +263,7 @@ TEST_F(FileBrowserDialog, ChangesAreNotLostUnasked) {
     click("discard:save");
     ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
     type((folder / "kept.json").string());
-    ImGui::GetIO().KeysDown[key::enter] = true;
+    setHeld(key::enter, true);
     bool quit = false;
     for (int i = 0; i < 3; ++i) {
         frames(1);

@@ -30,9 +30,9 @@ protected:
         return enabled;
     }
     void hold(int code, int count) {
-        ImGui::GetIO().KeysDown[code] = true;
+        setHeld(code, true);
         frames(count);
-        ImGui::GetIO().KeysDown[code] = false;
+        setHeld(code, false);
         frames(2);
     }
     void undoOnce() { key('Z', {ctrl}); }
@@ -146,13 +146,13 @@ TEST_F(LessonKeys, TheWindowGoesOnWhileOneIsHeld) {
     open();
     session->window.playback.playing = false;
     EXPECT_FALSE(isMoving(*session));
-    ImGui::GetIO().KeysDown[key::up] = true;
+    setHeld(key::up, true);
     frames(2);
     EXPECT_TRUE(isMoving(*session));
     const double time = session->window.playback.time;
     advance(*session, 1);
     EXPECT_EQ(session->window.playback.time, time) << "the clock stands still";
-    ImGui::GetIO().KeysDown[key::up] = false;
+    setHeld(key::up, false);
     frames(2);
     EXPECT_FALSE(isMoving(*session));
 }
