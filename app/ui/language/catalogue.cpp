@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <numeric>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -17,7 +17,8 @@ constexpr std::size_t leastEffort = 100;    ///< for a part, beside its bytes, w
 constexpr std::size_t mostEffort = 100'000; ///< for a text: several times what any of ours takes
 constexpr std::size_t keysOfEffort = 16;    ///< so many keys with places cost as much as a byte
 constexpr std::size_t mostPlaces = 32;      ///< of a key
-constexpr std::size_t fewestLetters = 3;    ///< of a key with places: "{} × {}" says nothing
+constexpr std::string_view colon = ": ";
+constexpr std::size_t fewestLetters = 3; ///< of a key with places: "{} × {}" says nothing
 
 /// "a {} b {}" → "a ", " b ", "". A format such as {:.2f} is a place, and {{ a brace.
 std::vector<std::string> piecesOf(std::string_view key) {
@@ -42,11 +43,14 @@ bool isLetter(char byte) {
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
 }
 
-std::size_t lettersIn(const std::vector<std::string>& pieces) {
-    return std::accumulate(pieces.begin(), pieces.end(), std::size_t{0},
-                           [](std::size_t sum, const auto& piece) {
-                               return sum + static_cast<std::size_t>(std::ranges::count_if(piece, isLetter));
-                           });
+/// Letters, and bytes of any kind, which decide between keys of as many letters.
+std::pair<std::size_t, std::size_t> saidBy(const std::vector<std::string>& pieces) {
+    std::pair<std::size_t, std::size_t> said;
+    for (const std::string& piece : pieces) {
+        said.first += static_cast<std::size_t>(std::ranges::count_if(piece, isLetter));
+        said.second += piece.size();
+    }
+    return said;
 }
 
 /// What stands at the places, where `text` can be read as the key; each as short as it can be. `tries` bounds
@@ -118,6 +122,12 @@ bool hasPlaces(std::string_view form, std::size_t count) {
            piecesOf(form).size() == count + 1;
 }
 
+std::optional<unsigned long> numberIn(std::string_view part) {
+    unsigned long number = 0;
+    const char* end = part.data() + part.size();
+    return std::from_chars(part.data(), end, number).ptr == end ? std::optional(number) : std::nullopt;
+}
+
 std::string withCapital(std::string text) {
     if (text.empty())
         return text;
@@ -186,7 +196,7 @@ void Catalogue::addKey(std::string_view key, const Draft& draft) {
     std::vector<std::string> pieces = piecesOf(key);
     if (pieces.size() == 1)
         whole_.emplace(pieces.front(), filled(draft.forms.front(), {}));
-    else if (lettersIn(pieces) >= fewestLetters)
+    else if (saidBy(pieces).first >= fewestLetters)
         entries_.push_back({std::move(pieces), draft.forms, draft.pluralKey.has_value(),
                             key.find('\n') != std::string_view::npos});
 }
@@ -268,8 +278,7 @@ Result<Catalogue> Catalogue::parse(Language language, std::span<const CatalogueF
             return fail(added.error());
     }
     // The key that says most of a text is the one that it was made of.
-    std::ranges::stable_sort(catalogue.entries_, std::greater<>(),
-                             [](const Entry& entry) { return lettersIn(entry.pieces); });
+    std::ranges::stable_sort(catalogue.entries_, std::greater<>(), &Entry::says);
     return catalogue;
 }
 
@@ -319,53 +328,87 @@ std::optional<std::string> Catalogue::lookUp(std::string_view english, Search se
     }
     if (std::optional<std::string> text = fromKeys(english, search))
         return text;
-    if (const std::string small = withoutCapital(english); small != english) {
-        if (std::optional<std::string> text = fromKeys(small, search))
-            return withCapital(*std::move(text));
-    }
-    if (const std::string large = withCapital(std::string(english)); large != english) {
-        if (std::optional<std::string> text = fromKeys(large, search))
-            return withoutCapital(*text);
-    }
     return fromParts(english, search);
 }
 
+/// A sentence begins with a capital, and its key may not, or the other way round: both are looked up in each
+/// kind of key before the next kind.
 std::optional<std::string> Catalogue::fromKeys(std::string_view english, Search search) const {
+    const std::string small = withoutCapital(english);
+    const bool hasCapital = small != english;
+    const std::string other = hasCapital ? small : withCapital(std::string(english));
+    const bool isOther = other != english;
+    const auto restored = [hasCapital](std::string text) {
+        return hasCapital ? withCapital(std::move(text)) : withoutCapital(text);
+    };
     if (const auto found = whole_.find(std::string(english)); found != whole_.end())
         return found->second;
-    if (std::optional<std::string> text = fromKey(Keys::Closed, english, search))
-        return text;
+    if (const auto found = whole_.find(other); found != whole_.end())
+        return restored(found->second);
+    const Reading given = read(Keys::Closed, english);
+    const Reading turned = isOther ? read(Keys::Closed, other) : Reading();
+    const std::string_view label = english.substr(0, english.find(colon)); // "Wrap s: Repeat"
+    const Said labelSays = whole_.contains(std::string(label)) ? saidBy({std::string(label)}) : Said();
+    if (turned.entry &&
+        turned.entry->says() > std::max(given.entry ? given.entry->says() : Said(), labelSays))
+        return restored(translationOf(turned, search));
+    if (given.entry)
+        return translationOf(given, search);
+    const Reading open = read(Keys::Open, english);
+    if (open.entry && open.entry->beginsWithPlaceAndColon() &&
+        open.entry->says() > saysOf(english.substr(english.find(colon) + colon.size())))
+        return translationOf(open, search);
     if (std::optional<std::string> text = afterPlace(english, search))
         return text;
-    return fromKey(Keys::Open, english, search);
+    if (std::optional<std::string> text = isOther ? afterPlace(other, search) : std::nullopt)
+        return restored(*std::move(text));
+    return open.entry ? std::optional(translationOf(open, search)) : std::nullopt;
 }
 
-std::optional<std::string> Catalogue::fromKey(Keys keys, std::string_view english, Search search) const {
+Catalogue::Said Catalogue::Entry::says() const {
+    return saidBy(pieces);
+}
+
+bool Catalogue::Entry::beginsWithPlaceAndColon() const {
+    return isOpen() && pieces[1].starts_with(colon);
+}
+
+/// How much the key says that a text was made of; nothing: it is none's.
+Catalogue::Said Catalogue::saysOf(std::string_view english) const {
+    if (whole_.contains(std::string(english)))
+        return saidBy({std::string(english)});
+    const Reading closed = read(Keys::Closed, english);
+    const Reading known = closed.entry ? closed : read(Keys::Open, english);
+    return known.entry ? known.entry->says() : Said();
+}
+
+/// By the key that says most of it.
+Catalogue::Reading Catalogue::read(Keys keys, std::string_view english) const {
     const bool hasLines = english.find('\n') != std::string_view::npos;
     for (const Entry& entry : entries_) {
         if (entry.isOpen() != (keys == Keys::Open) || entry.hasLines != hasLines)
             continue;
-        const auto parts = partsOf(english, entry.pieces);
-        if (!parts)
+        auto parts = partsOf(english, entry.pieces);
+        if (!parts || (entry.counts && !numberIn(parts->front())))
             continue;
-        unsigned long number = 0;
-        const char* end = parts->front().data() + parts->front().size();
-        const bool isNumber = std::from_chars(parts->front().data(), end, number).ptr == end;
-        if (entry.counts && !isNumber)
-            continue;
-        std::vector<std::string> words;
-        for (const std::string_view part : *parts)
-            words.push_back(lookUp(part, search.deeper()).value_or(std::string(part)));
-        const std::size_t form = entry.counts ? rowOf(language_).form(number) : 0;
-        return filled(entry.forms[std::min(form, entry.forms.size() - 1)], words);
+        return {&entry, *std::move(parts)};
     }
-    return std::nullopt;
+    return {};
+}
+
+std::string Catalogue::translationOf(const Reading& reading, Search search) const {
+    const Entry& entry = *reading.entry;
+    std::vector<std::string> words;
+    for (const std::string_view part : reading.parts)
+        words.push_back(lookUp(part, search.deeper()).value_or(std::string(part)));
+    const std::size_t form =
+        entry.counts ? rowOf(language_).form(numberIn(reading.parts.front()).value_or(0)) : 0;
+    return filled(entry.forms[std::min(form, entry.forms.size() - 1)], words);
 }
 
 /// "textures[0]: …", "brick.bmp: …": what is wrong, after where it is. Before a key that begins with a place
 /// takes both for one.
 std::optional<std::string> Catalogue::afterPlace(std::string_view english, Search search) const {
-    constexpr std::string_view colon = ": ";
     const std::size_t at = english.find(colon);
     if (at == std::string_view::npos)
         return std::nullopt;

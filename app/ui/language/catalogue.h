@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace texplorer::ui {
@@ -57,6 +58,9 @@ public:
     [[nodiscard]] Language language() const { return language_; }
 
 private:
+    /// How much a key says without its places: letters, then bytes.
+    using Said = std::pair<std::size_t, std::size_t>;
+
     struct Entry {
         std::vector<std::string> pieces; ///< of the key, between its places
         std::vector<std::string> forms;  ///< the translation, for each form of a number
@@ -65,6 +69,8 @@ private:
 
         /// Whether it begins with a place, and so with anything.
         [[nodiscard]] bool isOpen() const { return pieces.front().empty(); }
+        [[nodiscard]] bool beginsWithPlaceAndColon() const;
+        [[nodiscard]] Said says() const;
     };
 
     /// The keys that a text is held against together.
@@ -80,14 +86,21 @@ private:
         [[nodiscard]] Search deeper() const { return {depth + 1, left, names}; }
     };
 
+    /// A text as what a key with places became.
+    struct Reading {
+        const Entry* entry = nullptr;
+        std::vector<std::string_view> parts; ///< what stands at its places
+    };
+
     struct Draft;
 
     Result<void> add(const Draft& draft, std::string_view file);
     void addKey(std::string_view key, const Draft& draft);
     [[nodiscard]] std::optional<std::string> lookUp(std::string_view english, Search search) const;
     [[nodiscard]] std::optional<std::string> fromKeys(std::string_view english, Search search) const;
-    [[nodiscard]] std::optional<std::string> fromKey(Keys keys, std::string_view english,
-                                                     Search search) const;
+    [[nodiscard]] Said saysOf(std::string_view english) const;
+    [[nodiscard]] Reading read(Keys keys, std::string_view english) const;
+    [[nodiscard]] std::string translationOf(const Reading& reading, Search search) const;
     [[nodiscard]] std::optional<std::string> afterPlace(std::string_view english, Search search) const;
     [[nodiscard]] std::optional<std::string> fromParts(std::string_view english, Search search) const;
     [[nodiscard]] std::optional<std::string> joined(std::string_view english, std::string_view separator,

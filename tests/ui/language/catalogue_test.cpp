@@ -58,6 +58,26 @@ TEST(Catalogue, TakesTheKeyThatSaysMost) {
         << "the first place ends where it can";
 }
 
+// With a capital a text is that key, too, which says more of it than one that begins with a place.
+TEST(Catalogue, TakesTheKeyThatSaysMostWithItsCapitalToo) {
+    const Catalogue catalogue =
+        read("msgid \"{} is incomplete: {}\"\nmsgstr \"A {} {}\"\n\n"
+             "msgid \"the texture is incomplete: {} needs {}\"\nmsgstr \"б {} {}\"\n");
+    EXPECT_THAT(catalogue.translate("The texture is incomplete: 1 needs 2."), Optional(StrEq("Б 1 2.")));
+    EXPECT_THAT(catalogue.translate("textures[0] is incomplete: the texture is incomplete: 1 needs 2"),
+                Optional(StrEq("A textures[0] б 1 2")));
+}
+
+TEST(Catalogue, TakesTheKeyThatSaysMostWhereItBeginsWithAPlace) {
+    const Catalogue catalogue = read("msgid \"{}: the driver has no seams\"\nmsgstr \"{}: A\"\n\n"
+                                     "msgid \"the {} has {}\"\nmsgstr \"B {} {}\"\n\n"
+                                     "msgid \"Written: {}\"\nmsgstr \"C {}\"\n\n"
+                                     "msgid \"Written: {}. {}\"\nmsgstr \"D {} {}\"\n");
+    EXPECT_THAT(catalogue.translate("a.json: the driver has no seams"), Optional(StrEq("a.json: A")));
+    EXPECT_THAT(catalogue.translate("a.json: the driver has 7"), Optional(StrEq("a.json: B driver 7")));
+    EXPECT_THAT(catalogue.translate("Written: 7. 8"), Optional(StrEq("D 7 8"))) << "as many letters";
+}
+
 TEST(Catalogue, TakesTheFormOfANumber) {
     const Catalogue catalogue = read("msgid \"{} setting\"\nmsgid_plural \"{} settings\"\n"
                                      "msgstr[0] \"{} настройка\"\nmsgstr[1] \"{} настройки\"\n"
