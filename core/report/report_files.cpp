@@ -43,20 +43,6 @@ Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json();
 }
 
-/// Whether a name stays in the folder, whoever writes it and whatever opens it.
-bool staysInside(std::string_view file) {
-    if (file.empty() || printable(file) != file || file.find_first_of("\\:") != std::string_view::npos)
-        return false;
-    for (std::size_t begin = 0; begin <= file.size();) {
-        const std::size_t end = std::min(file.find('/', begin), file.size());
-        const std::string_view part = file.substr(begin, end - begin);
-        if (part.empty() || part == "." || part == "..")
-            return false;
-        begin = end + 1;
-    }
-    return true;
-}
-
 Result<void> checkFile(std::string_view file) {
     if (staysInside(file))
         return {};
@@ -258,6 +244,19 @@ Result<std::vector<File>> FolderWriter::write() {
 }
 
 } // namespace
+
+bool staysInside(std::string_view file) {
+    if (file.empty() || printable(file) != file || file.find_first_of("\\:") != std::string_view::npos)
+        return false;
+    for (std::size_t begin = 0; begin <= file.size();) {
+        const std::size_t end = std::min(file.find('/', begin), file.size());
+        const std::string_view part = file.substr(begin, end - begin);
+        if (part.empty() || part == "." || part == "..")
+            return false;
+        begin = end + 1;
+    }
+    return true;
+}
 
 std::vector<std::string> pageFileNames() {
     std::vector<std::string> names{scriptName, dataName};

@@ -22,6 +22,10 @@ struct File {
 /// UTF-8, or is that of another file.
 [[nodiscard]] Result<std::vector<File>> filesOf(const Page& page);
 
+/// Whether a file's name stays in the folder that it is in, and shows as it is written: no control
+/// characters.
+[[nodiscard]] bool staysInside(std::string_view file);
+
 /// The names of those of them that every page has.
 [[nodiscard]] std::vector<std::string> pageFileNames();
 

@@ -1,12 +1,12 @@
 #include "core/suite/record_json.h"
 
 #include "core/base/printable.h"
+#include "core/report/report_files.h"
 #include "core/suite/json_reader.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -46,6 +46,7 @@ OrderedJson caseJson(const CaseRecord& record) {
         json["signal"] = record.signal;
     writeText(json, "renderer", record.renderer);
     writeText(json, "driver", record.driver);
+    writeText(json, "settings", record.settings);
     json["size"] = {record.width, record.height};
     json["time"] = record.time;
     if (wasCompared(record)) {
@@ -80,7 +81,6 @@ OrderedJson runJson(const RunRecord& run) {
     json["suites"] = run.suites;
     writeText(json, "driver", run.driver);
     writeText(json, "version", run.version);
-    writeText(json, "settings", run.settings);
     writeText(json, "plan", run.plan);
     json["planned"] = run.planned;
     json["shard"] = {run.shard.number, run.shard.count};
@@ -133,9 +133,7 @@ void readState(JsonObject& object, State& state) {
 /// A file of the report's folder: a page and a merge follow it.
 void readPicture(JsonObject& object, const char* key, std::string& name) {
     object.text(key, name, maxRecordText);
-    const std::filesystem::path path(name);
-    const bool leadsOut = path.is_absolute() || std::ranges::find(path, "..") != path.end();
-    if (leadsOut || name.find('\0') != std::string::npos)
+    if (!name.empty() && !report::staysInside(name))
         object.refuse(key, "a file's name within the folder");
 }
 
@@ -152,6 +150,7 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.whole("signal", record.signal, 0, 255);
     object.text("renderer", record.renderer, maxRecordText);
     object.text("driver", record.driver, maxRecordText);
+    object.text("settings", record.settings, maxRecordText);
     std::array<int, 2> size{};
     readNumbers(object, "size", size, 0, largest);
     record.width = size[0];
@@ -199,7 +198,6 @@ void readHead(JsonObject& object, RunRecord& run) {
     readTexts(object, "suites", run.suites);
     object.text("driver", run.driver, maxRecordText);
     object.text("version", run.version, maxRecordText);
-    object.text("settings", run.settings, maxRecordText);
     object.text("plan", run.plan, maxRecordText);
     object.whole("planned", run.planned, 0, maxRecordCases);
     std::array<int, 2> shard{run.shard.number, run.shard.count};

@@ -64,7 +64,8 @@ Result<std::vector<suite::RunRecord>> readRuns(const std::vector<std::string>& p
 
 /// The pictures of each case are in the report that its record came from: beside that run's file.
 Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::RunRecord>& runs,
-                            const std::vector<std::string>& paths, const fs::path& folder) {
+                            const std::vector<std::string>& paths, const fs::path& folder,
+                            std::vector<std::string>& problems) {
     struct Place {
         const suite::CaseRecord* record;
         fs::path folder;
@@ -80,7 +81,7 @@ Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::R
             std::find_if(first, last, [&](const auto& place) { return *place.second.record == each; });
         if (own == last)
             continue;
-        if (const Result<void> copied = copyPictures(own->second.folder, folder, each); !copied)
+        if (const Result<void> copied = copyPictures(own->second.folder, folder, each, problems); !copied)
             return copied;
     }
     return {};
@@ -108,15 +109,18 @@ std::vector<NamedOutput> outputsOfMerge(const MergeOptions& options) {
     return outputs;
 }
 
-Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecord>& runs,
-                         const MergeOptions& options) {
-    const Result<RunFolder> folder = RunFolder::open(options.report);
-    if (!folder)
-        return fail(folder.error());
-    removePictures(options.report);
-    if (const Result<void> gathered = gatherPictures(run, runs, options.runs, options.report); !gathered)
+/// An old report's pictures go once the new one is whole.
+Result<void> writeReport(const RunFolder& folder, suite::RunRecord run,
+                         const std::vector<suite::RunRecord>& runs, const MergeOptions& options,
+                         std::vector<std::string>& problems) {
+    if (const Result<void> gathered = gatherPictures(run, runs, options.runs, options.report, problems);
+        !gathered)
         return gathered;
-    return folder->finish(run, run.command.empty() ? std::string() : run.command + " --accept accept.txt");
+    const Result<void> finished =
+        folder.finish(run, run.command.empty() ? std::string() : run.command + " --accept accept.txt");
+    if (finished)
+        removePictures(options.report, run.cases);
+    return finished;
 }
 
 Result<void> writeText(const std::string& path, const std::string& text) {
@@ -144,9 +148,17 @@ int merge(const MergeOptions& options) {
     const Result<std::vector<suite::RunRecord>> runs = readRuns(options.runs);
     if (!runs)
         return complainOfMerge(runs.error());
-    const Result<suite::Merged> merged = suite::merge(*runs, options.runs);
+    Result<suite::Merged> merged = suite::merge(*runs, options.runs);
     if (!merged)
         return complainOfMerge(merged.error());
+    if (!options.report.empty()) { // first: nothing is written where it can't be
+        const Result<RunFolder> folder = RunFolder::open(options.report);
+        if (!folder)
+            return complainOfMerge(folder.error());
+        if (const Result<void> written = writeReport(*folder, merged->run, *runs, options, merged->problems);
+            !written)
+            return complainOfMerge(written.error());
+    }
     if (const Result<void> written = writeText(options.out, suite::asJson(merged->run)); !written)
         return complainOfMerge(written.error());
     if (!options.junit.empty()) {
@@ -155,10 +167,6 @@ int merge(const MergeOptions& options) {
     }
     if (!options.durations.empty()) {
         if (const Result<void> written = writeDurations(merged->run, options.durations); !written)
-            return complainOfMerge(written.error());
-    }
-    if (!options.report.empty()) {
-        if (const Result<void> written = writeReport(merged->run, *runs, options); !written)
             return complainOfMerge(written.error());
     }
     for (const std::string& problem : merged->problems)

@@ -8,7 +8,10 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <fcntl.h>
+#include <set>
 #include <string_view>
+#include <sys/stat.h>
 
 namespace texplorer::screenshot {
 namespace {
@@ -38,6 +41,29 @@ bool isPictureName(std::string_view name) {
             return true;
     }
     return false;
+}
+
+Descriptor openPictures(const fs::path& folder) {
+    const fs::path pictures = folder / picturesFolder;
+    return Descriptor(::open(pictures.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+}
+
+/// A picture beside a record, by its name within "pictures/".
+Result<Bytes> readPicture(const fs::path& folder, const std::string& name) {
+    const std::string path = (folder / picturesFolder / name).string();
+    const Descriptor directory = openPictures(folder);
+    struct stat info {};
+    if (!directory.valid() || ::fstatat(directory.get(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0)
+        return fail(ErrorCode::NotFound, "there is no such picture", path);
+    const Error noPicture{ErrorCode::Malformed, "expected a PNG file, found something else: left out", path};
+    if (!S_ISREG(info.st_mode))
+        return fail(noPicture);
+    const Descriptor file(
+        ::openat(directory.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    Result<Bytes> bytes = readOpened(file, path);
+    if (bytes && !decodePng(*bytes, {.pixels = false}))
+        return fail(noPicture);
+    return bytes;
 }
 
 /// What is in a file's place, even a link, goes: it isn't followed.
@@ -82,29 +108,39 @@ Result<void> writePictures(const fs::path& folder, const std::string& file, cons
     return {};
 }
 
-void removePictures(const fs::path& folder) {
-    const fs::path pictures = folder / picturesFolder;
-    const Descriptor directory(::open(pictures.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+void removePictures(const fs::path& folder, std::span<const suite::CaseRecord> keep) {
+    const Descriptor directory = openPictures(folder);
     if (!directory.valid())
         return;
+    std::set<std::string> kept;
+    for (const suite::CaseRecord& record : keep) {
+        for (const Kind& kind : kinds) {
+            const std::string name = fs::path(record.*kind.name).filename().string();
+            kept.insert({name, name + std::string(pixelsEnding)});
+        }
+    }
     std::vector<std::string> names;
-    forEachName(directory.get(), [&names](const char* name) {
-        if (isPictureName(name))
+    forEachName(directory.get(), [&](const char* name) {
+        if (isPictureName(name) && !kept.contains(name))
             names.emplace_back(name);
     });
     for (const std::string& name : names)
         ::unlinkat(directory.get(), name.c_str(), 0); // a folder stays
 }
 
-Result<void> copyPictures(const fs::path& from, const fs::path& to, suite::CaseRecord& record) {
+Result<void> copyPictures(const fs::path& from, const fs::path& to, suite::CaseRecord& record,
+                          std::vector<std::string>& problems) {
     const std::string prefix = std::string(picturesFolder) + "/";
     for (const Kind& kind : kinds) {
         std::string& name = record.*kind.name;
         if (name.empty())
             continue;
         const bool isOurs = name.starts_with(prefix) && isPictureName(name.substr(prefix.size()));
-        const Result<Bytes> png = isOurs ? readFile(from / name) : fail(ErrorCode::NotFound, "");
+        const Result<Bytes> png =
+            isOurs ? readPicture(from, name.substr(prefix.size())) : fail(ErrorCode::NotFound, "");
         if (!png) {
+            if (png.error().code != ErrorCode::NotFound)
+                problems.push_back(describe(png.error()));
             name.clear();
             continue;
         }

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,14 @@ struct CasePictures {
 [[nodiscard]] Result<void> writePictures(const std::filesystem::path& folder, const std::string& file,
                                          const CasePictures& pictures, suite::CaseRecord& record);
 
-/// Removes what another run has left there. Nothing else is touched: what has another name, or is no file.
-void removePictures(const std::filesystem::path& folder);
+/// Removes the pictures that another run has left there, but for those of these cases. Nothing else is
+/// touched: what has another name, or is no file.
+void removePictures(const std::filesystem::path& folder, std::span<const suite::CaseRecord> keep = {});
 
 /// Copies a record's pictures with their pixels from the folder of its report to another one; those that
-/// aren't there are taken out of the record. Names in a record come from outside: only those that
-/// writePictures gives are followed.
+/// aren't there are taken out of the record. So are those that are no PNG files, or links to some, each with
+/// a sentence in `problems`: a record and its folder come from outside, and the report may be published.
 [[nodiscard]] Result<void> copyPictures(const std::filesystem::path& from, const std::filesystem::path& to,
-                                        suite::CaseRecord& record);
+                                        suite::CaseRecord& record, std::vector<std::string>& problems);
 
 } // namespace texplorer::screenshot

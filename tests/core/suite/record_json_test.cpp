@@ -89,6 +89,9 @@ TEST(RecordJson, WhatIsWrongIsSaidWithItsLine) {
         Wrong{head + "{\"name\": \"late/fixed@8x8\"}\n", "line 2: expected the key \"state\""},
         Wrong{head + R"({"name": "late/fixed@8x8", "state": "pased"})" + "\n", "line 2: /state"},
         Wrong{head + R"({"name": "other", "state": "passed"})" + "\n", "\"other\" is no case of this run"},
+        Wrong{head + R"({"name": "late/fixed@8x8", "state": "failed", "actualPicture": "a\u001b[31m.png"})" +
+                  "\n",
+              "line 2: /actualPicture: expected a file's name within the folder"},
         Wrong{head + R"({"name": "late/fixed@8x8", "state": "failed", "actualPicture": "../x.png"})" + "\n",
               "line 2: /actualPicture: expected a file's name within the folder"},
         Wrong{head + R"({"name": "late/fixed@8x8", "state": "failed", "worst": {"x": -1}})" + "\n",

@@ -1,9 +1,12 @@
 #include "app/screenshot/runs/case_pictures.h"
 #include "core/base/file_io.h"
+#include "core/codec/png/png.h"
 #include "core/codec/registry.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
+
+#include <sys/stat.h>
 
 namespace texplorer::screenshot::case_pictures_test {
 namespace {
@@ -77,6 +80,14 @@ TEST_F(CasePicturesTest, WhatAnotherRunLeftGoesAndNothingElse) {
     removePictures(folder / "nowhere");
 }
 
+TEST_F(CasePicturesTest, PicturesOfTheseCasesStay) {
+    for (const char* name : {"a-actual.png", "a-actual.png.js", "b-actual.png"})
+        put(pictures / name);
+    const suite::CaseRecord kept{.name = "a", .actualPicture = "pictures/a-actual.png"};
+    removePictures(folder.path(), {&kept, 1});
+    EXPECT_THAT(namesIn(pictures), UnorderedElementsAre("a-actual.png", "a-actual.png.js"));
+}
+
 TEST_F(CasePicturesTest, CopiesFollowOnlyNamesThatAreTheirs) {
     const test::TempDir target;
     fs::create_directory(target / picturesFolder);
@@ -86,17 +97,39 @@ TEST_F(CasePicturesTest, CopiesFollowOnlyNamesThatAreTheirs) {
     record.expectedPicture = "pictures/../pictures/a-actual.png";
     record.differencePicture = "pictures/gone-difference.png";
     put(folder / "b-actual.png");
-    ASSERT_TRUE(copyPictures(folder.path(), target.path(), record));
+    std::vector<std::string> problems;
+    ASSERT_TRUE(copyPictures(folder.path(), target.path(), record, problems));
+    EXPECT_EQ(problems, std::vector<std::string>()) << "that a picture is missing is no problem";
     EXPECT_EQ(record.actualPicture, "pictures/a-actual.png");
     EXPECT_EQ(record.expectedPicture + record.differencePicture, "");
     EXPECT_THAT(namesIn(target / picturesFolder), UnorderedElementsAre("a-actual.png", "a-actual.png.js"));
     for (const std::string name :
          {"b-actual.png", "../b-actual.png", "/etc/x-actual.png", "pictures/notes.txt"}) {
         suite::CaseRecord wrong{.name = "a", .actualPicture = name};
-        ASSERT_TRUE(copyPictures(folder.path(), target.path(), wrong));
+        ASSERT_TRUE(copyPictures(folder.path(), target.path(), wrong, problems));
         EXPECT_EQ(wrong.actualPicture, "") << name;
     }
     EXPECT_THAT(namesIn(target.path()), UnorderedElementsAre(picturesFolder));
+}
+
+TEST_F(CasePicturesTest, CopiesTakePngFilesAndNothingThatALinkLeadsTo) {
+    const test::TempDir target;
+    fs::create_directory(target / picturesFolder);
+    const Image image = filled(2, 2, std::byte{7});
+    ASSERT_TRUE(writeFileAtomically(folder / "outside.png", *encodePng(image)));
+    fs::create_symlink(folder / "outside.png", pictures / "link-actual.png");
+    put(pictures / "text-actual.png");
+    ASSERT_EQ(::mkfifo((pictures / "pipe-actual.png").c_str(), 0600), 0);
+    for (const std::string name : {"link", "text", "pipe"}) {
+        suite::CaseRecord record{.name = "a", .actualPicture = "pictures/" + name + "-actual.png"};
+        std::vector<std::string> problems;
+        ASSERT_TRUE(copyPictures(folder.path(), target.path(), record, problems));
+        EXPECT_EQ(record.actualPicture, "") << name;
+        ASSERT_EQ(problems.size(), 1U) << name;
+        EXPECT_THAT(problems.front(), testing::HasSubstr("expected a PNG file")) << name;
+        EXPECT_THAT(problems.front(), testing::HasSubstr(name + "-actual.png"));
+    }
+    EXPECT_THAT(namesIn(target / picturesFolder), IsEmpty());
 }
 
 } // namespace
