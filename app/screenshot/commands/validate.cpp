@@ -121,8 +121,22 @@ bool takeAway(PlainJson& document, const std::string& pointer) {
     return true;
 }
 
+/// The document; null where brackets go deeper than a scene's, because nlohmann-json writes by recursion.
+PlainJson shallowDocument(std::string_view text) {
+    constexpr int deepest = 32;
+    bool isTooDeep = false;
+    PlainJson document = PlainJson::parse(
+        text,
+        [&isTooDeep](int depth, PlainJson::parse_event_t, const PlainJson&) {
+            isTooDeep = isTooDeep || depth > deepest;
+            return !isTooDeep;
+        },
+        false);
+    return isTooDeep ? PlainJson() : document;
+}
+
 /// Reading a scene ends with its first fault: it is read again without what was at fault, as long as that is
-/// a member, and the text isn't long.
+/// a member, and the text is neither long nor deep.
 std::vector<std::string> sceneFaults(std::string_view text) {
     constexpr std::size_t longest = std::size_t{1} << 20;
     std::vector<std::string> faults;
@@ -131,7 +145,7 @@ std::vector<std::string> sceneFaults(std::string_view text) {
     for (Result<Scene> scene = parseScene(text); !scene; scene = parseScene(left)) {
         faults.push_back(describe(scene.error()));
         if (faults.size() == 1 && text.size() <= longest)
-            document = PlainJson::parse(text, nullptr, false);
+            document = shallowDocument(text);
         if (!document.is_object() || faults.size() == mostFaults || !takeAway(document, scene.error().where))
             break;
         left = document.dump(-1, ' ', false, PlainJson::error_handler_t::replace);

@@ -47,6 +47,10 @@ class Validate(Texshot):
         self.assertEqual((one["valid"], one["drawn"], one["faults"], len(one["remarks"])), (True, False, [], 1))
         self.faulty("DXGI formats are 1 to 191, dxgiFormat is 500", self.make("none.dds", dds(1, 1, bytes(4), 500)))
 
+    def test_brackets_in_brackets_are_a_fault(self):
+        deep = b'{"version":1,"x":1,"y":' + b'{"a":' * 150000 + b"1" + b"}" * 150000 + b"}"
+        self.faulty("/x: unknown key", self.make("deep.json", deep))
+
     def test_what_is_larger_than_all_that_is_drawn_is_valid(self):
         # A line of 20000 pixels of one bit, which every reader may take; and a header that only claims to be one.
         out = io.BytesIO()
