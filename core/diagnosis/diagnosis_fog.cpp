@@ -61,11 +61,11 @@ std::optional<Distances> distancesOf(const Scene& scene, const Pass& pass) {
     return Distances{nearest, std::max(std::abs(low), std::abs(high))};
 }
 
-/// Three digits are enough for a fix.
-std::string rounded(float value) {
-    const float size = std::abs(value);
-    const float digits = size > 0 ? std::pow(10.0F, 2 - std::floor(std::log10(size))) : 1;
-    return formatNumber(std::round(value * digits) / digits);
+/// Three digits are enough for a fix. A float's power of ten is no float for the smallest of them.
+std::string rounded(double value) {
+    const double size = std::abs(value);
+    const double digits = size > 0 ? std::pow(10.0, 2 - std::floor(std::log10(size))) : 1;
+    return formatNumber(static_cast<float>(std::round(value * digits) / digits));
 }
 
 /// Fog that is thin where models are nearest, and thick where they are farthest.

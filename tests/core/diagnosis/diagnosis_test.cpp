@@ -1132,6 +1132,15 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit().matrix = {{.op = MatrixOp::Translate, .amount = {870, 0, 0}}};
             },
             [](Stage& s) { s.unit().matrix[0].amount.x = 400; }},
+        Row{"FogWithoutLengthOfAModelAtTheEye", "fog-range", Warning, "passes[0].fog.end", "divides by 0",
+            [](Stage& s) {
+                MeshData& mesh = triangle(s);
+                // No power of ten of a float rounds it.
+                mesh.positions[0].z = mesh.positions[1].z = -1e-45F;
+                mesh.positions[2].z = -5;
+                s.scene.view.projection = Projection::Orthographic;
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 5, .end = 5};
+            }},
         Row{"LineOfAMillionPixels", "long-line", Note, "models[0].mesh", "more than a million pixels",
             [](Stage& s) {
                 triangle(s).primitive = Primitive::Lines;
