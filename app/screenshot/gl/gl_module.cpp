@@ -14,6 +14,7 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/window/layout.h"
 #include "app/view/driver_facts.h"
+#include "core/scene/params/keys.h"
 #include "core/texture/levels_source.h"
 
 #include <GL/glew.h>
@@ -25,13 +26,22 @@
 namespace texplorer::screenshot {
 namespace {
 
-/// In the window what can't be read may be mended while one looks; here other shaders would answer a question
-/// that nobody asked.
+/// In the window files may be fixed while it is open, and other shaders draw until then. Here a picture is
+/// drawn with these shaders or not at all.
 Result<void> checkShaders(const std::filesystem::path& folder) {
     if (folder.empty())
         return {};
     const Result<glsl::ShaderPieces> pieces = render::readShaderFolder(folder);
     return pieces ? Result<void>() : fail(pieces.error());
+}
+
+Result<void> checkCompiled(const view::Frame& frame) {
+    for (std::size_t p = 0; p < frame.shaders.size(); ++p) {
+        if (frame.shaders[p] && !frame.shaders[p]->log.empty())
+            return fail(ErrorCode::Malformed, frame.shaders[p]->log.front().sentence,
+                        elementOf<&Scene::passes>(p));
+    }
+    return {};
 }
 
 conform::Driver driverOf(const view::Capabilities& capabilities) {
@@ -178,6 +188,10 @@ public:
                                                        {request.width, request.height}, &levels);
         if (!frame)
             return fail(frame.error());
+        if (!shaders_.empty()) {
+            if (const Result<void> compiled = checkCompiled(*frame); !compiled)
+                return fail(compiled.error());
+        }
         Result<Image> image = found->second.read();
         if (!image)
             return fail(image.error());

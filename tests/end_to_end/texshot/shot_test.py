@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import unittest
+from pathlib import Path
 
 from PIL import Image, ImageChops
 
@@ -195,7 +196,7 @@ class Shot(Texshot):
             (2, "expected one of picture, lambda, anisotropy", ["--renderer", "reference", "--show", "lod"]),
             (2, "--show", ["--renderer", "reference", "--unit", "1"]),
             (1, "passes[0].units[1] samples nothing", ["--renderer", "reference", "--show", "lambda", "--unit", "1"]),
-            (1, "there is no pass 2, the scene has 1", ["--renderer", "reference", "--show", "lambda", "--pass", "2"]),
+            (2, "--pass: there is no pass 2, the scene has 1", ["--renderer", "reference", "--show", "lambda", "--pass", "2"]),
         ]:
             with self.subTest(arguments):
                 self.complains(code, expected, "shot", scene, *arguments, "-o", out)
@@ -252,6 +253,22 @@ class Shot(Texshot):
                 seen = self.shot(self.path / "cube.json", "--size", "33x33", "--renderer", renderer,
                                  "--set", f"view.azimuth={azimuth}", "--set", f"view.elevation={elevation}")
                 self.assertEqual(seen.getpixel((16, 16))[:3], colours[name], f"{renderer} {name}")
+
+    def test_shaders_that_do_not_compile_draw_no_picture(self):
+        shaders = self.path / "shaders"
+        shutil.copytree(Path(__file__).parents[3] / "shaders", shaders)
+        with open(shaders / "vertex.glsl", "a", encoding="utf-8") as file:
+            file.write("syntax error here\n")
+        out = self.path / "out.png"
+        said = self.complains(1, "vertex.glsl", "shot", "--renderer", "shader", "--shaders", shaders, "--size", "32x32", "-o", out)
+        self.assertIn("syntax error", said)
+        self.assertFalse(out.exists())
+        suite = self.path / "a.suite.json"
+        suite.write_text('{"suite": 1, "cases": [{"name": "a", "size": "32x32", "renderer": "shader", "golden": "a.png", "scene": {"inline": {"version": 1}}}]}')
+        result = texshot("test", suite, "--shaders", shaders, "--update")
+        self.assertEqual(result.returncode, 2, result)
+        self.assertIn(b"syntax error", result.stdout + result.stderr)
+        self.assertFalse((self.path / "a.png").exists())
 
     def test_shaders_that_cannot_be_read_are_refused(self):
         out = self.path / "x.png"
