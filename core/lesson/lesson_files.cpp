@@ -71,7 +71,7 @@ LessonFolder LessonFolder::onDisk(fs::path path) {
 bool LessonFolder::has(std::string_view file) const {
     std::error_code ignored;
     return path_.empty() ? findLessonFile(name_ + "/" + std::string(file)) != nullptr
-                         : fs::is_regular_file(path_ / file, ignored);
+                         : fs::exists(fs::symlink_status(path_ / file, ignored)); // reading says what it is
 }
 
 fs::path LessonFolder::installed(std::string_view file) const {

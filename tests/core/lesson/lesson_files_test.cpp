@@ -1,8 +1,12 @@
 #include "core/base/file_io.h"
+#include "core/codec/registry.h"
 #include "core/lesson/lesson_check.h"
+#include "core/lesson/lesson_files.h"
+#include "core/s3tc/surface_pixels.h"
 #include "tests/support/temp_dir.h"
 
 #include <fmt/core.h>
+#include <glm/glm.hpp>
 #include <gmock/gmock.h>
 
 #include <sys/stat.h>
@@ -65,6 +69,60 @@ std::string nameOf(const testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltInLesson, testing::ValuesIn(builtInLessons()), nameOf);
 
+/// Red, green and blue of all texels, weighed by alpha, and alpha.
+glm::vec4 meanOf(const Surface& surface) {
+    const Image image = toImage(surface);
+    glm::vec4 sum{0};
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const auto part = [texel = image.at(x, y)](std::size_t i) {
+                return static_cast<float>(std::to_integer<int>(texel[i]));
+            };
+            sum += glm::vec4(part(0), part(1), part(2), 1) * part(3);
+        }
+    }
+    return {glm::vec3(sum) / sum.a, sum.a / static_cast<float>(image.width * image.height)};
+}
+
+/// Of squares and their levels: the mean stays what it was, but for what the four colours of a block, which
+/// lie on a line, and the 16 values of DXT3's alpha can't have.
+TEST(BuiltInLessons, HaveLevelsThatAreTheMeanOfTheOneBefore) {
+    int pairs = 0;
+    for (const LessonFile& file : lessonFiles()) {
+        if (!file.name.ends_with(".dds"))
+            continue;
+        const Result<TextureImage> texture = decodeTexture(viewBytes(file.text));
+        ASSERT_TRUE(texture) << file.name;
+        for (int level = 1; level < texture->levels; ++level, ++pairs) {
+            const glm::vec4 before = meanOf(texture->surface(0, level - 1));
+            const glm::vec4 mean = meanOf(texture->surface(0, level));
+            for (int part = 0; part < 4; ++part)
+                EXPECT_NEAR(mean[part], before[part], 16) << file.name << " " << level << " " << part;
+        }
+    }
+    EXPECT_GE(pairs, 30);
+}
+
+/// glTexImage2D takes what a file has: columns of (255 - 32 x, 32 x, 0 and 200), two by two, then four by
+/// four.
+TEST(BuiltInLessons, HaveTheRightLevelsOfTheSmallRamp) {
+    const auto ramp = std::ranges::find(lessonFiles(), "sizes/8x2.dds", &LessonFile::name);
+    ASSERT_NE(ramp, lessonFiles().end());
+    const TextureImage texture = decodeTexture(viewBytes(ramp->text)).value();
+    constexpr int bitsLost = 8; // a step of 5 bits
+    for (const int level : {1, 2}) {
+        const Image image = toImage(texture.surface(0, level));
+        ASSERT_EQ(image.width, 8 >> level);
+        const int columns = 1 << level;
+        for (int x = 0; x < image.width; ++x) {
+            const int middle = 32 * x * columns + 16 * (columns - 1);
+            EXPECT_NEAR(std::to_integer<int>(image.at(x, 0)[0]), 255 - middle, bitsLost) << level << " " << x;
+            EXPECT_NEAR(std::to_integer<int>(image.at(x, 0)[1]), middle, bitsLost) << level << " " << x;
+            EXPECT_NEAR(std::to_integer<int>(image.at(x, 0)[2]), 100, bitsLost) << level << " " << x;
+        }
+    }
+}
+
 class FolderOnDisk : public testing::Test {
 protected:
     FolderOnDisk() {
@@ -91,6 +149,9 @@ TEST_F(FolderOnDisk, IsRead) {
     EXPECT_EQ(LessonFolder::onDisk(path / "").name(), "mine") << "with a slash at its end";
     EXPECT_TRUE(folder().has("lesson.json"));
     EXPECT_FALSE(folder().has("zh_CN.po"));
+    fs::create_directory(path / "zh_CN.po");
+    EXPECT_TRUE(folder().has("zh_CN.po")) << "reading it says what it is";
+    EXPECT_FALSE(folder().readText("zh_CN.po"));
 }
 
 TEST_F(FolderOnDisk, WithoutALessonSaysSo) {
