@@ -64,10 +64,10 @@ def magick(image, name, *options):
         return bytearray(pathlib.Path(folder, name).read_bytes())
 
 
-def dds(image, compression, levels):
-    """The top row first, as DirectX has it: ImageMagick turns nothing over."""
+def dds(image, compression):
+    """One level, with the top row first, as DirectX has it: ImageMagick turns nothing over."""
     return magick(image, "out.dds", "-define", f"dds:compression={compression}", "-define", "dds:cluster-fit=true",
-                  "-define", "dds:weight-by-alpha=false", "-define", f"dds:mipmaps={levels - 1}")
+                  "-define", "dds:weight-by-alpha=false", "-define", "dds:mipmaps=0")
 
 
 def block_bytes(side, size):
@@ -84,12 +84,12 @@ def cut(file, side, size, levels):
     return file[:HEADER + sum(block_bytes(side >> level, size) for level in range(levels))]
 
 
-def chain(image, levels):
-    """DXT1 with levels of any size: ImageMagick makes those of powers of two alone."""
-    file = dds(image, "dxt1", 1)
+def chain(image, compression, levels):
+    """Each level is the mean of the image. ImageMagick's own levels of 4 x 4 texels and fewer have other colours."""
+    file = dds(image, compression)
     for level in range(1, levels):
-        side = image.width >> level
-        file += dds(image.resize((side, side), Image.BOX), "dxt1", 1)[HEADER:]
+        size = tuple(max(1, side >> level) for side in image.size)
+        file += dds(image.resize(size, Image.BOX), compression)[HEADER:]
     struct.pack_into("<I", file, 28, levels)
     flags, = struct.unpack_from("<I", file, 8)
     struct.pack_into("<I", file, 8, flags | 0x20000)  # DDSD_MIPMAPCOUNT
@@ -99,7 +99,7 @@ def chain(image, levels):
 
 def dxt3(image, levels):
     """DXT5's colours with 4 bits of alpha for each texel, two a byte, the left one in the low bits."""
-    file = dds(image, "dxt5", levels)
+    file = chain(image, "dxt5", levels)
     file[84:88] = b"DXT3"
     at = HEADER
     for level in range(levels):
@@ -146,20 +146,20 @@ def bitmaps():
 
 
 def surfaces():
-    write("textured-cube/uv.dds", chain(grid(96, 6), 6))  # down to 3 x 3
+    write("textured-cube/uv.dds", chain(grid(96, 6), "dxt1", 6))  # down to 3 x 3
     picture = grid(128, 4)
-    write("dds/dxt1.dds", dds(picture, "dxt1", 8))
+    write("dds/dxt1.dds", chain(picture, "dxt1", 8))
     write("dds/dxt3.dds", dxt3(disc(picture), 8))
-    write("dds/dxt5.dds", dds(disc(picture), "dxt5", 8))
-    write("dds/turned.dds", dds(picture.transpose(Image.FLIP_TOP_BOTTOM), "dxt1", 8))
-    write("dds/no-mipmaps.dds", cut(dds(picture, "dxt1", 8), 128, 8, 1))
-    write("sizes/short-chain.dds", cut(dds(picture, "dxt1", 8), 128, 8, 4))
+    write("dds/dxt5.dds", chain(disc(picture), "dxt5", 8))
+    write("dds/turned.dds", chain(picture.transpose(Image.FLIP_TOP_BOTTOM), "dxt1", 8))
+    write("dds/no-mipmaps.dds", cut(chain(picture, "dxt1", 8), 128, 8, 1))
+    write("sizes/short-chain.dds", cut(chain(picture, "dxt1", 8), 128, 8, 4))
     # 8 x 2 texels: 16 bytes, then three blocks of 8 for 4 x 1, 2 x 1 and 1 x 1.
     ramp = Image.new("RGB", (8, 2))
     for x in range(8):
         for y in range(2):
             ramp.putpixel((x, y), (255 - 32 * x, 32 * x, 200 * y))
-    low = dds(ramp, "dxt1", 4)
+    low = chain(ramp, "dxt1", 4)
     assert len(low) == HEADER + 16 + 8 + 8 + 8, len(low)
     write("sizes/8x2.dds", low)
     # One block: four rows, each of one colour, from red at the top to blue below.
@@ -167,7 +167,7 @@ def surfaces():
     for y in range(4):
         for x in range(4):
             block.putpixel((x, y), (255 - 85 * y, 0, 85 * y))
-    one = dds(block, "dxt1", 1)
+    one = dds(block, "dxt1")
     assert len(one) == HEADER + 8, len(one)
     write("blocks/one-block.dds", one)
 

@@ -1,5 +1,6 @@
 #include "core/lesson/numbers.h"
 
+#include "core/reference/explain/sampling_steps.h"
 #include "core/reference/probe.h"
 #include "core/scene/params/param_text.h"
 
@@ -58,7 +59,7 @@ constexpr std::array words{
     Word{"probes", nullptr,
          [](const UnitExplanation& unit) { return fmt::format("{}", unit.sample.lod.probes); }},
     Word{"texels", nullptr,
-         [](const UnitExplanation& unit) { return fmt::format("{}", unit.sample.taps.size()); }},
+         [](const UnitExplanation& unit) { return fmt::format("{}", reference::texelCount(unit.sample)); }},
     Word{"texel", nullptr, [](const UnitExplanation& unit) { return colorText(unit.sample.color); }},
 };
 

@@ -91,16 +91,8 @@ Lines lodLines(const UnitExplanation& unit) {
 }
 
 Lines texelsLines(const UnitExplanation& unit) {
-    using Place = std::array<int, 4>;
-    std::vector<Place> places;
-    bool border = false;
-    for (const reference::Tap& tap : unit.sample.taps) {
-        places.push_back({tap.level, tap.index.x, tap.index.y, tap.index.z});
-        border |= tap.border;
-    }
-    std::ranges::sort(places);
-    const auto same = std::ranges::unique(places);
-    const auto count = same.begin() - places.begin();
+    const bool border = std::ranges::any_of(unit.sample.taps, &reference::Tap::border);
+    const std::size_t count = reference::texelCount(unit.sample);
     const auto& levels = unit.sample.levels;
     Lines lines{{count == 1 ? std::string("1 texel") : fmt::format("{} texels", count)}};
     if (levels.size() == 1)

@@ -449,23 +449,35 @@ std::string whyMagnified(const UnitExplanation& unit) {
                : fmt::format("lambda is above {}: the minification filter decides, {}.", c, min);
 }
 
+namespace {
+
+std::array<int, 4> texelOf(const Tap& tap) {
+    return {tap.level, tap.index.z, tap.index.y, tap.index.x};
+}
+
+} // namespace
+
 std::vector<Tap> mergedTaps(const SampleRecord& sample) {
     if (sample.taps.size() <= fewTaps)
         return sample.taps;
     std::vector<Tap> taps = sample.taps;
-    const auto key = [](const Tap& tap) {
-        return std::array{tap.level, tap.index.z, tap.index.y, tap.index.x};
-    };
-    std::ranges::stable_sort(taps, {}, key);
+    std::ranges::stable_sort(taps, {}, texelOf);
     std::vector<Tap> merged;
     for (const Tap& tap : taps) {
-        if (!merged.empty() && key(merged.back()) == key(tap))
+        if (!merged.empty() && texelOf(merged.back()) == texelOf(tap))
             merged.back().weight += tap.weight;
         else
             merged.push_back(tap);
     }
     std::ranges::stable_sort(merged, std::ranges::greater(), &Tap::weight);
     return merged;
+}
+
+std::size_t texelCount(const SampleRecord& sample) {
+    std::vector<std::array<int, 4>> texels;
+    std::ranges::transform(sample.taps, std::back_inserter(texels), texelOf);
+    std::ranges::sort(texels);
+    return static_cast<std::size_t>(std::ranges::unique(texels).begin() - texels.begin());
 }
 
 } // namespace texplorer::reference

@@ -17,4 +17,7 @@ namespace texplorer::reference {
 /// The taps with those of one texel added up, the heaviest first where there are many.
 [[nodiscard]] std::vector<Tap> mergedTaps(const SampleRecord& sample);
 
+/// How many texels were read: one that several taps read, or a wrap mode makes of several, counts once.
+[[nodiscard]] std::size_t texelCount(const SampleRecord& sample);
+
 } // namespace texplorer::reference

@@ -304,6 +304,17 @@ TEST(MergedTaps, AddUpWhatIsReadTwice) {
     EXPECT_FLOAT_EQ(taps[1].weight, 0.3F);
 }
 
+// Probes along a footprint read one texel several times, and the border is no texel of the level.
+TEST(TexelCount, CountsEveryTexelOnce) {
+    SampleRecord sample;
+    EXPECT_EQ(texelCount(sample), 0U);
+    for (int i = 0; i < 4; ++i)
+        sample.taps.push_back({.level = i / 2, .index = {3, 0, 0}, .weight = 0.25F});
+    EXPECT_EQ(texelCount(sample), 2U) << "of two levels, also where few taps are listed one by one";
+    sample.taps.push_back({.level = 0, .index = {-1, 0, 0}, .border = true});
+    EXPECT_EQ(texelCount(sample), 3U);
+}
+
 TEST(NumberText, IsShort) {
     const auto texts = [](std::initializer_list<float> values) {
         std::vector<std::string> all;
