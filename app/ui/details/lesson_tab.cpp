@@ -230,8 +230,8 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
         lessonTextIn(color::accent, "● " + tr(std::string("Reached: your picture is this one.")));
         noteItem("reached");
     } else if (run.grade) {
-        dimWrappedText(fmt::format("{} % of the pixels differ still.",
-                                   std::max(1L, std::lround(run.grade->share * 100))));
+        dimWrappedText(fmt::format("{} % of the pixels differ still.", percentWrong(*run.grade)));
+        noteItem("not reached");
     } else {
         dimText("Comparing…");
     }

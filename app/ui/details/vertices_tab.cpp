@@ -348,9 +348,11 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
         wrappedText("The scene has no model.");
         return;
     }
-    modelChoice(session, ImGui::GetFontSize() * 9);
     const float checkbox =
         ImGui::CalcTextSize("r, q").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x - checkbox - ImGui::GetStyle().ItemSpacing.x;
+    const float least = ImGui::GetFontSize() * 9;
+    modelChoice(session, least, std::max(least, room));
     ImGui::SameLine(ImGui::GetContentRegionMax().x - checkbox);
     ImGui::Checkbox("r, q", &session.window.showRq);
     noteItem("show r, q");

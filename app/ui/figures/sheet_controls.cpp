@@ -212,7 +212,8 @@ void axisControls(Session& session, SheetState& state, const SheetAxes& shown, s
 void pairChoice(SheetChoice& choice, float width) {
     const char* current = choice.own ? "Your own pair" : sheetPairs().at(choice.pair).label;
     ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo("##pair", tr(current), ImGuiComboFlags_HeightLargest);
+    const std::string name = fitted(current, listRoom(width));
+    const bool open = ImGui::BeginCombo("##pair", name.c_str(), ImGuiComboFlags_HeightLargest);
     noteItem("sheet:pair");
     helpTip(
         "Pairs of parameters that belong together; or choose any two beside it, or in the panel by a right "

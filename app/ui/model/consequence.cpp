@@ -116,12 +116,15 @@ std::string consequenceOf(const UnitExplanation& unit) {
     if (lod.magnified)
         return magnifiedText(unit, timesText(1 / lod.rho));
     const std::string times = timesText(lod.rho);
-    if (lod.probes > 1)
-        return fmt::format("Minified {}×: {} samples along the footprint, level {}", times, lod.probes,
-                           levels.front().level);
+    const bool isAlong = lod.probes > 1;
     if (levels.size() == 1)
-        return levelText(unit.sampler.minFilter, times, levels.front().level);
+        return isAlong ? fmt::format("Minified {}×: {} samples along the footprint, level {}", times,
+                                     lod.probes, levels.front().level)
+                       : levelText(unit.sampler.minFilter, times, levels.front().level);
     const int first = static_cast<int>(std::lround(100 * levels[0].weight));
+    if (isAlong)
+        return fmt::format("Minified {}×: {} samples along the footprint, {} % of level {}, {} % of level {}",
+                           times, lod.probes, first, levels[0].level, 100 - first, levels[1].level);
     return fmt::format("Minified {}×: {} % of level {}, {} % of level {}", times, first, levels[0].level,
                        100 - first, levels[1].level);
 }

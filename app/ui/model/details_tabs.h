@@ -62,7 +62,7 @@ inline constexpr std::array tabRows{
     TabRow{Tab::Kept, "a-b", "A and B", "A/B"},
     TabRow{Tab::History, "history", "History", "History"},
     TabRow{Tab::Figures, "figures", "Figures", "Figures"},
-    TabRow{Tab::Timeline, "timeline", "Timeline", "Keys"},
+    TabRow{Tab::Timeline, "timeline", "Timeline", "Time"},
 };
 
 [[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -245,7 +246,9 @@ void followMatch(Session& session, LessonRun& run) {
     LessonWork& work = session.services.lessons;
     Scene compared = comparedScene(run, *run.target, session.document.scene);
     if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
-        if (graded->grade.passed && !(run.grade && run.grade->passed))
+        const bool isOfAnEdit =
+            run.grade || graded->scene != comparedScene(run, *run.target, run.start.scene);
+        if (isOfAnEdit && !(run.grade && percentWrong(*run.grade) == percentWrong(graded->grade)))
             run.wantedScroll = LessonRun::Scroll::Verdict;
         run.grade = std::move(graded->grade);
         if (run.grade->passed && graded->scene == compared)
@@ -277,6 +280,10 @@ std::string LessonRun::reason() const {
     const auto* predict = std::get_if<Predict>(&stepOf(*this).task);
     return predict && numbers && answer == predict->right ? numbers->answered.in(text(predict->reason))
                                                           : std::string();
+}
+
+long percentWrong(const lesson::Grade& grade) {
+    return grade.passed ? 0 : std::max(1L, std::lround(grade.share * 100));
 }
 
 Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,

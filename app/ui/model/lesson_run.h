@@ -65,6 +65,9 @@ struct LessonRun {
     [[nodiscard]] std::string reason() const;
 };
 
+/// How much of a picture that was compared is wrong still, in percent; 0: it is reached.
+[[nodiscard]] long percentWrong(const lesson::Grade& grade);
+
 /// Opens it at the step where one was, in place of the scene, which is lost: see askLesson. Errors: those of
 /// readLesson and startOf; nothing has changed then. Images of a folder come later, as those of any scene.
 [[nodiscard]] Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,

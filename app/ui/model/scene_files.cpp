@@ -79,6 +79,7 @@ void bindFile(Scene& scene, int pass, int unit, std::string file) {
 
 void newScene(Session& session) {
     replaceDocument(session, {defaultScene(), ImageSource{}});
+    showAsAtFirst(session.window.view);
 }
 
 Result<void> openExample(Session& session, std::string_view file) {

@@ -8,6 +8,7 @@ namespace texplorer::ui {
 
 // Files. Each of these changes nothing when it fails.
 
+/// Looked at as a window begins, whatever the old one was looked at with.
 void newScene(Session& session);
 
 /// One of the scenes that come with the program, as a scene without a file.

@@ -88,6 +88,8 @@ void replaceDocument(Session& session, Document document) {
     static_cast<DocumentLook&>(window) = {};
     static_cast<ShownPart&>(window.view) = {};
     static_cast<RecordedTime&>(window.recording) = {};
+    if (window.lesson && !document.isLessons)
+        closeLesson(session);
     endLessonPictures(window);
     exchangeDocument(session, std::move(document));
 }

@@ -20,7 +20,8 @@ struct Session {
 };
 
 /// Another document takes the place of this one and is looked at anew, by the renderers that the user has
-/// chosen; the rest of the window stays. Gives up the loads of the old one.
+/// chosen; the rest of the window stays. Gives up the loads of the old one, and closes the lesson, unless it
+/// is the lesson's.
 void replaceDocument(Session& session, Document document);
 /// The same of another state of this document: it is looked at as before.
 void exchangeDocument(Session& session, Document document);

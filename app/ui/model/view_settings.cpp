@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -41,6 +42,12 @@ void showOne(ViewSettings& settings, RendererKind renderer) {
     if (comparesRenderers(settings))
         settings.arrangement = Arrangement::One;
     settings.renderer = renderer;
+}
+
+void showAsAtFirst(ViewSettings& settings) {
+    const view::OfferedRenderers offered = std::exchange(settings.offered, {});
+    static_cast<ShownPictures&>(settings) = {};
+    static_cast<void>(offerRenderers(settings, offered));
 }
 
 void showComparison(ViewSettings& settings) {

@@ -85,6 +85,9 @@ struct ViewSettings : ShownPictures, ShownPart {
 /// Shows one renderer's picture, of what is now or of both sides. Nothing happens where it isn't offered.
 void showOne(ViewSettings& settings, RendererKind renderer);
 
+/// As a window begins: one picture, of the best renderer, without false colours.
+void showAsAtFirst(ViewSettings& settings);
+
 /// Compares, in the arrangement that was used last. Nothing happens where there aren't two.
 void showComparison(ViewSettings& settings);
 

@@ -12,7 +12,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <string_view>
 #include <utility>
 
@@ -117,7 +116,8 @@ void modelSection(Session& session) {
     editModels(session, count);
     if (session.document.scene.models.empty())
         return;
-    modelChoice(session, -FLT_MIN);
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
+    modelChoice(session, width, width);
     static const Model initial;
     Model& model = *selectedModel(session);
     const std::string path =

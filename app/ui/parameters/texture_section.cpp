@@ -6,6 +6,8 @@
 #include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_lists.h"
 #include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/params/keys.h"
@@ -54,8 +56,10 @@ void textureChoice(Session& session) {
     const bool bound = boundTexture(session) != nullptr;
     const std::string current = bound ? textureName(session, unit.texture) : tr("None");
     const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button);
-    if (ImGui::BeginCombo("##bound", current.c_str())) {
+    const float width = ImGui::GetContentRegionAvail().x - 2 * button;
+    const std::string shown = fitted(current, listRoom(width));
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##bound", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(session.document.scene.textures.size()); ++i) {
             const std::string name = textureName(session, i);
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
@@ -70,8 +74,9 @@ void textureChoice(Session& session) {
         ImGui::EndCombo();
     }
     noteItem("texture choice");
+    const std::string cut = shown != current ? current + "\n" : std::string();
     if (row)
-        helpTip(fmt::format("{}\n{}", formatCall(*row, Value(unit.texture)), row->help));
+        helpTip(fmt::format("{}{}\n{}", cut, formatCall(*row, Value(unit.texture)), row->help));
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",

@@ -40,14 +40,23 @@ float rowWidth(const PlaneLegend& legend) {
     return width;
 }
 
-/// "64 × 64", "6 faces of 128 × 128": as OpenGL has the image, whichever way it lies in its file.
-std::string extentsOf(const TextureImage& image, Target target) {
-    const Surface& first = image.surfaces.front();
-    const auto [width, height] = target == Target::CubeMap && image.faces != cubeFaceCount
-                                     ? cubeFaceExtents(widthOf(first), heightOf(first))
-                                     : FaceExtents{widthOf(first), heightOf(first)};
-    const std::string extents = fmt::format("{} × {}", width, height);
-    return target == Target::CubeMap ? fmt::format("{} faces of {}", cubeFaceCount, extents) : extents;
+/// "64 × 64", "64 × 1", "32 × 32 × 32", "6 faces of 128 × 128": what OpenGL has, whatever the image was.
+/// Empty: that isn't known yet.
+std::string extentsOf(const Session& session, Target target) {
+    const std::optional<glm::ivec3> texels = firstExtentOfBound(session);
+    if (!texels)
+        return {};
+    const std::string extents = fmt::format("{} × {}", texels->x, texels->y);
+    switch (target) {
+    case Target::CubeMap:
+        return fmt::format("{} faces of {}", cubeFaceCount, extents);
+    case Target::Texture3D:
+        return fmt::format("{} × {}", extents, texels->z);
+    case Target::Texture1D:
+    case Target::Texture2D:
+        break;
+    }
+    return extents;
 }
 
 /// What is shown of the texels, where that isn't all of the base level.
@@ -72,7 +81,8 @@ constexpr std::array moveHints{
 
 void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std::vector<Line>& lines,
                      const std::string& extents) {
-    lines.push_back({fmt::format("unit {} · {}", session.window.selection.unit, extents)});
+    lines.push_back({extents.empty() ? fmt::format("unit {}", session.window.selection.unit)
+                                     : fmt::format("unit {} · {}", session.window.selection.unit, extents)});
     if (!state.look.isPlain() || state.look.level != 0)
         lines.push_back({lookText(state.look)});
     if (state.coords.differ()) {
@@ -90,7 +100,7 @@ PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, flo
     const Texture* texture = boundTexture(session);
     const auto image = texture ? session.document.images.find(*texture) : nullptr;
     PlaneLegend legend;
-    legend.extents = image ? extentsOf(*image, unit.target) : std::string("no texture");
+    legend.extents = image ? extentsOf(session, unit.target) : std::string("no texture");
     if (state.legend)
         nameWhatIsShown(session, state, legend.lines, legend.extents);
     if (state.level.isComputing())

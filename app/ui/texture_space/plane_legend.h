@@ -18,7 +18,7 @@ struct PlaneLegend {
     };
     std::vector<Line> lines;
     bool inOneRow = false; ///< beside each other, not one above the other
-    std::string extents;   ///< of the texture: "64 × 64", "6 faces of 32 × 32", "no texture"
+    std::string extents;   ///< of the texture: "64 × 1", "6 faces of 32 × 32", "no texture"; empty: unknown
 };
 
 /// As much as has room beside each other in the plane.

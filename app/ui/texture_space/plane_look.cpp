@@ -48,4 +48,16 @@ std::vector<int> levelsOfBound(Session& session) {
     return numbers;
 }
 
+std::optional<glm::ivec3> firstExtentOfBound(const Session& session) {
+    const std::optional<LevelsRequest> request = requestOf(session);
+    const auto summary = request ? session.services.levels.summary(*request) : nullptr;
+    if (!summary || summary->report.levels.empty())
+        return std::nullopt;
+    const LevelReport& first = summary->report.levels.front();
+    const int border = boundTexture(session)->border != 0 ? 2 : 0; // counted as part of the level
+    const Target target = request->target;
+    return glm::ivec3(first.width - border, target == Target::Texture1D ? 1 : first.height - border,
+                      target == Target::Texture3D ? first.depth - border : 1);
+}
+
 } // namespace texplorer::ui

@@ -4,6 +4,8 @@
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -67,5 +69,9 @@ private:
 
 /// The numbers of the levels that the bound texture has; empty where that isn't known yet.
 [[nodiscard]] std::vector<int> levelsOfBound(Session& session);
+
+/// The texels of the bound texture's first level as OpenGL is given it, without a border: width, height and
+/// depth. None: that isn't known yet, or there are none.
+[[nodiscard]] std::optional<glm::ivec3> firstExtentOfBound(const Session& session);
 
 } // namespace texplorer::ui

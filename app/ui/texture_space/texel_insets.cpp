@@ -104,6 +104,7 @@ Box aroundVertex(ImVec2 at) {
 /// the axes and the image.
 std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
     constexpr float mark = 100;
+    constexpr float words = 60; ///< the legend, which would be drawn over an inset's title
     constexpr float vertex = 30;
     constexpr float name = 3;
     constexpr float image = 1;
@@ -111,9 +112,9 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
     const ImVec2 low = canvas.toPixel(0, 0);
     const ImVec2 high = canvas.toPixel(1, 1);
     std::vector<Uncovered> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
+    kept.push_back({canvas.legend, words});
     if (unit.target == Target::CubeMap)
         return kept; // its texels are marked in the small pictures alone
-    kept.push_back({canvas.legend, name});
     for (const ImVec2& place : canvas.chosen)
         kept.push_back({aroundVertex(place), vertex});
     kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
@@ -195,14 +196,19 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
         return {};
     const bool isCube = unit->target == Target::CubeMap; // its texels are marked in the small pictures alone
     const Box marks = marksOf(*unit, canvas);
-    const auto hides = [&](const std::vector<Inset>& insets, bool vertices) {
+    struct MayHide {
+        bool legend, vertices;
+    };
+    const auto hides = [&](const std::vector<Inset>& insets, MayHide may) {
         float area = 0;
         for (const Inset& inset : insets) {
             const Box frame = inset.frame();
             const auto hidesVertex = [&](ImVec2 at) { return overlaps(frame, aroundVertex(at)); };
             if (!isCube && overlaps(frame, marks))
                 return true;
-            if (!vertices && std::ranges::any_of(canvas.chosen, hidesVertex))
+            if (!may.legend && overlaps(frame, canvas.legend))
+                return true;
+            if (!may.vertices && std::ranges::any_of(canvas.chosen, hidesVertex))
                 return true;
             area += (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
         }
@@ -210,15 +216,15 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     };
     // The smaller, the better one sees what is around; where two have no room, that of the greater share is
     // shown alone, and where it has none, either, the texels marked in the image are all. Only where there is
-    // no other place do they hide a chosen vertex.
+    // no other place do they hide a chosen vertex, and only then the legend.
     const std::span<const LevelPatch> all(unit->patches);
     const std::span<const LevelPatch> heaviest(&heaviestPatch(*unit), 1);
-    for (const bool overVertices : {false, true}) {
+    for (const MayHide may : {MayHide{false, false}, MayHide{false, true}, MayHide{true, true}}) {
         for (const std::span<const LevelPatch> patches : {all, heaviest}) {
             for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
                 std::vector<Inset> insets =
                     insetsOf(unit, patches, canvas, std::max(largest * share, smallest));
-                if (!hides(insets, overVertices))
+                if (!hides(insets, may))
                     return insets;
             }
         }

@@ -11,4 +11,9 @@ namespace texplorer::ui {
     return ImGui::CalcTextSize(tr(words)).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+/// What the words of a list with an arrow have of its width.
+[[nodiscard]] inline float listRoom(float width) {
+    return width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 } // namespace texplorer::ui

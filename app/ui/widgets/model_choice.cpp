@@ -1,10 +1,14 @@
 #include "app/ui/widgets/model_choice.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
+
+#include <algorithm>
 
 namespace texplorer::ui {
 
@@ -12,13 +16,17 @@ std::string shownNameOf(const Model& model) {
     return model.name.empty() ? tr(nameOf(model)) : model.name;
 }
 
-void modelChoice(Session& session, float width) {
+void modelChoice(Session& session, float least, float most) {
     const std::vector<Model>& models = session.document.scene.models;
     const auto name = [&](int index) {
         return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
     };
+    const std::string chosen = name(session.window.selection.model);
+    const float beside = least - listRoom(least);
+    const float width = std::clamp(ImGui::CalcTextSize(chosen.c_str()).x + beside + 1, least, most);
+    const std::string shown = fitted(chosen, listRoom(width));
     ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##model", name(session.window.selection.model).c_str())) {
+    if (ImGui::BeginCombo("##model", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(models.size()); ++i) {
             if (ImGui::Selectable(name(i).c_str(), i == session.window.selection.model)) {
                 session.window.selection.model = i;
@@ -29,7 +37,9 @@ void modelChoice(Session& session, float width) {
         ImGui::EndCombo();
     }
     noteItem("model choice");
-    helpTip("Which model's values and vertices are shown");
+    noteItem("model choice:" + shown);
+    const char* help = "Which model's values and vertices are shown";
+    helpTip(shown == chosen ? std::string(help) : fmt::format("{}\n{}", chosen, help));
 }
 
 } // namespace texplorer::ui

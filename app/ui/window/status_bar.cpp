@@ -167,7 +167,7 @@ void drawProblems(std::span<const std::string> problems) {
     helpTip(all);
 }
 
-/// The one thing that is worth saying now.
+/// The one thing that is worth saying now: what is wrong goes before what a probed pixel says.
 void drawNews(Session& session, const Pictures& pictures) {
     const std::vector<Finding>& findings = session.document.findings;
     const auto wrong = static_cast<std::size_t>(std::ranges::count_if(
@@ -180,15 +180,15 @@ void drawNews(Session& session, const Pictures& pictures) {
         drawProgress(session, *writing);
     else if (!session.window.notice.text.empty())
         drawNotice(session);
+    else if (wrong > 0 && (pictures.problems.empty() || findings.front().reportedByRenderer))
+        drawFinding(session, Finding(findings.front()), wrong);
+    else if (!pictures.problems.empty())
+        drawProblems(pictures.problems);
     else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {
         fittedText(consequence, color::text);
         noteItem("consequence");
         helpTip(consequence);
-    } else if (wrong > 0 && (pictures.problems.empty() || findings.front().reportedByRenderer))
-        drawFinding(session, Finding(findings.front()), wrong);
-    else if (!pictures.problems.empty())
-        drawProblems(pictures.problems);
-    else {
+    } else {
         fittedText(stateOf(session.document), color::dim);
         noteItem("state");
     }

@@ -160,6 +160,28 @@ TEST_F(LessonTab, HintsAtWhatIsMissingAndSaysWhenItIsReached) {
     EXPECT_TRUE(record(2).done);
 }
 
+TEST_F(LessonTab, ScrollsToWhatStillDiffersAfterAnEdit) {
+    start(defaultScene(), 1024, 640);
+    openWrap();
+    next(2);
+    frames(3);
+    ASSERT_TRUE(run().grade && !run().grade->passed);
+    EXPECT_TRUE(places.items["lesson title"].visible) << "not before anything was tried";
+    const auto isInSight = [this] {
+        const WidgetPlaces::Item& item = places.items["not reached"];
+        return item.visible && item.bottom <= places.items["lesson:Next"].top;
+    };
+    ASSERT_FALSE(isInSight()) << "the step is higher than the tab";
+    texture().wrapS = Wrap::ClampToEdge;
+    recordEdit(*session, "Wrap s");
+    frames(4);
+    ASSERT_FALSE(run().grade->passed);
+    EXPECT_TRUE(isInSight());
+    wheel(place("match:hint"), 100);
+    frames(3);
+    EXPECT_FALSE(isInSight()) << "once, not with every frame";
+}
+
 TEST_F(LessonTab, AsksAboutUnsavedChangesFirst) {
     scene().material.shininess = 77;
     recordEdit(*session, "Shininess");

@@ -55,6 +55,19 @@ TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
+TEST_F(VerticesTab, AModelsNameIsShownWholeWhereThereIsRoom) {
+    scene().models[0].name = "A quad with t upwards";
+    session->window.settings.workspace.maximised = Maximised::Right;
+    frames(3);
+    EXPECT_TRUE(has("model choice:0  A quad with t upwards"));
+    scene().models[0].name = std::string(200, 'n');
+    frames(3);
+    const auto shown = places.items.lower_bound("model choice:0  n");
+    ASSERT_TRUE(shown != places.items.end() && shown->first.starts_with("model choice:0  n"));
+    EXPECT_TRUE(shown->first.ends_with("…")) << "what has no room is not cut silently";
+    EXPECT_LT(shown->second.right, place("show r, q").x);
+}
+
 TEST_F(VerticesTab, AShapeThatIsTooLargeSaysSo) {
     scene().models[0].shape = Shape::Sphere;
     scene().models[0].slices = 256;

@@ -75,11 +75,38 @@ TEST_F(OpeningAScene, KeepsWhatIsTheWindowsOwn) {
     EXPECT_EQ(window.recording.width, 99);
 }
 
+TEST_F(OpeningAScene, ANewOneIsDrawnAsAtFirst) {
+    open(R"({"version": 1})");
+    showOne(session->window.view, RendererKind::Reference);
+    session->window.view.shown = reference::Shown::Lambda;
+    click("menu:File");
+    click("menu:New");
+    EXPECT_EQ(static_cast<const ShownPictures&>(session->window.view), ShownPictures{});
+}
+
+TEST_F(OpeningAScene, ANewOneIsDrawnByWhatThereIs) {
+    ViewSettings& view = session->window.view;
+    view::OfferedRenderers offered;
+    offered.withhold(RendererKind::Fixed, "there is no OpenGL");
+    static_cast<void>(offerRenderers(view, offered));
+    showOne(view, RendererKind::Reference);
+    showAsAtFirst(view);
+    EXPECT_EQ(view.renderer, RendererKind::Shader) << "the first that is there";
+    EXPECT_EQ(view.compared, (std::array{RendererKind::Shader, RendererKind::Reference}));
+}
+
+TEST_F(OpeningAScene, AFileEndsTheLesson) {
+    ASSERT_TRUE(openLessonNamed(*session, "wrap", 2));
+    open(R"({"version": 1})");
+    EXPECT_FALSE(session->window.lesson);
+}
+
 constexpr std::size_t filtersWithReference = 4; // a step that shows λ, as the reference has it
 
 struct Opening {
     const char* name;
     void (*open)(Session& session);
+    bool isNew = false; ///< then nothing of how the old one was drawn stays
 };
 
 void PrintTo(const Opening& opening, std::ostream* out) {
@@ -142,18 +169,28 @@ TEST_P(AnotherDocument, IsNotDrawnByTheRenderersOfALessonsStep) {
     EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
     EXPECT_EQ(session->window.view.shown, reference::Shown::Lambda);
     open();
-    EXPECT_EQ(static_cast<const ShownPictures&>(session->window.view), own);
+    const ShownPictures& shown = session->window.view;
+    EXPECT_EQ(shown, GetParam().isNew ? ShownPictures{} : own);
 
     ASSERT_TRUE(openLessonNamed(*session, "filters", filtersWithReference));
     showOne(session->window.view, RendererKind::Shader); // the user's own choice stays
     open();
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_EQ(shown.renderer, GetParam().isNew ? RendererKind::Fixed : RendererKind::Shader);
+}
+
+/// The lesson would speak of a scene that is no longer there.
+TEST_P(AnotherDocument, EndsTheLesson) {
+    ASSERT_TRUE(openLessonNamed(*session, "filters", filtersWithReference));
+    const LessonRun* before = session->window.lesson.get();
+    open();
+    EXPECT_NE(session->window.lesson.get(), before);
+    EXPECT_EQ(session->window.lesson != nullptr, session->document.isLessons);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, AnotherDocument,
     testing::Values(
-        Opening{"New", newScene},
+        Opening{"New", newScene, true},
         Opening{"Example", [](Session& session) { EXPECT_TRUE(openExample(session, "cube.json")); }},
         Opening{"Lesson", [](Session& session) { EXPECT_TRUE(openLessonNamed(session, "wrap", 0)); }}),
     [](const auto& test) { return std::string(test.param.name); });

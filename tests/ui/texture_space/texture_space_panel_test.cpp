@@ -1,4 +1,5 @@
 #include "app/ui/model/chosen_vertices.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
@@ -10,6 +11,7 @@
 #include <numeric>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 namespace texplorer::ui::texture_space_panel_test {
 namespace {
@@ -302,6 +304,49 @@ TEST_F(TextureSpace, SaysTheSizeOfACubeMapsFaces) {
     unit().target = Target::CubeMap;
     frames(2);
     EXPECT_TRUE(has("texture size:6 faces of " + face + " × " + face));
+}
+
+// OpenGL 2.1, 3.8.1: glTexImage1D has no height. gluBuild2DMipmaps makes 384 rows 512.
+TEST_F(TextureSpace, SaysTheSizeThatWasUploaded) {
+    unit().target = Target::Texture1D;
+    frames(2);
+    EXPECT_TRUE(has("texture size:64 × 1"));
+    for (const auto& [lesson, step, size] :
+         {std::tuple("lines", 0U, "64 × 1"), std::tuple("sizes", 1U, "512 × 512"),
+          std::tuple("volumes", 0U, "32 × 32 × 32")}) {
+        ASSERT_TRUE(openLessonNamed(*session, lesson, step));
+        frames(3);
+        EXPECT_TRUE(has(std::string("texture size:") + size)) << lesson;
+    }
+}
+
+TEST_F(TextureSpace, ItsTitlesDontCoverEachOther) {
+    for (const char* lesson : {"volumes", "dds", "lines", "wrap", "texgen", "sizes"}) {
+        SCOPED_TRACE(lesson);
+        ASSERT_TRUE(openLessonNamed(*session, lesson, 0));
+        frames(4);
+        std::vector<WidgetPlaces::Item> legend;
+        for (const auto& [name, item] : places.items) {
+            if (name.starts_with("legend:"))
+                legend.push_back(item);
+        }
+        EXPECT_FALSE(legend.empty());
+        for (const auto& [name, item] : places.items) {
+            if (!name.starts_with("patch title:"))
+                continue;
+            for (const WidgetPlaces::Item& line : legend)
+                EXPECT_FALSE(item.left < line.right && line.left < item.right && item.top < line.bottom &&
+                             line.top < item.bottom)
+                    << name;
+        }
+    }
+}
+
+TEST_F(TextureSpace, ShowsTheTexelsOfAVolumeBesideALongLegend) {
+    ASSERT_TRUE(openLessonNamed(*session, "volumes", 0));
+    frames(4);
+    EXPECT_TRUE(has("legend:as looked up"));
+    EXPECT_TRUE(has("patch title:level 0 · 32 × 32") || has("patch title:level 0"));
 }
 
 TEST_F(TextureSpace, TheListDragsSingleNumbers) {

@@ -24,6 +24,21 @@ TEST_F(StatusBar, TheConsequenceIsFirstAndTheDriverLast) {
     EXPECT_NEAR(driver.right, static_cast<float>(layout.status.right()), 20);
 }
 
+TEST_F(StatusBar, WhatIsWrongGoesBeforeTheConsequence) {
+    texture().mipmaps = MipPolicy::None;
+    texture().minFilter = MinFilter::NearestMipmapLinear;
+    session->window.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
+    frames(3);
+    EXPECT_TRUE(has("finding"));
+    EXPECT_FALSE(has("consequence"));
+    ASSERT_FALSE(session->document.findings.empty());
+    ASSERT_FALSE(session->document.findings.front().fixes.empty());
+    click("fix:" + session->document.findings.front().fixes.front().label);
+    frames(3);
+    EXPECT_FALSE(has("finding"));
+    EXPECT_TRUE(has("consequence"));
+}
+
 TEST_F(StatusBar, WithoutAPixelItSaysWhatWasChanged) {
     EXPECT_TRUE(has("state"));
     EXPECT_FALSE(has("consequence"));
