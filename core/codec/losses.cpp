@@ -1,8 +1,13 @@
 #include "core/codec/losses.h"
 
+#include "core/image/convert.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
 
 namespace texplorer {
 namespace {
@@ -45,6 +50,14 @@ void addFileParts(const TextureImage& texture, std::vector<Loss>& losses) {
         losses.push_back({"metadata", "what the camera or a program noted (Exif)", false});
 }
 
+/// "red, green and blue"
+std::string listed(std::span<const std::string_view> words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text.append(i == 0 ? "" : i + 1 == words.size() ? " and " : ", ").append(words[i]);
+    return text;
+}
+
 } // namespace
 
 std::vector<Loss> lossesIn(const TextureImage& texture, std::string_view format) {
@@ -61,12 +74,42 @@ std::vector<Loss> lossesIn(const TextureImage& texture, std::string_view format)
     return losses;
 }
 
-std::string pixelsLost(const std::vector<Loss>& losses) {
+std::vector<Loss> lossesIn(const MipChain& pictures, BlockFormat format) {
+    constexpr std::array<std::string_view, 4> names{"red", "green", "blue", "alpha"};
+    constexpr std::array<int, 4> unsaid{0, 0, 0, 255}; // what is decoded where nothing is kept
+    const std::size_t kept = keptComponents(format);
+    std::array<bool, 4> saysSomething{};
+    bool isGrey = true;
+    for (const Image& picture : pictures) {
+        const auto step = static_cast<std::size_t>(bytesPerPixel(picture.format));
+        for (std::size_t at = 0; kept < names.size() && at < picture.pixels.size(); at += step) {
+            const auto rgba = rgbaOf(picture.format, picture.pixels.data() + at);
+            isGrey = isGrey && rgba[0] == rgba[1] && rgba[0] == rgba[2];
+            for (std::size_t c = kept; c < names.size(); ++c)
+                saysSomething[c] = saysSomething[c] || rgba[c] != unsaid[c];
+        }
+    }
+    std::vector<std::string_view> lost;
+    for (std::size_t c = kept; c < names.size(); ++c)
+        if (saysSomething[c] && !(isGrey && c < 3))
+            lost.push_back(names[c]);
+    if (lost.empty())
+        return {};
+    return {{"components", fmt::format("{} ({} keeps {} alone)", listed(lost), rowOf(format).label,
+                                       listed(std::span(names).first(kept)))}};
+}
+
+std::string allLost(const std::vector<Loss>& losses) {
     std::string text;
     for (const Loss& loss : losses)
-        if (loss.ofPixels)
-            text.append(text.empty() ? "" : "; ").append(loss.sentence);
+        text.append(text.empty() ? "" : "; ").append(loss.sentence);
     return text;
+}
+
+std::string pixelsLost(const std::vector<Loss>& losses) {
+    std::vector<Loss> ofPixels;
+    std::ranges::copy_if(losses, std::back_inserter(ofPixels), &Loss::ofPixels);
+    return allLost(ofPixels);
 }
 
 } // namespace texplorer

@@ -62,6 +62,13 @@ static_assert(blockFormatRows.size() == 8);
     return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
 }
 
+/// How many of red, green, blue and alpha a format keeps.
+[[nodiscard]] constexpr std::size_t keptComponents(BlockFormat format) {
+    if (isS3tc(format))
+        return baseFormat(format) == BaseFormat::Rgb ? 3 : 4;
+    return format == BlockFormat::Bc4 || format == BlockFormat::Bc4Signed ? 1 : 2;
+}
+
 /// 8 for DXT1 and BC4, else 16.
 [[nodiscard]] constexpr std::size_t bytesPerBlock(BlockFormat format) {
     return format == BlockFormat::Dxt1 || format == BlockFormat::Dxt1Alpha || format == BlockFormat::Bc4 ||

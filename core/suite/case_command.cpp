@@ -16,9 +16,13 @@ constexpr std::array<std::string_view, 3> choices{"--only", "--shard", "--durati
 std::string_view takeWord(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     std::size_t end = 0;
-    for (bool quoted = false; end < text.size() && (quoted || text[end] != ' '); ++end) {
+    bool quoted = false;
+    bool printed = false; // "$(printf '…')", with quotes of its own
+    for (; end < text.size() && (quoted || printed || text[end] != ' '); ++end) {
         if (text[end] == '\'')
             quoted = !quoted;
+        else if (text[end] == '"' && !quoted)
+            printed = !printed;
         else if (text[end] == '\\' && !quoted)
             ++end;
     }

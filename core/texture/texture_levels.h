@@ -99,10 +99,12 @@ struct LevelReport {
     int depth = 1;
     int faces = 1;         ///< 6 for a cube map
     std::size_t bytes = 0; ///< of all faces
-    /// Of the worst face: peak signal-to-noise ratio against the source, in dB over those of red, green, blue
-    /// and alpha that the format keeps; infinite where both are equal, none where there is no source to
-    /// compare with.
+    /// Of the worst face: peak signal-to-noise ratio against the source, in dB over `components`; infinite
+    /// where they are equal, none where there is no source to compare with.
     std::optional<double> psnr;
+    /// "RGB": those of red, green, blue and alpha that the format keeps and the source has. Alpha that is 255
+    /// everywhere is none.
+    std::string_view components;
 };
 
 struct TextureReport {

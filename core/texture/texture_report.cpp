@@ -10,60 +10,74 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace texplorer {
 
 namespace {
 
-/// How many of red, green, blue and alpha a format keeps.
-std::size_t componentsOf(BlockFormat format) {
-    switch (format) {
-    case BlockFormat::Dxt1:
-        return 3;
-    case BlockFormat::Bc4:
-    case BlockFormat::Bc4Signed:
-        return 1;
-    case BlockFormat::Bc5:
-    case BlockFormat::Bc5Signed:
-        return 2;
-    default:
-        return 4;
-    }
+/// Which of red, green, blue and alpha are compared.
+struct ComparedParts {
+    std::size_t first = 0;
+    std::size_t count = 4;
+};
+
+/// Those that the format keeps and the picture has: RGB formats have no alpha to lose, nor has an opaque
+/// picture that stays one; a picture of alpha alone has no colours.
+ComparedParts comparedIn(const Surface& surface, const Image& source, bool bothOpaque) {
+    const auto* blocks = std::get_if<BlockImage>(&surface);
+    const std::size_t kept =
+        blocks ? keptComponents(blocks->format)
+               : (alphaComponent(std::get<Image>(surface).format) >= 0 ? std::size_t{4} : std::size_t{3});
+    if (kept == 4 && source.format == PixelFormat::Alpha8)
+        return {3, 1};
+    return {0, bothOpaque ? std::min<std::size_t>(kept, 3) : kept};
 }
 
-/// Over the components that the compressed format keeps: RGB formats have no alpha to lose.
-std::optional<double> psnrOf(const Surface& surface, const Image& source) {
+struct Quality {
+    double psnr;
+    std::string_view components; ///< "RGB"
+};
+
+std::optional<Quality> qualityOf(const Surface& surface, const Image& source) {
     if (widthOf(surface) != source.width || heightOf(surface) != source.height ||
         depthOf(surface) != source.depth || source.empty())
         return std::nullopt;
     const auto* blocks = std::get_if<BlockImage>(&surface);
     const Image decoded = blocks ? decodeBlocks(*blocks) : Image{};
     const Image& found = blocks ? decoded : std::get<Image>(surface);
-    const std::size_t components =
-        blocks ? componentsOf(blocks->format) : (alphaComponent(found.format) >= 0 ? 4 : 3);
 
     const auto foundStep = static_cast<std::size_t>(bytesPerPixel(found.format));
     const auto sourceStep = static_cast<std::size_t>(bytesPerPixel(source.format));
     const std::size_t texels = source.pixels.size() / sourceStep;
-    std::uint64_t sum = 0;
+    std::array<std::uint64_t, 4> squares{};
+    bool bothOpaque = true;
     for (std::size_t i = 0; i < texels; ++i) {
         const auto a = rgbaOf(found.format, found.pixels.data() + i * foundStep);
         const auto b = rgbaOf(source.format, source.pixels.data() + i * sourceStep);
-        for (std::size_t c = 0; c < components; ++c)
-            sum += static_cast<std::uint64_t>((a[c] - b[c]) * (a[c] - b[c]));
+        for (std::size_t c = 0; c < squares.size(); ++c)
+            squares[c] += static_cast<std::uint64_t>((a[c] - b[c]) * (a[c] - b[c]));
+        bothOpaque = bothOpaque && a[3] == 255 && b[3] == 255;
     }
+    const ComparedParts compared = comparedIn(surface, source, bothOpaque);
+    const auto first = squares.begin() + static_cast<std::ptrdiff_t>(compared.first);
+    const std::uint64_t sum =
+        std::accumulate(first, first + static_cast<std::ptrdiff_t>(compared.count), std::uint64_t{0});
+    constexpr std::string_view names = "RGBA";
+    const std::string_view components = names.substr(compared.first, compared.count);
     if (sum == 0)
-        return std::numeric_limits<double>::infinity();
-    const double mean = static_cast<double>(sum) / static_cast<double>(texels * components);
-    return 10 * std::log10(255.0 * 255.0 / mean);
+        return Quality{std::numeric_limits<double>::infinity(), components};
+    const double mean = static_cast<double>(sum) / static_cast<double>(texels * compared.count);
+    return Quality{10 * std::log10(255.0 * 255.0 / mean), components};
 }
 
-std::string psnrText(const std::optional<double>& psnr) {
-    if (!psnr)
+/// "  41.9 dB in RGB"
+std::string psnrText(const LevelReport& level) {
+    if (!level.psnr)
         return {};
-    if (std::isinf(*psnr))
-        return "  exact";
-    return fmt::format("  {:.1f} dB", *psnr);
+    return std::isinf(*level.psnr) ? fmt::format("  exact in {}", level.components)
+                                   : fmt::format("  {:.1f} dB in {}", *level.psnr, level.components);
 }
 
 } // namespace
@@ -112,8 +126,11 @@ TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& 
         level.depth = depthOf(surface);
         level.faces += isNew ? 0 : 1;
         level.bytes += byteCount(surface);
-        if (const auto psnr = i < source.size() ? psnrOf(surface, source[i]) : std::nullopt; psnr)
-            level.psnr = std::min(level.psnr.value_or(*psnr), *psnr);
+        const auto quality = i < source.size() ? qualityOf(surface, source[i]) : std::nullopt;
+        if (quality && (!level.psnr || quality->psnr < *level.psnr)) {
+            level.psnr = quality->psnr;
+            level.components = quality->components;
+        }
         report.bytes += byteCount(surface);
         texels += static_cast<double>(level.width) * level.height * level.depth;
     }
@@ -134,7 +151,7 @@ std::string describe(const TextureReport& report) {
         if (level.faces > 1)
             extents += fmt::format(", {} faces", level.faces);
         text += fmt::format("level {:2}  {:16} {:10} bytes{}\n", level.number, extents, level.bytes,
-                            psnrText(level.psnr));
+                            psnrText(level));
     }
     return fmt::format("{}sum {:33} bytes, {:.3f} times the base; {:.1f} % of RGBA8, {:.1f} % of RGB8\n",
                        text, report.bytes, report.ratioToBase, 100 * report.shareOfRgba8,

@@ -11,6 +11,7 @@
 #include "core/base/count.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
+#include "core/codec/image_file.h"
 #include "core/codec/losses.h"
 #include "core/image/mipmaps.h"
 
@@ -57,20 +58,31 @@ const CodecRow& formatOfName(std::string_view name) {
     return *std::ranges::find(codecRows(), name, &CodecRow::name);
 }
 
-/// What a pipe gets, and a file in a folder, where --to doesn't say it.
-const CodecRow& usualFormat(const std::string& in, const ImageFormats& formats) {
-    if (!formats.only.empty())
-        return formatOfName(formats.only);
-    const CodecRow* its = formats.start.empty() ? codecForExtension(in) : nullptr;
-    if (its != nullptr && its->encode)
-        return *its;
-    return formatOfName(formats.start.empty() ? "PNG" : formats.start);
+/// The format of what is written in that of its input, which may be one that isn't written.
+constexpr std::string_view formatInItsPlace = "PNG";
+const CodecRow& writtenAs(const CodecRow* its) {
+    return its != nullptr && its->encode ? *its : formatOfName(formatInItsPlace);
+}
+
+/// By its content; by its name where it can't be looked at twice, or is no image.
+const CodecRow* formatOfFile(const std::string& path) {
+    std::error_code ignored;
+    const Result<Bytes> start =
+        std::filesystem::is_regular_file(path, ignored) ? readFileStart(path, recognisedBytes) : Bytes();
+    const CodecRow* format = start ? recogniseImage(*start) : nullptr;
+    return format != nullptr ? format : codecForExtension(path);
+}
+
+/// What a pipe gets, and a file in a folder, where --to doesn't say it; nullptr: that of the input.
+const CodecRow* usualFormat(const ImageFormats& formats) {
+    const std::string_view name = formats.only.empty() ? formats.start : formats.only;
+    return name.empty() ? nullptr : &formatOfName(name);
 }
 
 struct ImageJob {
     std::string in;
     std::string out;
-    const CodecRow* format; ///< of a pipe; a file's is that of its extension
+    const CodecRow* format; ///< of a pipe; a file's is that of its extension; nullptr: that of the input
 };
 
 tl::unexpected<Error> wrongImageCall(std::string sentence, std::string where = {}) {
@@ -93,7 +105,7 @@ Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageForm
                               "--to");
     if ((files.report || files.json) && isStandardOutput(out))
         return standardOutputIsTaken(files.json ? "--json" : "--report");
-    return std::vector{ImageJob{in, out, format != nullptr ? format : &usualFormat(in, formats)}};
+    return std::vector{ImageJob{in, out, format != nullptr ? format : usualFormat(formats)}};
 }
 
 Result<std::string> nameIn(const std::string& in, const ImageFormats& formats, const CodecRow* format) {
@@ -102,9 +114,9 @@ Result<std::string> nameIn(const std::string& in, const ImageFormats& formats, c
         return wrongImageCall("has no name for a file in a folder; IN OUT writes one file", "standard input");
     if (name.empty() || name == "." || name == "..")
         return wrongImageCall("expected a file's name", in);
-    const bool keeps =
-        format == nullptr && formats.only.empty() && &usualFormat(in, formats) == codecForExtension(in);
-    const CodecRow& written = format != nullptr ? *format : usualFormat(in, formats);
+    const CodecRow* said = format != nullptr ? format : usualFormat(formats);
+    const CodecRow& written = said != nullptr ? *said : writtenAs(formatOfFile(in));
+    const bool keeps = format == nullptr && formats.only.empty() && &written == codecForExtension(in);
     return keeps ? name.string() : name.stem().string() + extensionsOf(written).front();
 }
 
@@ -128,8 +140,7 @@ Result<std::vector<ImageJob>> planOfFolder(const ImageFiles& files, const ImageF
             return wrongImageCall(fmt::format("\"{}\" and \"{}\" would both become {}", other->second, in,
                                               (folder / *name).string()),
                                   "--out");
-        jobs.push_back(
-            {in, (folder / *name).string(), format != nullptr ? format : &usualFormat(in, formats)});
+        jobs.push_back({in, (folder / *name).string(), codecForExtension(*name)});
     }
     return jobs;
 }
@@ -158,13 +169,16 @@ Result<std::vector<ImageJob>> planOf(const ImageFiles& files, const ImageFormats
     return files.folder.empty() ? planOfTwo(files, formats, format) : planOfFolder(files, formats, format);
 }
 
-/// No image may take the place of one that is read, even of one that is read before.
-Result<void> checkImagesApart(const std::vector<ImageJob>& jobs, const char* option) {
+/// No image may take the place of another one, or of one that is read, even of one that is read before. In
+/// place each takes that of its own, once.
+Result<void> checkImagesApart(const std::vector<ImageJob>& jobs, const ImageFiles& files) {
+    const char* option = files.inPlace ? "--in-place" : files.folder.empty() ? "OUT" : "--out";
     std::vector<NamedOutput> outputs;
     std::vector<std::string> inputs;
     for (const ImageJob& each : jobs) {
         outputs.push_back({option, each.out});
-        inputs.push_back(each.in);
+        if (!files.inPlace)
+            inputs.push_back(each.in);
     }
     return checkOutputsApart(outputs, inputs);
 }
@@ -181,8 +195,10 @@ Json levelsJson(const TextureReport& report) {
     for (const LevelReport& level : report.levels) {
         Json entry{{"level", level.number}, {"width", level.width}, {"height", level.height},
                    {"depth", level.depth},  {"faces", level.faces}, {"bytes", level.bytes}};
-        if (level.psnr) // JSON has no infinity
+        if (level.psnr) { // JSON has no infinity
             entry["psnr"] = std::isfinite(*level.psnr) ? Json(*level.psnr) : Json();
+            entry["components"] = level.components;
+        }
         levels.push_back(std::move(entry));
     }
     return levels;
@@ -230,6 +246,8 @@ void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const 
                                  countOf(levels, "level"), countOf(bytes, "byte"));
     if (made.report)
         told.text += describe(*made.report);
+    if (!made.losses.empty())
+        told.text += fmt::format("lost: {}\n", printable(allLost(made.losses)));
 }
 
 struct WrittenImage {
@@ -247,13 +265,9 @@ Result<void> settleLosses(const ImageJob& job, const CodecRow& format, bool allo
                     fmt::format("as {} it would lose something: {}; --lossy writes it all the same",
                                 format.name, lost),
                     inputName(job.in));
-    // Texts and what a camera noted change no picture: that they are left out stands in the JSON alone.
-    std::string said = lost;
-    for (const Loss& loss : made.losses)
-        if (!loss.ofPixels && loss.what != "metadata")
-            said.append(said.empty() ? "" : "; ").append(loss.sentence);
-    if (!said.empty())
-        warn({ErrorCode::Unsupported, fmt::format("lost in {}: {}", format.name, said), inputName(job.in)});
+    if (!made.losses.empty())
+        warn({ErrorCode::Unsupported, fmt::format("lost in {}: {}", format.name, allLost(made.losses)),
+              inputName(job.in)});
     return {};
 }
 
@@ -263,7 +277,10 @@ Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOut
     Result<MadeImage> made = make(job.in);
     if (!made)
         return fail(made.error());
-    const CodecRow& format = opened ? *opened->format : *job.format;
+    const bool keepsFormat = job.format == nullptr && codecForExtension(job.out) == nullptr;
+    const CodecRow& format = keepsFormat ? writtenAs(&formatOfName(made->texture.format))
+                             : opened    ? *opened->format
+                                         : *job.format;
     if (const Result<void> settled = settleLosses(job, format, lossy, *made); !settled)
         return fail(settled.error());
     const Result<Bytes> bytes = format.encode(made->texture, made->options);
@@ -294,7 +311,9 @@ const Option& addImageFiles(Command& command, ImageFiles& files, const ImageForm
     if (!formats.only.empty())
         format = fmt::format("as {}", formats.only);
     else
-        format = formats.start.empty() ? "in the format of IN" : fmt::format("as {}", formats.start);
+        format = formats.start.empty()
+                     ? fmt::format("in the format of IN, {} where that is not written", formatInItsPlace)
+                     : fmt::format("as {}", formats.start);
     command.option(
         "IN", files.files,
         fmt::format(
@@ -334,9 +353,7 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
     if (!jobs)
         return complain(jobs.error(), wrongCall);
     const bool alone = files.folder.empty() && !files.inPlace;
-    const Result<void> apart =
-        files.inPlace ? Result<void>() : checkImagesApart(*jobs, alone ? "OUT" : "--out");
-    if (!apart)
+    if (const Result<void> apart = checkImagesApart(*jobs, files); !apart)
         return complain(apart.error(), wrongCall);
     if (!files.folder.empty()) {
         if (const Result<void> possible = checkFolderWritable(files.folder); !possible)
@@ -344,7 +361,9 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
     }
     std::optional<ImageOutput> first;
     if (alone) {
-        auto opened = openImageOutput(jobs->front().out, jobs->front().format->name, formats.only);
+        const CodecRow* format = jobs->front().format;
+        auto opened = openImageOutput(jobs->front().out, format != nullptr ? format->name : formatInItsPlace,
+                                      formats.only);
         if (!opened)
             return opened.error();
         first = *std::move(opened);

@@ -27,7 +27,8 @@ struct ImageFiles {
 /// What a command writes.
 struct ImageFormats {
     std::string_view only = {};  ///< the one format; empty: each that is written
-    std::string_view start = {}; ///< of a pipe and in a folder, where --to doesn't say it; empty: the input's
+    std::string_view start = {}; ///< of a pipe and in a folder, where --to doesn't say it; empty: the
+                                 ///< input's, by its content
     bool named = false;          ///< in a folder --to has to say it
     /// What --lossy allows, for its help; empty: there is no such option, because all that the command makes
     /// loses something.

@@ -82,7 +82,7 @@ std::string findingsText(const std::vector<Finding>& findings, const std::vector
         for (const Fix& fix : each.fixes) {
             text += fmt::format("    {}:", fix.label);
             for (const Assignment& set : fix.assignments)
-                text += " --set " + shellWord(printable(set.path + "=" + set.value));
+                text += " --set " + shellWord(set.path + "=" + set.value);
             text += "\n";
         }
     }

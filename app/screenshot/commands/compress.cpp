@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -30,7 +31,7 @@ struct CompressOptions {
     ImageFiles files;
     std::string format;
     std::string quality = std::string(rowOf(EncodeQuality::Normal).name);
-    std::string mips = std::string(rowOf(MipFilter::Box).name);
+    std::string mips; ///< empty: the file's levels, and where it holds the base alone, those of a box filter
     bool gamma = false;
     bool powerOfTwo = false;
     bool cube = false;
@@ -83,7 +84,8 @@ std::vector<std::string> mipChoices() {
 struct Choices {
     BlockFormat format = BlockFormat::Dxt1;
     EncodeQuality quality = EncodeQuality::Normal;
-    std::optional<MipFilter> mips;
+    std::optional<MipFilter> mips = MipFilter::Box;
+    bool keepsLevels = true; ///< those that a file has
 };
 
 Result<Choices> choicesOf(const CompressOptions& options) {
@@ -96,6 +98,10 @@ Result<Choices> choicesOf(const CompressOptions& options) {
     if (!quality)
         return fail(quality.error());
     choices.quality = *quality;
+    choices.keepsLevels = options.mips.empty();
+    if (choices.keepsLevels)
+        return choices;
+    choices.mips.reset();
     if (isSameName(options.mips, noMips))
         return choices;
     const EnumRow* filter = findChoice(mipFilterRows, options.mips);
@@ -105,9 +111,27 @@ Result<Choices> choicesOf(const CompressOptions& options) {
     return choices;
 }
 
-/// The pictures to compress, bottom row first: one, or the six faces of a cube map.
-Result<std::vector<Image>> picturesOf(TextureImage texture, const CompressOptions& options,
-                                      const std::string& in) {
+/// Whether the file's levels are compressed as they are. Faces that are cut out have none, nor has what is
+/// scaled.
+bool keepsLevels(const TextureImage& texture, const CompressOptions& options, const Choices& choices) {
+    const auto isPowerOfTwo = [](int extent) { return std::has_single_bit(static_cast<unsigned>(extent)); };
+    const Surface& base = texture.surface(0, 0);
+    const bool isCut = options.cube && texture.faces == 1;
+    const bool isScaled =
+        options.powerOfTwo && !(isPowerOfTwo(widthOf(base)) && isPowerOfTwo(heightOf(base)));
+    return texture.levels > 1 && choices.keepsLevels && !isCut && !isScaled;
+}
+
+/// What becomes of levels that are not kept.
+Loss levelsLost(int levels, const Choices& choices) {
+    return {"levels", fmt::format("{} of its {} mip levels{}", levels - 1, levels,
+                                  choices.mips ? " (made anew of the base)" : "")};
+}
+
+/// The pictures to compress, bottom row first, the levels of a face together: of one picture, or of the six
+/// faces of a cube map; their bases alone without `allLevels`.
+Result<std::vector<MipChain>> picturesOf(TextureImage texture, const CompressOptions& options, bool allLevels,
+                                         const std::string& in) {
     const auto refused = [&](const std::string& message) {
         return fail(ErrorCode::Unsupported, message, inputName(in));
     };
@@ -120,35 +144,36 @@ Result<std::vector<Image>> picturesOf(TextureImage texture, const CompressOption
     if (depthOf(base) != 1)
         return refused(
             fmt::format("expected a picture or a cube map, found a volume of {} slices", depthOf(base)));
-    std::vector<Image> pictures;
-    if (texture.faces == 1 && !options.cube) {
-        pictures.push_back(uprightImage(std::move(texture)));
-        return pictures;
-    }
-    if (texture.faces == 1 && cubeLayout(widthOf(base), heightOf(base)) == CubeLayout::Same)
-        return refused(fmt::format(
-            "expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found {} x {}",
-            widthOf(base), heightOf(base)));
-    if (texture.faces == 1) { // cubeFace takes and gives them with the top row first
+    std::vector<MipChain> pictures;
+    if (texture.faces == 1 && options.cube) { // cubeFace takes and gives them with the top row first
+        if (cubeLayout(widthOf(base), heightOf(base)) == CubeLayout::Same)
+            return refused(fmt::format(
+                "expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found {} x {}",
+                widthOf(base), heightOf(base)));
         Image picture = uprightImage(std::move(texture));
         flipVertically(picture);
         for (int face = 0; face < cubeFaceCount; ++face)
-            flipVertically(pictures.emplace_back(cubeFace(picture, face)));
+            flipVertically(pictures.emplace_back(MipChain{cubeFace(picture, face)}).front());
         return pictures;
     }
     for (int face = 0; face < texture.faces; ++face) {
-        Image& picture = pictures.emplace_back(toImage(texture.surface(face, 0)));
-        if (texture.topFirst)
-            flipVertically(picture);
+        MipChain& levels = pictures.emplace_back();
+        for (int level = 0; level < (allLevels ? texture.levels : 1); ++level) {
+            Image& picture = levels.emplace_back(toImage(texture.surface(face, level)));
+            if (texture.topFirst)
+                flipVertically(picture);
+        }
     }
     return pictures;
 }
 
 /// The levels to compress, in the order in which a DDS file stores rows.
-MipChain levelsOf(Image base, std::optional<MipFilter> mips, const CompressOptions& options) {
+MipChain levelsOf(MipChain file, std::optional<MipFilter> mips, const CompressOptions& options) {
     const MipOptions how{mips.value_or(MipFilter::Box), options.gamma,
                          options.powerOfTwo ? NpotPolicy::PowerOfTwo : NpotPolicy::Keep};
-    MipChain chain = applyMipPolicy(mips ? MipPolicy::Generated : MipPolicy::None, std::move(base), how);
+    MipChain chain = file.size() > 1 ? std::move(file)
+                                     : applyMipPolicy(mips ? MipPolicy::Generated : MipPolicy::None,
+                                                      std::move(file.front()), how);
     for (Image& level : chain)
         flipVertically(level);
     return chain;
@@ -169,12 +194,19 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     if (!file)
         return fail(file.error());
     std::vector<Loss> losses = lossesIn(*file, "DDS");
-    Result<std::vector<Image>> pictures = picturesOf(*std::move(file), options, in);
+    const bool isPremultiplied = file->alpha == AlphaMeaning::Premultiplied;
+    const bool keeps = keepsLevels(*file, options, choices);
+    if (file->levels > 1 && !keeps)
+        losses.push_back(levelsLost(file->levels, choices));
+    if (keeps && options.gamma)
+        noteUnused("--gamma", "it is for mip levels that are made, and those of the file are kept");
+    Result<std::vector<MipChain>> pictures = picturesOf(*std::move(file), options, keeps, in);
     if (!pictures)
         return fail(pictures.error());
     MipChain source; // of one face after the other
-    for (Image& picture : *pictures)
+    for (MipChain& picture : *pictures)
         std::ranges::move(levelsOf(std::move(picture), choices.mips, options), std::back_inserter(source));
+    std::ranges::move(lossesIn(source, choices.format), std::back_inserter(losses));
 
     LongWork work("texshot: compressing");
     auto blocks = encodeLevels(
@@ -191,7 +223,7 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     texture.faces = static_cast<int>(pictures->size());
     texture.levels = static_cast<int>(blocks->size()) / texture.faces;
     texture.topFirst = true; // as DDS stores it
-    texture.alpha = AlphaMeaning::Straight;
+    texture.alpha = isPremultiplied ? AlphaMeaning::Premultiplied : AlphaMeaning::Straight;
     for (BlockImage& level : *blocks)
         texture.surfaces.emplace_back(std::move(level));
     MadeImage made{.texture = std::move(texture), .losses = std::move(losses)};
@@ -216,9 +248,11 @@ void addCompress(CommandLine& line) {
     Command& command =
         line.command("compress", "Compress a picture or a cube map into a DDS file of S3TC or RGTC blocks.");
     auto options = std::make_shared<CompressOptions>();
-    addImageFiles(command, options->files, compressFormats, "The picture: any format that Texplorer reads",
-                  "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
-                  "against the base level and against uncompressed pixels.");
+    addImageFiles(
+        command, options->files, compressFormats, "The picture: any format that Texplorer reads",
+        "Print each level's bytes and what it lost (PSNR against the picture, in those of red, green, "
+        "blue and alpha that the format keeps and the picture has), and the sum against the base level "
+        "and against uncompressed pixels.");
     command.option(
         "--format", options->format,
         "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5; also as bc1, bc1a, bc2, bc3, ati1 or rgtc1, ati2 or "
@@ -229,8 +263,10 @@ void addCompress(CommandLine& line) {
                    {.value = "QUALITY", .offers = {choiceNames<EncodeQuality>}});
     command.option(
         "--mips", options->mips,
-        fmt::format("The filter that makes the mip levels, box unless another is named, or none: {}.",
-                    mipNames()),
+        fmt::format(
+            "The filter that makes the mip levels, or none: {}. Without this the levels of a file that "
+            "has some are compressed as they are, and of another a box makes them.",
+            mipNames()),
         {.value = "FILTER", .offers = {mipChoices}});
     command.flag("--gamma", options->gamma,
                  "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");

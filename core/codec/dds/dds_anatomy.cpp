@@ -249,7 +249,8 @@ Anatomy dissectDds(ByteView file) {
         const std::uint64_t elementsEnd = std::min<std::uint64_t>(layout->arrayEnd(), file.size());
         if (elementsEnd > layout->end())
             dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
-                           fmt::format("{} of the array", layout->elements - 1), "not read");
+                           fmt::format("{} of the array", layout->elements - 1),
+                           "scenes show the first alone");
         if (file.size() > elementsEnd)
             dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
                            "belong to nothing");

@@ -40,8 +40,8 @@ void readElements(const Header& header, Layout& layout, bool everything, Finding
         findings.push_back(
             {at::arraySize,
              layout.faces > 1
-                 ? fmt::format("it is an array of {} cube maps; the first is read", header.arraySize)
-                 : fmt::format("it is an array of {} textures; the first is read", header.arraySize),
+                 ? fmt::format("it is an array of {} cube maps; scenes show the first", header.arraySize)
+                 : fmt::format("it is an array of {} textures; scenes show the first", header.arraySize),
              false});
 }
 

@@ -70,10 +70,52 @@ TEST(LossesIn, NameWhatStandsBesideThePicture) {
     texture.parts = {{"iCCP", {}}, {"tEXt", {}}};
     EXPECT_THAT(lostIn(texture, "PNG"), IsEmpty());
     EXPECT_THAT(lostIn(texture, "BMP"), ElementsAre("colorProfile", "metadata"));
+    EXPECT_EQ(allLost(lossesIn(texture, "BMP")), "the ICC profile; its texts");
     texture.parts = {{"gAMA", {}}};
     EXPECT_THAT(lostIn(texture, "TGA"), ElementsAre("colorProfile"));
     texture.parts = {{"gAMA", {}}, {"sRGB", {}}};
     EXPECT_THAT(lostIn(texture, "TGA"), IsEmpty()) << "what all of them mean where they say nothing";
+}
+
+Image filled(PixelFormat format, std::initializer_list<int> pixel) {
+    Image image = Image::uninitialised(format, 2, 2);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = static_cast<std::byte>(pixel.begin()[i % pixel.size()]);
+    return image;
+}
+
+struct KeptCase {
+    Image picture;
+    BlockFormat format;
+    const char* lost;
+};
+
+// BC1 has no alpha, BC4 red alone, BC5 red and green.
+TEST(LossesIn, NameTheComponentsThatBlocksKeepNothingOf) {
+    const Image colors = filled(PixelFormat::Rgb8, {10, 20, 30});
+    const Image clear = filled(PixelFormat::Rgba8, {10, 20, 30, 7});
+    const Image opaque = filled(PixelFormat::Rgba8, {10, 20, 30, 255});
+    for (const KeptCase& each : {
+             KeptCase{clear, BlockFormat::Dxt1, "alpha (DXT1 keeps red, green and blue alone)"},
+             KeptCase{clear, BlockFormat::Bc4, "green, blue and alpha (BC4 keeps red alone)"},
+             KeptCase{clear, BlockFormat::Bc5, "blue and alpha (BC5 keeps red and green alone)"},
+             KeptCase{colors, BlockFormat::Bc4, "green and blue (BC4 keeps red alone)"},
+             KeptCase{opaque, BlockFormat::Dxt1, ""},
+             KeptCase{clear, BlockFormat::Dxt1Alpha, ""},
+             KeptCase{clear, BlockFormat::Dxt3, ""},
+             KeptCase{clear, BlockFormat::Dxt5, ""},
+             KeptCase{filled(PixelFormat::Rgb8, {10, 20, 0}), BlockFormat::Bc5, ""},
+             KeptCase{filled(PixelFormat::Rgb8, {10, 0, 0}), BlockFormat::Bc4, ""},
+             KeptCase{filled(PixelFormat::Rgb8, {9, 9, 9}), BlockFormat::Bc4, ""},
+             KeptCase{filled(PixelFormat::Luminance8, {9}), BlockFormat::Bc4, ""},
+             KeptCase{filled(PixelFormat::LuminanceAlpha8, {9, 8}), BlockFormat::Bc5,
+                      "alpha (BC5 keeps red and green alone)"},
+         })
+        EXPECT_EQ(pixelsLost(lossesIn({each.picture}, each.format)), each.lost) << rowOf(each.format).label;
+    EXPECT_EQ(pixelsLost(lossesIn({opaque, clear}, BlockFormat::Dxt1)),
+              pixelsLost(lossesIn({clear}, BlockFormat::Dxt1)))
+        << "of any level and face";
+    EXPECT_EQ(lossesIn({clear}, BlockFormat::Dxt1).front().what, "components");
 }
 
 } // namespace

@@ -20,7 +20,11 @@ TEST(CaseCommand, RunsTheCaseAloneAsTheRunDid) {
              "texshot test 'my suites' --tolerance 2 --only 'a b/c'"},
          Row{"texshot test a --only 'b *' --only c --renderer shader --shard 2/4 --durations d.json --context egl",
              "c", "texshot test a --renderer shader --context egl --only c"},
-         Row{"texshot test 'it'\\''s --only here' b", "c", "texshot test 'it'\\''s --only here' b --only c"}})
+         Row{"texshot test 'it'\\''s --only here' b", "c", "texshot test 'it'\\''s --only here' b --only c"},
+         Row{"texshot test 'a'\"$(printf '\\011')\"'b' --only x", "c",
+             "texshot test 'a'\"$(printf '\\011')\"'b' --only c"},
+         Row{"texshot test b --only 'a'\"$(printf '\\011')\"'b' --context egl", "c",
+             "texshot test b --context egl --only c"}})
         EXPECT_EQ(commandOfCase(row.run, row.name), row.command);
 }
 

@@ -483,7 +483,42 @@ TEST(Report, LeavesOutTheComponentsThatAFormatDoesNotHave) {
         const TextureReport report = reportOn({{0, *blocks}}, {source});
         ASSERT_TRUE(report.levels[0].psnr);
         EXPECT_TRUE(std::isinf(*report.levels[0].psnr)) << rowOf(format).name;
+        EXPECT_THAT(describe(report),
+                    HasSubstr(format == BlockFormat::Bc4 ? "exact in R\n" : "exact in RG\n"));
     }
+}
+
+// One component of six off by 10: the mean square is 100 / 6, 10 log10(255^2 / (100 / 6)) = 35.91 dB, whether
+// an alpha of 255 stands beside the colours or not.
+TEST(Report, LeavesOutAnAlphaThatSaysNothing) {
+    for (const PixelFormat format : {PixelFormat::Rgb8, PixelFormat::Rgba8}) {
+        Image source = Image::uninitialised(format, 2, 1);
+        std::ranges::fill(source.pixels, std::byte{255});
+        Image stored = source;
+        stored.pixels[0] = std::byte{245};
+        const LevelReport level = reportOn({{0, stored}}, {source}).levels[0];
+        EXPECT_NEAR(level.psnr.value(), 35.91, 0.005);
+        EXPECT_EQ(level.components, "RGB");
+    }
+    // One of eight: 37.16 dB, where alpha says something, or the compression has made it do so.
+    Image source = Image::uninitialised(PixelFormat::Rgba8, 2, 1);
+    std::ranges::fill(source.pixels, std::byte{255});
+    Image stored = source;
+    stored.pixels[3] = std::byte{245};
+    for (const LevelReport& level :
+         {reportOn({{0, stored}}, {source}).levels[0], reportOn({{0, source}}, {stored}).levels[0]}) {
+        EXPECT_NEAR(level.psnr.value(), 37.16, 0.005);
+        EXPECT_EQ(level.components, "RGBA");
+    }
+}
+
+// The colours of a picture of alpha alone are black and say nothing: 20 log10(255 / 10) = 28.13 dB.
+TEST(Report, ComparesAlphaAloneWhereThereIsNothingElse) {
+    const Image source{PixelFormat::Alpha8, 1, 1, 1, Bytes(1, std::byte{100})};
+    const Image stored{PixelFormat::Alpha8, 1, 1, 1, Bytes(1, std::byte{110})};
+    const LevelReport level = reportOn({{0, stored}}, {source}).levels[0];
+    EXPECT_NEAR(level.psnr.value(), 28.13, 0.005);
+    EXPECT_EQ(level.components, "A");
 }
 
 // --- Cube maps

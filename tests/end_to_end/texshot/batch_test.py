@@ -104,6 +104,11 @@ class Batch(Texshot):
         self.complains(2, f'--out: expected another file than "{self.files[0]}", which is read', "flip", *self.files, "-o", self.path)
         self.complains(2, f'OUT: expected another file than "{self.files[0]}", which is read', "flip", self.files[0], self.files[0])
         self.assertEqual(self.pixels(self.files[0]), wanted)
+        os.symlink(self.files[0], self.path / "link.bmp")
+        for other in (self.path / "link.bmp", self.path / "." / ".." / self.path.name / self.files[0].name):
+            self.complains(2, "--in-place: expected another file than", "flip", self.files[0], other, "--in-place")
+        os.remove(self.path / "link.bmp")
+        self.assertEqual(self.pixels(self.files[0]), wanted)
         self.succeeds("flip", *self.files, "--in-place")
         self.assertNotEqual(self.pixels(self.files[0]), wanted)
         self.succeeds("flip", *self.files, "--in-place")

@@ -2,6 +2,7 @@
 
 import io
 import json
+import math
 import os
 import pty
 import signal
@@ -12,7 +13,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, bmp, dds
+from texshot import TEXSHOT, Texshot, bmp, dds, texshot
 
 
 class Compress(Texshot):
@@ -28,7 +29,8 @@ class Compress(Texshot):
         self.assertEqual(out.stat().st_size, 128 + 32 * 16 // 2)
 
     def test_formats_have_the_names_that_others_gave_them(self):
-        source = self.picture(16, 16)
+        source = self.path / "grey.bmp"  # of which every format keeps all components
+        source.write_bytes(bmp(16, 16, lambda x, y: (x * y, x * y, x * y)))
         for name, others in (("dxt1", ["bc1", "BC1", "DXT1"]), ("dxt1a", ["bc1a"]), ("dxt3", ["BC2"]), ("dxt5", ["bc3", "Dxt5"]),
                              ("bc4", ["ATI1", "rgtc1", "BC4"]), ("bc5", ["ati2", "RGTC2"])):
             out = self.path / f"{name}.dds"
@@ -61,6 +63,76 @@ class Compress(Texshot):
                     self.assertEqual(picture.getpixel(corner), color)
         self.complains(1, "6:1, 1:6, 4:3 or 3:4, found 32 x 16", "compress", self.picture(32, 16), self.path / "no.dds",
                        "--format", "dxt1", "--cube")
+
+    def test_compress_keeps_the_levels_of_a_file(self):
+        """Levels of 8 x 8, 4 x 4, 2 x 2 and 1 x 1 texels, each of a colour that 5, 6 and 5 bits hold exactly."""
+        colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0)]
+        for cube in (False, True):
+            own, out = self.path / "own.dds", self.path / "out.dds"
+            pixels = b"".join(bytes((*colors[level], 255)) * ((8 >> level) ** 2) for level in range(4)) * (6 if cube else 1)
+            own.write_bytes(dds(8, 8, pixels, 28, levels=4, cube=cube))
+
+            def decoded(face):
+                face = ["--face", face] if cube else []
+                pictures = (Image.open(io.BytesIO(self.succeeds("decode", out, "-", "--level", level, *face))).convert("RGB")
+                            for level in range(len(self.facts(out)["levels"])))
+                return [(picture.size[0], picture.getcolors()) for picture in pictures]
+
+            for name in ("dxt1", "dxt5"):
+                with self.subTest(f"{name}, cube map: {cube}"):
+                    written, = json.loads(self.succeeds("compress", own, out, "--format", name, "--json"))["written"]
+                    self.assertEqual((written["levels"], written["losses"]), (4, []))
+                    for face in (0, 5):
+                        self.assertEqual(decoded(face), [(8 >> i, [((8 >> i) ** 2, color)]) for i, color in enumerate(colors)])
+            for mips, levels, said in (("box", 4, "3 of its 4 mip levels (made anew of the base)"), ("none", 1, "3 of its 4 mip levels")):
+                with self.subTest(f"--mips {mips}, cube map: {cube}"):
+                    result = texshot("compress", own, out, "--format", "dxt1", "--mips", mips, "--json")
+                    self.assertEqual((result.returncode, result.stderr.decode()), (0, f"texshot: {own}: lost in DDS: {said}\n"))
+                    loss, = json.loads(result.stdout)["written"][0]["losses"]
+                    self.assertEqual((loss["what"], loss["sentence"]), ("levels", said))
+                    self.assertEqual(decoded(0), [(8 >> i, [((8 >> i) ** 2, colors[0])]) for i in range(levels)])
+        self.assertIn(b"--gamma: has no effect here", texshot("compress", own, out, "--format", "dxt1", "--gamma").stderr)
+
+    def test_compress_says_which_components_are_lost(self):
+        picture, out = self.path / "ramp.png", self.path / "out.dds"
+        ramp = Image.linear_gradient("L").resize((16, 16))
+        Image.merge("RGBA", (ramp, ramp.rotate(90), ramp.rotate(180), ramp)).save(picture)
+        for name, components, sentence in (("dxt1", "RGB", "alpha (DXT1 keeps red, green and blue alone)"),
+                                           ("bc4", "R", "green, blue and alpha (BC4 keeps red alone)"),
+                                           ("bc5", "RG", "blue and alpha (BC5 keeps red and green alone)"),
+                                           ("dxt5", "RGBA", None)):
+            with self.subTest(name):
+                told = texshot("compress", picture, out, "--format", name, "--json")
+                said = f"texshot: {picture}: lost in DDS: {sentence}\n" if sentence else ""
+                self.assertEqual((told.returncode, told.stderr.decode()), (0, said))
+                written, = json.loads(told.stdout)["written"]
+                self.assertEqual([loss["sentence"] for loss in written["losses"]], [sentence] if sentence else [])
+                self.assertEqual({level["components"] for level in written["report"]["levels"]}, {components})
+                report = texshot("compress", picture, out, "--format", name, "--report").stdout.decode()
+                self.assertRegex(report, rf"level  0  16 x 16 +\d+ bytes  [^\n]* in {components}\n")
+                self.assertEqual(report.splitlines()[-1] == f"lost: {sentence}", sentence is not None)
+
+    def test_an_alpha_that_says_nothing_does_not_count(self):
+        """The colours of DXT1 are those of DXT3."""
+        picture, out = self.path / "opaque.png", self.path / "out.dds"
+        Image.merge("RGBA", (*Image.open(self.picture(16, 16)).split(), Image.new("L", (16, 16), 255))).save(picture)
+        found = []
+        for name in ("dxt1", "dxt3"):
+            written, = json.loads(self.succeeds("compress", picture, out, "--format", name, "--mips", "none", "--json"))["written"]
+            level, = written["report"]["levels"]
+            decoded = Image.open(io.BytesIO(self.succeeds("decode", out, "-"))).convert("RGB")
+            squares = self.distance(decoded, Image.open(picture).convert("RGB")) ** 2
+            self.assertAlmostEqual(level["psnr"], 10 * math.log10(255 ** 2 / squares), places=6)
+            found.append(level["components"])
+        self.assertEqual(found, ["RGB", "RGB"])
+
+    def test_compress_keeps_that_colours_are_multiplied_by_alpha(self):
+        source, out = self.path / "in.dds", self.path / "out.dds"
+        header = bytearray(dds(4, 4, bytes((10, 20, 30, 40)) * 16, 28))
+        header[144:148] = struct.pack("<I", 2)  # DDS_ALPHA_MODE_PREMULTIPLIED
+        source.write_bytes(header)
+        self.succeeds("compress", source, out, "--format", "dxt5")
+        self.assertEqual(self.facts(out)["alpha"], "premultiplied")
 
     def test_compress_refuses_a_volume(self):
         volume = self.path / "volume.dds"

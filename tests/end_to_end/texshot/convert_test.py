@@ -5,6 +5,7 @@ import random
 import unittest
 
 from PIL import Image, ImageCms
+from PIL.PngImagePlugin import PngInfo
 
 from texshot import Texshot, dds, texshot
 
@@ -56,9 +57,28 @@ class Convert(Texshot):
         Image.new("RGB", (8, 8), (9, 99, 199)).save(source, icc_profile=profile, comment=b"mine")
         result = texshot("convert", source, out, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertTrue(result.stderr.endswith(b"lost in BMP: the ICC profile\n"), result.stderr)
+        self.assertTrue(result.stderr.endswith(b"lost in BMP: the ICC profile; the comment\n"), result.stderr)
         losses = json.loads(result.stdout)["written"][0]["losses"]
         self.assertEqual([(loss["what"], loss["ofPixels"]) for loss in losses], [("colorProfile", False), ("metadata", False)])
+
+    def test_what_is_lost_is_said_everywhere(self):
+        """On standard error, by --report and in the JSON: of what describes the pixels, too."""
+        source = self.path / "in.png"
+        texts = PngInfo()
+        texts.add_text("Title", "a scene")
+        texts.add(b"tIME", bytes((7, 234, 1, 2, 3, 4, 5)))
+        Image.new("RGB", (4, 4), (1, 2, 3)).save(source, pnginfo=texts)
+        for ending, sentences in (("tga", ["the chunks tIME", "its texts"]), ("png", ["the chunks tIME"])):
+            with self.subTest(ending):
+                out = self.path / f"out.{ending}"
+                said = "; ".join(sentences)
+                result = texshot("convert", source, out, "--report")
+                self.assertEqual((result.returncode, result.stderr.decode()),
+                                 (0, f"texshot: {source}: lost in {ending.upper()}: {said}\n"))
+                self.assertEqual(result.stdout.decode().splitlines()[1:], [f"lost: {said}"])
+                losses = json.loads(texshot("convert", source, out, "--json").stdout)["written"][0]["losses"]
+                self.assertEqual([loss["sentence"] for loss in losses], sentences)
+                self.assertEqual(texshot("convert", source, out, "--quiet").stderr, b"")
 
     def test_convert_keeps_that_colours_are_srgb(self):
         source, out = self.path / "srgb.dds", self.path / "srgb.png"

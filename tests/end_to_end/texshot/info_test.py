@@ -55,15 +55,19 @@ class Info(Texshot):
         self.assertEqual(errors, [f"error: textures[62].file: {self.path}/third.tga: the image needs 1073741824 bytes, "
                                   "and of the 2147483648 that a scene's images may take together, 0 are left"])
 
-    def test_info_and_check_say_that_an_array_is_read_in_part(self):
+    def test_info_and_check_say_that_an_array_is_shown_in_part(self):
         file = self.path / "array.dds"
         header = struct.pack("<4s7I44x", b"DDS ", 124, 0x1007, 4, 4, 0, 0, 0) + struct.pack("<II4s5I", 32, 4, b"DX10", 0, 0, 0, 0, 0)
         header += struct.pack("<5I", 0x1000, 0, 0, 0, 0) + struct.pack("<5I", 71, 3, 0, 3, 0)
         file.write_bytes(header + bytes(range(24)))
-        sentence = "it is an array of 3 textures; the first is read"
+        sentence = "it is an array of 3 textures; scenes show the first"
         facts = self.facts(file)
         self.assertEqual((facts["layers"], facts["notes"]), (3, []))
-        self.assertIn("layers        3; scenes show the first", self.succeeds("info", file).decode())
+        told = self.succeeds("info", file).decode()
+        self.assertIn("layers        3; scenes show the first", told)
+        self.assertIn(sentence, told)
+        self.assertNotIn("not read", told, "decode, convert and flip read all of them")
+        self.succeeds("decode", file, "-", "--layer", "2")
         scene = self.path / "scene.json"
         scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "array.dds", "minFilter": "GL_LINEAR"}],
                                      "passes": [{"depthTest": True, "units": [{"enabled": True}]}]}))

@@ -38,6 +38,15 @@ class Pipes(Texshot):
         flipped = Image.open(io.BytesIO(self.fed(self.bmp, "flip", "-", "-", "--to", "bmp")))
         self.assertEqual(flipped.format, "BMP")
         self.assertEqual(flipped.convert("RGB").transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes(), self.wanted)
+        for kind, expected in (("BMP", "BMP"), ("TGA", "TGA"), ("DDS", "DDS"), ("PNG", "PNG"), ("JPEG", "PNG")):
+            with self.subTest(f"flip keeps {kind}"), io.BytesIO() as content:
+                Image.new("RGB", (8, 4), (200, 10, 10)).save(content, kind)
+                nameless = self.path / "nameless"
+                nameless.write_bytes(content.getvalue())
+                for printed in (self.fed(content.getvalue(), "flip", "-", "-"), self.succeeds("flip", nameless, "-")):
+                    self.assertEqual(Image.open(io.BytesIO(printed)).format, expected)
+                self.succeeds("flip", nameless, "-o", self.path / kind)
+                self.assertEqual(os.listdir(self.path / kind), [f"nameless.{expected.lower()}"])
         self.assertTrue(self.fed(self.bmp, "compress", "-", "-", "--format", "dxt1").startswith(b"DDS "))
         self.assertIn(b"standard input", self.fed(self.bmp, "info", "-"))
         told = json.loads(self.fed(self.bmp, "info", "-", "--json"))["files"][0]

@@ -86,6 +86,17 @@ class Scene(Texshot):
         self.assertEqual(self.succeeds("scene", "--diff", a, a), b"")
         self.assertEqual(json.loads(self.succeeds("scene", "--diff", a, a, "--json")), {"same": True, "set": [], "lengths": []})
 
+    def test_every_shell_reads_what_leads_from_one_to_the_other(self):
+        a = self.write("a.json", passes=[{}])
+        for name in ("a\tb", "a\nb", "it's\r\t\\\n", "\x1b[31m"):
+            b = self.write("b.json", passes=[{"name": name}])
+            option = texshot("scene", "--diff", a, b).stdout.decode().removesuffix("\n")
+            for shell in (["sh"], ["bash"], ["zsh", "-f"], ["fish", "--no-config"]):
+                with self.subTest(f"{shell[0]}: {option}"):
+                    line = f"'{TEXSHOT}' scene '{a}' {option}"
+                    made = subprocess.run([*shell, "-c", line], capture_output=True, timeout=60)
+                    self.assertEqual((made.returncode, made.stdout, made.stderr), (0, self.succeeds("scene", b), b""))
+
     def test_what_no_set_can_do_is_said(self):
         a = self.write("a.json", textures=[{}])
         b = self.write("b.json", textures=[{}, {}])

@@ -92,6 +92,7 @@ TEST(Dds, OfAnArrayTheFirstElementIsReadWithItsFacesAndLevels) {
     const Field& others = anatomy.fields.back();
     EXPECT_EQ(others.name, "other elements");
     EXPECT_EQ(others.value, "2 of the array");
+    EXPECT_EQ(others.meaning, "scenes show the first alone");
     EXPECT_EQ(others.offset, 148U + 30);
     EXPECT_EQ(others.size, 60U);
 }
