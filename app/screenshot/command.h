@@ -50,6 +50,11 @@ void addHelpSections(CommandLine& line);
 /// Says what is wrong on standard error, and to who has asked for JSON (output/json_text.h). Returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);
 
+/// Of an error that was found with the scene: a wrong call where it is about an option, "--level".
+[[nodiscard]] inline ExitCode statusOf(const Error& error) {
+    return error.code == ErrorCode::OutOfRange && error.where.starts_with("--") ? wrongCall : failure;
+}
+
 /// A text of several lines, or JSON, to standard output: printable (core/base/printable.h), its lines kept.
 /// Parts that come from outside are made printable before, lest they bring lines of their own.
 [[nodiscard]] Result<void> print(std::string_view text);

@@ -179,6 +179,12 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
     if (!difference)
         return fail(difference.error());
     Judgement judgement{*difference, difference->over};
+    if (difference->max > rule.farBound) {
+        const Result<Difference> far = compare(ours, theirs, rule.farBound);
+        if (!far)
+            return fail(far.error());
+        judgement.far = far->over;
+    }
     if (difference->over == 0 || rule.tolerance == Tolerance::None)
         return judgement;
 

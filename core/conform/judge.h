@@ -27,9 +27,23 @@ struct Judgement {
     /// Of these pixels, those that are explained by a rho within the range of OpenGL 2.1, section 3.8.8,
     /// which is neither the ideal one nor an end of the range; counted likewise.
     std::size_t withinRho = 0;
+    std::size_t far = 0; ///< pixels over the rule's farBound
     /// How the driver computes rho: at an end of that range where the reference is nearer to it then.
     reference::RhoMethod rho = reference::RhoMethod::Ideal;
     std::optional<Image> redrawn{}; ///< the picture that it was held against then, instead of `ours`
+
+    [[nodiscard]] double shareUnexplained() const { return share(unexplained); }
+    [[nodiscard]] double shareFar() const { return share(far); }
+    /// Whether a rule allows a single scene so much.
+    [[nodiscard]] bool isAllowed(const Rule& rule) const {
+        return shareUnexplained() <= 1 - rule.explainedScene && shareFar() <= 1 - rule.nearScene;
+    }
+
+private:
+    [[nodiscard]] double share(std::size_t count) const {
+        return difference.pixels == 0 ? 0
+                                      : static_cast<double>(count) / static_cast<double>(difference.pixels);
+    }
 };
 
 /// Holds two pictures of a scene against a rule. `ours` is what the reference drew; `reference` draws what

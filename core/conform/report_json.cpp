@@ -25,6 +25,8 @@ Json asJson(const Rule& rule) {
             {"share", rule.share},
             {"explained", rule.explained},
             {"explainedOfEachScene", rule.explainedScene},
+            {"farBound", rule.farBound},
+            {"nearOfEachScene", rule.nearScene},
             {"reason", rule.reason}};
 }
 

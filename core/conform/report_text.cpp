@@ -120,9 +120,12 @@ std::string listing() {
                 used.push_back(rule);
         }
     }
-    std::string text = aligned(lines) + "\nRules: what of all pixels may differ, and why\n";
+    std::string text = aligned(lines) +
+                       "\nRules: what of the pixels of all scenes may differ, what of those of a "
+                       "single scene or a case of \"texshot test\", and why\n";
     for (const Rule* rule : used)
-        text += fmt::format("{}: {}. {}\n", rule->name, allowed(*rule), rule->reason);
+        text += fmt::format("{}: {}; of a single scene {}. {}\n", rule->name, allowed(*rule),
+                            allowedOfScene(*rule), rule->reason);
     text += "\nNot compared\n";
     for (const Skip& skip : skips())
         text += fmt::format("{}: {}\n", skip.name, skip.reason);

@@ -12,19 +12,21 @@ std::string percent(double share) {
 
 namespace {
 
+/// What may be where so much of all must not: "0", "0.05 %"
+std::string restOf(double share) {
+    std::string number = fmt::format("{:.2f}", (1 - share) * 100);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.')
+        number.pop_back();
+    return share == 1 ? "0" : number + " %";
+}
+
 /// `byChance` is what so many scenes may have, where they have more than is allowed; else empty.
 std::string allowedText(const Rule& rule, const std::string& overByChance,
                         const std::string& unexplainedByChance) {
-    const auto part = [](double share) {
-        std::string number = fmt::format("{:.2f}", (1 - share) * 100);
-        number.erase(number.find_last_not_of('0') + 1);
-        if (number.back() == '.')
-            number.pop_back();
-        return share == 1 ? "0" : number + " %";
-    };
-    std::string text = fmt::format("{} over {}{}", part(rule.share), rule.bound, overByChance);
+    std::string text = fmt::format("{} over {}{}", restOf(rule.share), rule.bound, overByChance);
     if (rule.tolerance != Tolerance::None)
-        text += fmt::format(", {} unexplained{}", part(rule.explained), unexplainedByChance);
+        text += fmt::format(", {} unexplained{}", restOf(rule.explained), unexplainedByChance);
     return text;
 }
 
@@ -32,6 +34,14 @@ std::string allowedText(const Rule& rule, const std::string& overByChance,
 
 std::string allowed(const Rule& rule) {
     return allowedText(rule, {}, {});
+}
+
+std::string allowedOfScene(const Rule& rule) {
+    std::string text = restOf(rule.explainedScene);
+    text += rule.tolerance == Tolerance::None ? fmt::format(" over {}", rule.bound) : " unexplained";
+    if (rule.nearScene < 1)
+        text += fmt::format(", {} over {}", restOf(rule.nearScene), rule.farBound);
+    return text;
 }
 
 std::string allowed(const Outcome& outcome) {

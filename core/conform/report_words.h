@@ -14,8 +14,10 @@ namespace texplorer::conform {
 
 /// What a rule allows: "0 over 1", "0.5 % over 2, 0.2 % unexplained"
 [[nodiscard]] std::string allowed(const Rule& rule);
-/// The same; where there is more than that by chance, with what so many scenes may have: "4 % over 2 (of 64
-/// scenes 5.13 %), 0.05 % unexplained"
+/// What it allows any single scene: "1 % unexplained", "20 % over 16, 5 % over 128"
+[[nodiscard]] std::string allowedOfScene(const Rule& rule);
+/// What it allows of all scenes; where there is more than that by chance, with what so many scenes may have:
+/// "4 % over 2 (of 64 scenes 5.13 %), 0.05 % unexplained"
 [[nodiscard]] std::string allowed(const Outcome& outcome);
 
 /// What OpenGL leaves open of rho, as far as a driver made use of it: "12 scenes drawn with rho at the lower

@@ -116,9 +116,8 @@ public:
             ++outcome.rho[judgement.rho];
         if (!item.scene.models.empty())
             outcome.shapes[item.scene.models.front().shape].add(judgement);
-        outcome.worstScene =
-            std::max(outcome.worstScene, static_cast<double>(judgement.unexplained) /
-                                             static_cast<double>(judgement.difference.pixels));
+        outcome.worstScene = std::max(outcome.worstScene, judgement.shareUnexplained());
+        outcome.hasWrongScene = outcome.hasWrongScene || !judgement.isAllowed(*outcome.rule);
         // What neither can do, as a compression without a cache, is no disagreement.
         const std::string* only = problemOfOne(subject.problems, against.problems);
         if (only && (outcome.problem.empty() || *only < outcome.problem))
@@ -299,7 +298,7 @@ double Tally::limitUnexplained(const Rule& rule) const {
 }
 
 Verdict Outcome::verdict() const {
-    if (!problem.empty() || worstScene > 1 - rule->explainedScene || all.shareOver() > all.limitOver(*rule) ||
+    if (!problem.empty() || hasWrongScene || all.shareOver() > all.limitOver(*rule) ||
         all.shareUnexplained() > all.limitUnexplained(*rule))
         return Verdict::Differ;
     if (all.scenes == 0)

@@ -90,7 +90,8 @@ struct Outcome {
     const Rule* rule = nullptr;
     Tally all;
     std::map<Shape, Tally> shapes;
-    double worstScene = 0; ///< the largest share of unexplained pixels of one scene
+    double worstScene = 0;      ///< the largest share of unexplained pixels of one scene
+    bool hasWrongScene = false; ///< one with more than its rule allows a single scene
     std::map<const Skip*, int> skipped;
     std::map<reference::RhoMethod, int> rho; ///< how many scenes the driver drew with which, but for Ideal
     std::optional<Worst> worst;              ///< none where no scene was drawn

@@ -152,8 +152,14 @@ std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& ju
     const std::string over =
         fmt::format("{} ({}) {} by more than {}/255 from the reference", countOf(difference.over, "pixel"),
                     share(difference.over), difference.over == 1 ? "differs" : "differ", rule.bound);
-    const std::string allowed =
-        rule.explainedScene < 1 ? "up to " + percentText(1 - rule.explainedScene) : std::string("none");
+    const auto upTo = [](double near) {
+        return near < 1 ? "up to " + percentText(1 - near) : std::string("none");
+    };
+    const std::string allowed = upTo(rule.explainedScene);
+    if (judgement.shareFar() > 1 - rule.nearScene)
+        return fmt::format("{}; {} ({}) by more than {}/255, of which the rule {} allows {}", over,
+                           countOf(judgement.far, "pixel"), share(judgement.far), rule.farBound, rule.name,
+                           upTo(rule.nearScene));
     if (rule.tolerance == conform::Tolerance::None)
         return fmt::format("{}; the rule {} allows {}", over, rule.name, allowed);
     if (judgement.unexplained == 0)
@@ -179,7 +185,7 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
     record.pixels = difference.pixels;
     record.over = difference.over;
     record.unexplained = judgement->unexplained;
-    record.state = record.shareThatCounts() <= record.share ? State::Passed : State::Failed;
+    record.state = judgement->isAllowed(rule) ? State::Passed : State::Failed;
     record.sentence = ruleSentence(rule, *judgement) + rhoSentence(*judgement);
     if (difference.max > 0) {
         const auto [x, y] = std::array{difference.worst.x, difference.worst.y};
@@ -268,6 +274,11 @@ JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, c
 }
 
 } // namespace
+
+reference::AnisotropyMethod anisotropyOf(const Golden& golden) {
+    return std::holds_alternative<GoldenReference>(golden) ? reference::AnisotropyMethod::Ellipse
+                                                           : reference::AnisotropyMethod::Probes;
+}
 
 CaseRecord recordOf(const Plan& plan, const Case& of, State state, std::string sentence) {
     CaseRecord record{.name = of.name, .state = state, .sentence = std::move(sentence)};

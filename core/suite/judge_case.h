@@ -18,9 +18,9 @@ struct JudgedCase {
     bool goldenIsBroken = false; ///< Error, for its golden is read and holds no picture: a new one mends it
 };
 
-/// How the reference filters where it is what a case is held against, and is best drawn where it is what is
-/// held: as Mesa does.
-inline constexpr auto referenceAnisotropy = reference::AnisotropyMethod::Ellipse;
+/// How the reference filters in a case, as the renderer, to judge and to explain: as `texshot shot` does, and
+/// as Mesa does where a driver's picture is held against it.
+[[nodiscard]] reference::AnisotropyMethod anisotropyOf(const Golden& golden);
 
 /// `actual`, Rgba8, is what the case's renderer drew on `driver` (empty for the reference) of `scene`, whose
 /// images are loaded. Passed, Failed, Resized, New, Skipped (by conform's table of what can't be compared,

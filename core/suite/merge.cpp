@@ -117,7 +117,6 @@ Result<Merged> merge(const std::vector<RunRecord>& records, const std::vector<st
     run.suites = records.front().suites;
     run.driver = joinedTexts(records, &RunRecord::driver);
     run.version = joinedTexts(records, &RunRecord::version);
-    run.settings = joinedTexts(records, &RunRecord::settings);
     run.plan = records.front().plan;
     run.planned = records.front().planned;
     run.started = earliestStart(records);

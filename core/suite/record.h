@@ -69,7 +69,8 @@ struct CaseRecord {
     int attempt = 1; ///< from 1
     int signal = 0;  ///< that ended its process; 0: none
     std::string renderer{};
-    std::string driver{}; ///< GL_RENDERER; empty: none was needed
+    std::string driver{};   ///< GL_RENDERER; empty: none was needed
+    std::string settings{}; ///< of the environment, that decide how precisely the driver draws it
     int width = 0;
     int height = 0;
     double time = 0;
@@ -116,7 +117,6 @@ struct RunRecord {
     std::vector<std::string> suites{};
     std::string driver{};    ///< GL_RENDERER; of shards on several drivers, those with ", " between them
     std::string version{};   ///< GL_VERSION
-    std::string settings{};  ///< of the environment, that decide how precisely it draws
     std::string plan{};      ///< fingerprintOf the plan
     std::size_t planned = 0; ///< cases of the whole plan
     Shard shard{};

@@ -1,11 +1,15 @@
 #include "core/suite/rule_choice.h"
 
+#include "core/conform/report_words.h"
 #include "core/conform/rule.h"
 #include "core/reference/sampling/lod.h"
 #include "core/scene/drawn_models.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace texplorer::suite {
 namespace {
@@ -91,6 +95,24 @@ const conform::Rule* findRule(std::string_view name) {
     const auto found =
         std::ranges::find_if(ruleRows, [name](const conform::Rule* each) { return each->name == name; });
     return found == ruleRows.end() ? nullptr : *found;
+}
+
+std::string ruleLimits() {
+    std::string text;
+    std::vector<std::string> said;
+    for (const conform::Rule* row : ruleRows) {
+        const std::string limit = conform::allowedOfScene(*row);
+        if (std::ranges::find(said, limit) != said.end())
+            continue;
+        said.push_back(limit);
+        std::vector<std::string_view> names;
+        for (const conform::Rule* each : ruleRows) {
+            if (conform::allowedOfScene(*each) == limit)
+                names.push_back(each->name);
+        }
+        text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", limit, fmt::join(names, ", "));
+    }
+    return text;
 }
 
 const conform::Rule& ruleFor(const Scene& scene) {

@@ -4,9 +4,7 @@
 #include "core/base/shell_word.h"
 #include "core/compare/comparison.h"
 #include "core/compare/metric.h"
-#include "core/scene/renderer.h"
 #include "core/suite/case_command.h"
-#include "core/suite/judge_case.h"
 
 #include <fmt/core.h>
 
@@ -107,6 +105,8 @@ std::vector<report::Fact> factsOf(const CaseRecord& record) {
         facts.push_back({"Renderer", record.renderer});
     if (!record.driver.empty())
         facts.push_back({"Driver", record.driver});
+    if (!record.settings.empty())
+        facts.push_back({"Settings", record.settings});
     if (!record.golden.empty())
         facts.push_back({"Held against", record.golden});
     addComparison(facts, record);
@@ -139,8 +139,6 @@ std::string drawingCommand(const CaseRecord& record) {
                     shellWord(record.renderer), record.width, record.height);
     if (record.time != 0)
         command += fmt::format(" --time {}", record.time);
-    if (record.renderer == rowOf(RendererKind::Reference).name)
-        command += fmt::format(" --anisotropy {}", texplorer::rowOf(referenceAnisotropy).name);
     return command + " -o again.png";
 }
 
@@ -215,7 +213,6 @@ report::Page pageOf(const RunRecord& run, const RunPageOptions& options) {
     page.command = run.command;
     addFact(page.environment, "Driver", run.driver);
     addFact(page.environment, "Version", run.version);
-    addFact(page.environment, "Settings", run.settings);
     if (run.shard.count > 1)
         addFact(page.environment, "Part", fmt::format("{} of {}", run.shard.number, run.shard.count));
     page.acceptCommand = options.acceptCommand;

@@ -119,8 +119,9 @@ void addEmit(CommandLine& line) {
                  "Write the lesson's BMP, TGA and DDS files beside the program, which reads them; without it "
                  "their texels stand in the program.");
     command.footer(
-        "One file that needs GLFW and OpenGL; the line that compiles it stands at its top. It draws the pixels of "
-        "\"texshot shot\", moves as the scene and its key frames do and turns by the mouse. Patterns of few lines are computed; the "
+        "One file that needs GLFW and OpenGL; the line that compiles it stands at its top. In a framebuffer "
+        "object it draws the pixels of \"texshot shot\"; in its window a driver may round otherwise. It moves as the scene "
+        "and its key frames do and turns by the mouse. Patterns of few lines are computed; the "
         "texels of other images, and meshes of many vertices, are arrays at its end. With --lesson the step's text "
         "stands at the top, and the calls that it is about have a word on what they do.\n"
         "The shaders of glsl and webgl are those of the GLSL tab. A page of webgl needs no other file, and its pixels are "

@@ -95,6 +95,15 @@ SceneArgument sceneFor(const ShotOptions& options, const ShotRequest& request, c
     return argument;
 }
 
+/// The error: the scene lacks what --show is about.
+Result<void> checkShown(const ShotOptions& options, const Scene& scene) {
+    const auto pass = static_cast<std::size_t>(options.shownUnit.pass);
+    if (pass == 0 || pass < scene.passes.size())
+        return {};
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("there is no pass {}, the scene has {}", pass, scene.passes.size()), "--pass");
+}
+
 ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,
                   ShotReport* report) {
     const auto output = openImageOutput(name, "PNG");
@@ -109,6 +118,8 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
     if (const Result<void> apart = checkPicturesApart({&name, 1}, argument, *opened, options.renderer);
         !apart)
         return complain(apart.error(), wrongCall);
+    if (const Result<void> shown = checkShown(options, opened->scene); !shown)
+        return complain(inScene(argument, shown.error()), wrongCall);
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
     request.file = argument.path();
@@ -134,6 +145,8 @@ entriesOf(const ShotOptions& options, const ShotRequest& request, ShotReport* re
                 report->addUnread(file, opened.error().error);
             continue;
         }
+        if (const Result<void> shown = checkShown(options, opened->scene); !shown)
+            return tl::unexpected(complain(inScene(argument, shown.error()), wrongCall));
         Result<std::vector<SweepAxis>> axes = parseAxes(opened->scene, options.axes);
         if (!axes)
             return tl::unexpected(complain(inScene(argument, axes.error()), wrongCall));

@@ -21,6 +21,7 @@
 #include "core/suite/accept_list.h"
 #include "core/suite/junit.h"
 #include "core/suite/record_json.h"
+#include "core/suite/rule_choice.h"
 
 #include <fmt/core.h>
 
@@ -495,7 +496,10 @@ void addTest(CommandLine& line) {
         "alone; one whose process is killed from outside, as for want of memory, is tried once more.\n"
         "A failure has its picture, the golden, their difference and what \"texshot probe\" says of the worst "
         "pixel in the report. A golden may be one or several stored pictures, or \"reference\": what the "
-        "specification says, held to the rules of \"texshot conform --list\", which needs no stored picture.\n"
+        "specification says, which needs no stored picture. Its rule, of those of \"texshot conform --list\", says "
+        "what of a single picture may differ: " +
+        suite::ruleLimits() +
+        ".\n"
         "Exit status: 0 all are alike, 1 some are not, or are new, crashed or hung, 2 a wrong call, a suite "
         "that can't be read, cases that could not be tried, 130 Ctrl+C.");
     command.onCall([options]() -> int {

@@ -47,7 +47,8 @@ Result<Image> stepOf(const TextureOptions& options, const Texture& texture, cons
         return *std::move(asked);
     return fail(ErrorCode::OutOfRange,
                 fmt::format("there is no step {}: textures[{}] has {} in its preparation", options.step,
-                            options.texture, countOf(texture.preparation.size(), "step")));
+                            options.texture, countOf(texture.preparation.size(), "step")),
+                "--step");
 }
 
 /// A level as OpenGL is given it, but upright and decompressed.
@@ -61,7 +62,8 @@ Result<Image> levelOf(const TextureOptions& options, Texture texture, const Text
     if (found == made->levels.end())
         return fail(ErrorCode::OutOfRange,
                     fmt::format("there is no level {}: textures[{}] has {}", asked, options.texture,
-                                countOf(made->levels.size(), "level")));
+                                countOf(made->levels.size(), "level")),
+                    "--level");
     return toImage(std::move(found->surface).take());
 }
 
@@ -69,7 +71,8 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
     if (static_cast<std::size_t>(options.texture) >= opened.scene.textures.size())
         return fail(ErrorCode::OutOfRange,
                     fmt::format("there is no textures[{}]: the scene has {}", options.texture,
-                                countOf(opened.scene.textures.size(), "texture")));
+                                countOf(opened.scene.textures.size(), "texture")),
+                    opened.scene.textures.empty() ? "" : "--texture"); // of such a scene no number is right
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());
     const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
@@ -95,7 +98,7 @@ ExitCode writeTexture(const TextureOptions& options) {
         return complain(apart.error(), wrongCall);
     Result<Image> picture = pictureOf(options, *opened);
     if (!picture)
-        return complain(inScene(options.scene, picture.error()));
+        return complain(inScene(options.scene, picture.error()), statusOf(picture.error()));
     const TextureImage made = textureOf(greysOf(*std::move(picture)), {});
     if (const auto written = output->write(made); !written)
         return complain(written.error());

@@ -14,6 +14,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <new>
 
 namespace texplorer::screenshot {
@@ -23,8 +24,10 @@ namespace fs = std::filesystem;
 using suite::CaseRecord;
 using suite::State;
 
-reference::DrawRequest requestFor(const suite::Case& of, const suite::CaseScene& scene) {
-    return {scene.scene, scene.images, of.time, of.size.width, of.size.height, suite::referenceAnisotropy};
+reference::DrawRequest requestFor(const suite::Case& of, const suite::CaseScene& scene,
+                                  const suite::Settings& settings) {
+    return {scene.scene,   scene.images,   of.time,
+            of.size.width, of.size.height, suite::anisotropyOf(settings.golden)};
 }
 
 LevelWork levelWork() {
@@ -33,19 +36,28 @@ LevelWork levelWork() {
     return work;
 }
 
+/// Where `texshot probe` says the same only if it is told how to filter.
+std::string methodNote(const reference::DrawRequest& request) {
+    const bool isTold = request.anisotropy != reference::DrawRequest().anisotropy &&
+                        std::ranges::any_of(request.scene.textures,
+                                            [](const Texture& texture) { return texture.maxAnisotropy > 1; });
+    return isTold ? fmt::format("\nThis is what texshot probe says with --anisotropy {}.\n",
+                                texplorer::rowOf(request.anisotropy).name)
+                  : std::string();
+}
+
 /// What `texshot probe` says of the worst pixel, whose alpha is as in the picture that one sees. Empty where
 /// it can't be said: the pictures say enough.
-std::string explanationOf(const suite::Case& of, const suite::CaseScene& scene,
+std::string explanationOf(const suite::Case& of, const reference::DrawRequest& request,
                           const suite::WorstPixel& worst, const Image& actual, bool isOpaque) {
     const reference::PixelPlace place{worst.x, of.size.height - 1 - worst.y};
-    Result<reference::Explanation> explanation =
-        reference::probe(requestFor(of, scene), place, {.levels = levelWork()});
+    Result<reference::Explanation> explanation = reference::probe(request, place, {.levels = levelWork()});
     if (!explanation)
         return {};
-    std::string note;
+    std::string note = methodNote(request);
     if (isOpaque && explanation->bytes[3] != 255) {
-        note = fmt::format("\nThe picture is opaque: of the framebuffer's alpha, {}, it shows nothing.\n",
-                           explanation->bytes[3]);
+        note += fmt::format("\nThe picture is opaque: of the framebuffer's alpha, {}, it shows nothing.\n",
+                            explanation->bytes[3]);
         explanation->bytes[3] = 255;
     }
     std::vector<ReadBack> readBacks;
@@ -203,7 +215,7 @@ Result<suite::CaseScene> CaseWorker::openScene(const suite::Case& of) {
 
 Result<Frame> CaseWorker::draw(const RunSetup& setup, const suite::Case& of, const suite::CaseScene& scene) {
     if (of.renderer == RendererKind::Reference)
-        return reference::drawReference(requestFor(of, scene),
+        return reference::drawReference(requestFor(of, scene, plan_->settingsOf(of)),
                                         {.threads = setup.threads, .levels = levelWork()});
     const Result<Studio*> opened = studio(setup);
     if (!opened)
@@ -211,7 +223,7 @@ Result<Frame> CaseWorker::draw(const RunSetup& setup, const suite::Case& of, con
     const view::OfferedRenderers offered = (*opened)->renderers();
     if (!offered.has(of.renderer))
         return fail(ErrorCode::Unsupported, offered.whyNot(of.renderer));
-    return (*opened)->draw(of.renderer, requestFor(of, scene), levelWork());
+    return (*opened)->draw(of.renderer, requestFor(of, scene, plan_->settingsOf(of)), levelWork());
 }
 
 WorkAnswer CaseWorker::doCase(const WorkOrder& order) {
@@ -250,7 +262,8 @@ WorkAnswer CaseWorker::doCase(const WorkOrder& order) {
 
 WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Frame frame,
                              const suite::CaseScene& scene, const conform::Driver& driver) {
-    const Image actual = seenAs(plan_->settingsOf(of), frame.image);
+    const suite::Settings& settings = plan_->settingsOf(of);
+    const Image actual = seenAs(settings, frame.image);
     suite::JudgedCase judged = judgeCase(*plan_, of, scene, actual, driver, order.setup.threads);
     CaseRecord& record = judged.record;
     if (record.state == State::Passed || record.state == State::Skipped)
@@ -260,7 +273,7 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
         record.explanation += problem + "\n";
     if (record.state == State::Failed && record.worst)
         record.explanation +=
-            explanationOf(of, scene, *record.worst, actual, isSeenOpaque(plan_->settingsOf(of)));
+            explanationOf(of, requestFor(of, scene, settings), *record.worst, actual, isSeenOpaque(settings));
     record.explanation = fitted(std::move(record.explanation));
     if (order.update && isUpdatable(judged)) {
         // The nearest of several, which it was held against; of none that is there, the first.

@@ -1,6 +1,5 @@
 #include "app/screenshot/runs/run_plan.h"
 
-#include "app/screenshot/gl/mesa_settings.h"
 #include "core/base/file_io.h"
 #include "core/suite/accept_list.h"
 #include "core/suite/case_name.h"
@@ -11,7 +10,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <set>
@@ -95,14 +93,8 @@ PlannedRun planned(RunSetup setup, suite::Plan plan, Chosen own, const RunChoice
     run.plan = result.setup.plan;
     run.planned = own.all;
     run.shard = choice.shard;
-    bool precise = false;
-    for (const RunItem& each : result.items) {
+    for (const RunItem& each : result.items)
         run.names.push_back(each.name);
-        precise = precise || each.precise;
-    }
-    const char* users = std::getenv(mesaPrecisionVariable);
-    if (users != nullptr || precise)
-        run.settings = fmt::format("{}={}", mesaPrecisionVariable, users != nullptr ? users : mesaPrecision);
     return result;
 }
 

@@ -44,6 +44,13 @@ std::vector<std::string> environmentFor(bool precise, unsigned processes) {
     return environment;
 }
 
+/// How precisely a driver draws there, as far as a variable says it.
+std::string settingsFor(bool precise) {
+    const char* users = std::getenv(mesaPrecisionVariable);
+    const char* value = users != nullptr ? users : precise ? mesaPrecision : nullptr;
+    return value == nullptr ? std::string() : fmt::format("{}={}", mesaPrecisionVariable, value);
+}
+
 State stateOf(Outcome::End end) {
     return end == Outcome::End::Hung ? State::TimedOut : State::Crashed;
 }
@@ -78,6 +85,7 @@ private:
     [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, std::string sentence);
     [[nodiscard]] std::string fingerprintOf(const RunItem& item);
     [[nodiscard]] std::string_view workerOf(const RunItem& item) const;
+    [[nodiscard]] bool drawsWithOpenGl(const RunItem& item) const;
     void keep(std::size_t index, CaseRecord record);
     void collect();
     [[nodiscard]] Error interrupted() const;
@@ -160,7 +168,7 @@ std::string TestRun::fingerprintOf(const RunItem& item) {
     if (planned_.plan.cases.empty())
         return {};
     const suite::Case& of = planned_.plan.cases[item.number];
-    const bool drawn = of.renderer != RendererKind::Reference;
+    const bool drawn = drawsWithOpenGl(item);
     return fingerprints_.of(planned_.plan, of,
                             drawnWith(planned_.setup, drawn ? finished_.run.version : std::string()),
                             drawn ? finished_.run.driver : std::string());
@@ -242,9 +250,8 @@ workers::Job TestRun::jobOf(std::size_t index, bool update) const {
 CaseRecord TestRun::recordWithout(const RunItem& item, State state, std::string sentence) {
     CaseRecord record{.name = item.name, .state = state, .sentence = sentence};
     if (!planned_.plan.cases.empty()) {
-        const suite::Case& of = planned_.plan.cases[item.number];
-        record = suite::recordOf(planned_.plan, of, state, std::move(sentence));
-        if (of.renderer != RendererKind::Reference)
+        record = suite::recordOf(planned_.plan, planned_.plan.cases[item.number], state, std::move(sentence));
+        if (drawsWithOpenGl(item))
             record.driver = finished_.run.driver;
     }
     record.fingerprint = fingerprintOf(item);
@@ -277,6 +284,8 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
     if (const auto sharer = sharers_.find(index); sharer != sharers_.end() && record.state == State::Failed)
         record.sentence += fmt::format("; its golden is also that of {}, which --update takes it from",
                                        planned_.items[sharer->second].name);
+    if (drawsWithOpenGl(item))
+        record.settings = settingsFor(item.precise);
     record.seconds = outcome.took.count();
     record.attempt = outcome.attempt;
     return record;
@@ -286,8 +295,12 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
 std::string_view TestRun::workerOf(const RunItem& item) const {
     if (planned_.plan.cases.empty())
         return "the comparison";
-    return planned_.plan.cases[item.number].renderer == RendererKind::Reference ? "the reference"
-                                                                                : "the driver";
+    return drawsWithOpenGl(item) ? "the driver" : "the reference";
+}
+
+bool TestRun::drawsWithOpenGl(const RunItem& item) const {
+    return !planned_.plan.cases.empty() &&
+           planned_.plan.cases[item.number].renderer != RendererKind::Reference;
 }
 
 void TestRun::keep(std::size_t index, CaseRecord record) {

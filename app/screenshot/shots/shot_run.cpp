@@ -67,7 +67,7 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
     if (request.levels.stop.stop_requested())
         return complainInterrupted();
     if (!shot)
-        return complain(shot.error());
+        return complain(shot.error(), statusOf(shot.error()));
     if (!shot->driver.name.empty())
         tell("drawn by " + shot->driver.name);
     const std::vector<Error> warnings = warningsAbout(request, *shot);

@@ -173,7 +173,28 @@ std::vector<std::string> suggestedValues(const ParamRow& row, const Value& curre
     return suited ? *std::move(suited) : std::vector<std::string>();
 }
 
-Result<SweepAxis> sweepAxis(const Scene& scene, std::string_view path, std::string_view values) {
+namespace {
+
+/// The error: one of these, each written out, has been given before.
+Result<void> checkEachOnce(const ParamRow& row, const std::vector<std::string>& given) {
+    std::vector<std::string> values;
+    for (const std::string& text : given) {
+        const Result<Value> value = parseValue(row, text);
+        if (!value)
+            return fail(value.error());
+        std::string written = formatValue(row, *value);
+        if (std::ranges::find(values, written) != values.end())
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected each value once, found {} twice", inQuotes(written)));
+        values.push_back(std::move(written));
+    }
+    return {};
+}
+
+enum class Repeats : std::uint8_t { Refused, LeftOut };
+
+Result<SweepAxis> axisOf(const Scene& scene, std::string_view path, std::string_view values,
+                         Repeats repeats) {
     const Result<ParamAt> at = paramAt(scene, path);
     if (!at)
         return fail(at.error());
@@ -190,11 +211,22 @@ Result<SweepAxis> sweepAxis(const Scene& scene, std::string_view path, std::stri
     Result<std::vector<std::string>> given = all ? suggestedValues(row, at->value) : listed(row, wanted);
     if (given && given->empty())
         return refuse({ErrorCode::OutOfRange, "expected values, since none suggest themselves here", {}});
+    const bool areWrittenOut = !all && wanted.find(rangeSign) == std::string_view::npos;
+    if (given && areWrittenOut && repeats == Repeats::Refused) {
+        if (const Result<void> once = checkEachOnce(row, *given); !once)
+            return refuse(once.error());
+    }
     Result<std::vector<std::string>> made =
         given.and_then([&](const std::vector<std::string>& each) { return checked(row, each); });
     if (!made)
         return refuse(made.error());
     return SweepAxis{std::string(path), *std::move(made)};
+}
+
+} // namespace
+
+Result<SweepAxis> sweepAxis(const Scene& scene, std::string_view path, std::string_view values) {
+    return axisOf(scene, path, values, Repeats::LeftOut);
 }
 
 Result<SweepAxis> parseSweepAxis(const Scene& scene, std::string_view text) {
@@ -203,7 +235,7 @@ Result<SweepAxis> parseSweepAxis(const Scene& scene, std::string_view text) {
         return fail(ErrorCode::OutOfRange,
                     fmt::format("expected PATH=VALUES, as in textures[0].maxAnisotropy=1,2,4, found {}",
                                 inQuotes(text)));
-    return sweepAxis(scene, trimmed(text.substr(0, sign)), text.substr(sign + 1));
+    return axisOf(scene, trimmed(text.substr(0, sign)), text.substr(sign + 1), Repeats::Refused);
 }
 
 } // namespace texplorer

@@ -30,13 +30,14 @@ inline constexpr std::size_t maxAxisValues = 256;
 /// colours.
 [[nodiscard]] bool canSweep(const ParamRow& row);
 
-/// "PATH=VALUES", see sweepAxis. The error's `where` is the path.
+/// "PATH=VALUES", see sweepAxis, but that a value which is written out twice is refused. The error's `where`
+/// is the path.
 [[nodiscard]] Result<SweepAxis> parseSweepAxis(const Scene& scene, std::string_view text);
 
 /// `values` of a parameter of the scene: "GL_NEAREST,GL_LINEAR", "1,2,4"; of vectors and colours with
 /// semicolons between them, "1,0,0,1;0,1,0,1". "0..4/5" is five numbers from 0 to 4, both included, a whole
 /// number each where the parameter is one; without "/5", five. "*" is all of a choice, and of a number a few
-/// (suggestedValues).
+/// (suggestedValues). What is there twice is left out.
 [[nodiscard]] Result<SweepAxis> sweepAxis(const Scene& scene, std::string_view path, std::string_view values);
 
 /// What there is to see first: every choice; of a number with few steps five across its range, those that

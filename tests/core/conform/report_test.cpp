@@ -223,6 +223,10 @@ TEST(Report, ListsEveryFeatureRuleAndSkip) {
     }
     for (const Skip& skip : skips())
         EXPECT_THAT(text, HasSubstr(std::string(skip.reason)));
+    EXPECT_THAT(text, HasSubstr("\nellipse: 2 % over 16; of a single scene 20 % over 16, 5 % over 128. "));
+    EXPECT_THAT(
+        text,
+        HasSubstr("\ntexel-edge: 0.1 % over 2, 0.05 % unexplained; of a single scene 1 % unexplained. "));
 }
 
 } // namespace

@@ -57,8 +57,9 @@ protected:
 
     Image drawnByReference() {
         const Case& of = plan_.cases[0];
-        const Result<Frame> frame = reference::ReferenceRenderer().draw(
-            {scene_.scene, scene_.images, of.time, of.size.width, of.size.height, referenceAnisotropy});
+        const Result<Frame> frame =
+            reference::ReferenceRenderer().draw({scene_.scene, scene_.images, of.time, of.size.width,
+                                                 of.size.height, anisotropyOf(plan_.settingsOf(of).golden)});
         EXPECT_TRUE(frame) << describe(frame.error());
         return frame ? frame->image : Image{};
     }
@@ -184,6 +185,47 @@ TEST_F(JudgeCase, TheReferenceIsAGoldenThatNobodyHasToStore) {
     EXPECT_THAT(failed.record.worst->actual, ElementsAre(255, 0, 255, 255));
     EXPECT_TRUE(failed.record.worst->y == 30 - 1 - 12 || failed.record.worst->y == 30 - 1 - 13);
     EXPECT_TRUE(failed.expected && failed.difference);
+}
+
+/// A driver whose anisotropy is compared.
+conform::Driver mesa() {
+    conform::Driver driver{"llvmpipe", {}, {}, {}};
+    driver.facts.maxAnisotropy = 16;
+    return driver;
+}
+
+// A driver may filter anisotropically as it likes, and still not draw another picture: 22 % of the pixels are
+// too many, and so are 10 % that are off by more than half of what there is.
+TEST_F(JudgeCase, ASquareIsNoMethodOfAnisotropy) {
+    plan(R"({"scene": {"example": "fog"}, "size": "64x64", "golden": "reference"})");
+    for (const int side : {30, 20}) {
+        Image actual = drawnByReference();
+        EXPECT_EQ(judged(actual, mesa()).record.state, State::Passed);
+        for (int x = 0; x < side; ++x) {
+            for (int y = 0; y < side; ++y)
+                setPixel(actual, x, 63 - y, red);
+        }
+        const JudgedCase failed = judged(actual, mesa());
+        EXPECT_EQ(failed.record.state, State::Failed) << failed.record.sentence;
+        EXPECT_EQ(failed.record.metric, "rule ellipse");
+        EXPECT_THAT(failed.record.sentence, HasSubstr("/255, of which the rule ellipse allows up to 5 %"));
+    }
+}
+
+// "texshot shot --renderer reference" takes probes unless it is told otherwise, Mesa's drivers the ellipse.
+TEST_F(JudgeCase, ADriverIsHeldToTheEllipseAndAStoredPictureToWhatShotDraws) {
+    plan(R"({"size": "40x30", "golden": "reference",
+        "set": ["models[0].shape=floor", "textures[0].maxAnisotropy=8"]})");
+    const auto drawnBy = [this](reference::AnisotropyMethod method) {
+        const Result<Frame> frame =
+            reference::drawReference({scene_.scene, scene_.images, 0, 40, 30, method});
+        EXPECT_TRUE(frame) << describe(frame.error());
+        return frame ? frame->image : Image{};
+    };
+    const std::string same = "it is the reference's picture, byte for byte";
+    EXPECT_EQ(judged(drawnBy(reference::AnisotropyMethod::Ellipse), mesa()).record.sentence, same);
+    EXPECT_NE(judged(drawnBy(reference::AnisotropyMethod::Probes), mesa()).record.sentence, same);
+    EXPECT_EQ(anisotropyOf(GoldenFiles{}), reference::DrawRequest().anisotropy);
 }
 
 /// What a driver's precision may make of it: the reference's own picture with coordinates off by 1/128 of a

@@ -9,6 +9,8 @@ namespace texplorer::suite::rule_choice_test {
 namespace {
 
 using testing::Contains;
+using testing::ContainsRegex;
+using testing::HasSubstr;
 
 Scene sceneWith(std::initializer_list<std::pair<std::string_view, std::string_view>> edits) {
     Scene scene = defaultScene();
@@ -50,6 +52,18 @@ TEST(RuleChoice, GrantsWhatTheComparisonGrants) {
         EXPECT_GE(rule.bound, isOther ? 2 : granted.bound) << feature.name << " has " << rule.name;
         EXPECT_LE(rule.explainedScene, isOther ? 0.99 : granted.explainedScene)
             << feature.name << " has " << rule.name;
+    }
+}
+
+// As core/conform/rule.h has them: a word for each rule, whatever it shares with others.
+TEST(RuleChoice, SaysWhatEachAllowsACase) {
+    const std::string limits = ruleLimits();
+    EXPECT_THAT(limits, HasSubstr("1 % unexplained (texel-edge, level-choice, level-blend, foreign-levels)"));
+    EXPECT_THAT(limits, HasSubstr("20 % over 16, 5 % over 128 (ellipse)"));
+    for (const std::string_view name : ruleNames()) {
+        if (findRule(name)) {
+            EXPECT_THAT(limits, ContainsRegex("[(,] ?" + std::string(name) + "[,)]"));
+        }
     }
 }
 

@@ -52,6 +52,7 @@ report::Case pageCaseOf(const CaseRecord& record) {
 
 TEST(RunPage, SaysHowMuchDiffersAndHowMuchMay) {
     CaseRecord record = samples::sampleRun().cases[1];
+    EXPECT_THAT(factsOf(pageCaseOf(record)), Contains("Settings: GALLIVM_PERF=nopt"));
     EXPECT_THAT(factsOf(pageCaseOf(record)), IsSupersetOf({"Metric: absolute", "Mean difference: 1.5/255",
                                                            "Over 2/255: 32 (50 %), allowed 12.5 %"}));
     record.metric = "flip";

@@ -13,7 +13,6 @@ inline RunRecord sampleRun() {
     run.suites = {"s"};
     run.driver = "llvmpipe (LLVM 15.0.6, 256 bits)";
     run.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
-    run.settings = "GALLIVM_PERF=nopt";
     run.plan = "00112233445566778899aabbccddeeff";
     run.planned = 12;
     run.seconds = 3.5;
@@ -42,6 +41,7 @@ inline RunRecord sampleRun() {
     failed.actualPicture = "failed-actual.png";
     failed.differencePicture = "failed-difference.png";
     failed.driver = run.driver;
+    failed.settings = "GALLIVM_PERF=nopt";
     failed.fingerprint = "0123";
     failed.attempt = 2;
     failed.time = 1.5;

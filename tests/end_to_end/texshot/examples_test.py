@@ -1,6 +1,7 @@
 """The examples of help, of the manual and of the README: each can be made as it stands, and shows what it is there for:
 pictures of something, which differ where a parameter goes through its values; a pixel of a model; scenes that are valid."""
 
+import io
 import itertools
 import json
 import os
@@ -11,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from PIL import Image, ImageSequence
+from PIL import Image, ImageChops, ImageSequence
 
 from texshot import TEXSHOT, Texshot, texshot
 
@@ -62,8 +63,20 @@ class Examples(Texshot):
             if words[:2] == ["texshot", "probe"]:
                 self.assertNotIn("shows the background", said, line)
                 self.assertTrue("fragment" in said or "pixel" in said, line)
+            if words[:2] == ["texshot", "shot"] and "--probe" in words:
+                self.explains_a_model(words[1:], folder)
             if words[:2] in (["texshot", "sweep"], ["texshot", "shot"]) and "--axis" in words:
                 self.cells_differ(words[1:], folder)
+
+    def explains_a_model(self, words, folder):
+        """The panel below the view says another thing than where nothing covers the pixel: all models are out of sight."""
+        panels = []
+        for sight in ((), ("--set", "view.target=90,90,0")):
+            result = texshot(*words[:words.index("-o")], *sight, "-o", "-", cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            window = Image.open(io.BytesIO(result.stdout)).convert("RGB")
+            panels.append(window.crop((window.width // 4, window.height * 2 // 3, window.width, window.height * 29 // 30)))
+        self.assertTrue(panels[0].tobytes() != panels[1].tobytes(), f"nothing covers the pixel: {shlex.join(words)}")
 
     def cells_differ(self, words, folder):
         """The pictures of a sheet, or of a list: no two are the same."""
@@ -80,6 +93,17 @@ class Examples(Texshot):
             pictures = [Image.open(each).convert("RGB").tobytes() for each in sorted(Path(cells).iterdir())]
         self.assertGreater(len(pictures), 1)
         self.assertEqual(len(set(pictures)), len(pictures), f"some of the pictures are the same: {shlex.join(words)}")
+        if "--difference" in words:
+            self.differ_in_more_than_rounding(pictures, words)
+
+    def differ_in_more_than_rounding(self, pictures, words):
+        """Of the pixels that differ from the first picture's, hardly any does by a single 255th."""
+        first, *others = (Image.frombytes("RGB", (320, 200), each) for each in pictures)
+        for other in others:
+            red, green, blue = ImageChops.difference(first, other).split()
+            same, by_one, *more = ImageChops.lighter(ImageChops.lighter(red, green), blue).histogram()
+            self.assertEqual(same + by_one + sum(more), 320 * 200)
+            self.assertLess(by_one, 0.02 * sum(more), f"the noise of rounding is shown: {shlex.join(words)}")
 
     def commands(self):
         return re.findall(r"^  ([a-z]+)(?: |$)", self.succeeds("--help").decode(), re.MULTILINE)
@@ -148,6 +172,9 @@ class Examples(Texshot):
                         continue
                     seen.append("scene")
                     self.succeeds("validate", name)
+                    for path in {key["path"] for key in document.get("timeline", [])}:
+                        values = {str(key["value"]) for key in document["timeline"] if key["path"] == path}
+                        self.assertGreater(len(values), 1, f"{path} stands still")
                     times = ("--time", "0,2") if "timeline" in document else ("--time", "0")
                     self.succeeds("shot", name, "--size", "160x100", *times, "-o", Path(folder) / "{time}.png")
                     pictures = [Image.open(each).convert("RGB") for each in sorted(Path(folder).glob("*.png"))]

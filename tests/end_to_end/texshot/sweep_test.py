@@ -226,6 +226,7 @@ class Sweep(Texshot):
             (2, 'did you mean "minFilter"?', "--axis", "textures[0].minFiltr=*", "-o", x),
             (2, "2 to 256 values after the slash, found \"1000000\"", "--axis", "view.azimuth=0..1/1000000", "-o", x),
             (2, "at most 4096 pictures on the sheets of a call, found 65536", "--axis", "view.azimuth=0..1/256", "--axis", "view.elevation=0..1/256", "-o", x),
+            (2, 'view.azimuth: expected each value once, found "1" twice', "--axis", "view.azimuth=0,1,1.0", "-o", x),
             (2, "found view.azimuth twice", "--axis", "view.azimuth=0,1", "--axis", "view.azimuth=2", "-o", x),
             (2, "at most 3 axes, down, across and pages, found 4", *many, "-o", x),
             (2, "differs for each of 2 pages, as in sheet-{page}.png or {distance}.png, found", *many[:6], "-o", x),

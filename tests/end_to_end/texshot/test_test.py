@@ -46,9 +46,37 @@ class Test(Suites):
         for name in names:
             renderer = name.split("/")[1].split("@")[0]
             self.succeeds("shot", "--set", f"view.background={COLORS['grey']},1", "--size", "24x16", "--renderer",
-                          renderer, *(["--anisotropy", "ellipse"] if renderer == "reference" else []),
-                          "-o", golden / (name.replace("/", "__") + ".png"))
+                          renderer, "-o", golden / (name.replace("/", "__") + ".png"))
         self.assertEqual(self.passes(suite), "3 cases: 3 passed\n")
+
+    def test_the_reference_draws_what_texshot_shot_has_it_draw(self):
+        suite = self.suite([{"name": "fog", "scene": {"example": "fog"}, "renderer": "reference", "golden": "fog.png"}], size="64x48")
+        drawn = ("--example", "fog", "--size", "64x48")
+        golden = self.shot(*drawn, "--renderer", "reference")
+        golden.save(self.path / "fog.png")
+        self.assertEqual(self.passes(suite), "1 case: 1 passed\n")
+        ellipse = self.shot(*drawn, "--renderer", "reference", "--anisotropy", "ellipse")
+        x, y = next((x, y) for y in range(48) for x in range(64) if golden.getpixel((x, y)) != ellipse.getpixel((x, y)))
+        wrong = tuple(255 - each for each in golden.getpixel((x, y))[:3])
+        golden.putpixel((x, y), wrong)
+        golden.save(self.path / "fog.png")
+        case = self.record(suite, code=1)["fog"]
+        self.assertEqual((case["worst"]["x"], case["worst"]["y"]), (x, y))
+        probed = self.succeeds("probe", *drawn, "--no-gl", "--at", f"{x},{y}").decode()
+        self.assertEqual(case["explanation"].strip(), probed.strip())
+
+    def test_settings_are_those_of_the_cases_that_have_them(self):
+        suite = self.suite([*self.backgrounds("grey", "dark", renderer=["reference"]),
+                            *self.backgrounds("blue"), *self.backgrounds("black", golden="reference")])
+        without = {name: value for name, value in os.environ.items() if name != "GALLIVM_PERF"}
+        self.passes(suite, "--update", env=without)
+        found = {name: case.get("settings") for name, case in self.record(suite, code=0, env=without).items()}
+        precise = "GALLIVM_PERF=no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling"
+        self.assertEqual(found, {"grey": None, "dark": None, "blue": None, "black": precise})
+        self.assertNotIn("settings", json.loads(self.run_of(suite, "--json", "-", env=without).stdout))
+        found = self.record(suite, code=0, env={**without, "GALLIVM_PERF": "no_rho_approx"})
+        self.assertEqual([found[name].get("settings") for name in ("grey", "blue", "black")],
+                         [None, "GALLIVM_PERF=no_rho_approx", "GALLIVM_PERF=no_rho_approx"])
 
     def test_a_failure_has_pictures_and_an_explanation(self):
         suite = self.suite(self.backgrounds("grey", "dark"))
@@ -68,8 +96,7 @@ class Test(Suites):
             self.assertTrue(each.with_name(each.name + ".js").is_file(), "its pixels, for the page")
         with Image.open(pictures["expected"]) as expected, Image.open(pictures["actual"]) as actual:
             self.assertEqual(self.difference(expected, actual), (5, 3, 6, 4))
-        probed = self.succeeds("probe", "--set", f"view.background={COLORS['grey']},1", "--size", "24x16", "--at", "5,3",
-                               "--anisotropy", "ellipse").decode()
+        probed = self.succeeds("probe", "--set", f"view.background={COLORS['grey']},1", "--size", "24x16", "--at", "5,3").decode()
         for line in probed.splitlines()[:3]:
             self.assertIn(line, case["explanation"])
         self.assertTrue((report / "index.html").is_file())
@@ -357,7 +384,7 @@ class Test(Suites):
         self.assertGreater(hit, 0)
 
     def test_a_worker_that_is_stopped_hangs(self):
-        suite = self.suite([{"name": "slow", "golden": "slow.png", "renderer": "reference", "size": "3000x3000",
+        suite = self.suite([{"name": "slow", "golden": "slow.png", "renderer": "reference", "size": "7000x7000",
                              "set": "textures[0].maxAnisotropy=16"}], seconds=600)
         run = self.begun(suite, "-j", 1, "--timeout", 2, "--json", "-")
         for child in self.workers_of(run):
@@ -680,6 +707,7 @@ class Test(Suites):
                          "--report", "--junit", "--json", "--resume", "--timeout", "--fail-fast", "--list", "--quiet",
                          "--verbose", "--pictures", "--tolerance", "--metric", "Exit status: 0 all are alike"):
             self.assertIn(expected, text)
+        self.assertIn("20 % over 16, 5 % over 128 (ellipse)", " ".join(text.split()))
         self.assertNotIn("worker-process", self.succeeds("--help").decode() + text)
 
 

@@ -34,7 +34,7 @@ class TexturePictures(Texshot):
         grey = inverted.convert("L")  # which rounds in another place
         self.assert_near(self.picture_of(scene, "--step", "2").convert("L"), grey, 1)
         self.assert_near(self.picture_of(scene, "--step", "3").getchannel("A"), grey, 1)
-        self.complains(1, "has 3 steps", "texture", scene, "-o", "-", "--step", "4")
+        self.complains(2, "--step: there is no step 4: textures[0] has 3 steps", "texture", scene, "-o", "-", "--step", "4")
 
     def test_alpha_comes_from_another_file(self):
         (self.path / "mask.bmp").write_bytes(bmp(32, 16, lambda x, y: (y * 16, y * 16, y * 16)))
@@ -50,7 +50,7 @@ class TexturePictures(Texshot):
         half = Image.open(self.path / "half.bmp").convert("RGB")
         self.assertEqual(self.picture_of(scene, "--level", "1").convert("RGB").tobytes(), half.tobytes())
         self.assertEqual(self.picture_of(scene, "--level", "2").size, (4, 2))
-        self.complains(1, "no level 3", "texture", scene, "-o", "-", "--level", "3")
+        self.complains(2, "--level: there is no level 3", "texture", scene, "-o", "-", "--level", "3")
 
     def test_what_the_light_sees_is_drawn(self):
         file = self.path / "light.json"
@@ -69,7 +69,7 @@ class TexturePictures(Texshot):
     def test_wrong_calls(self):
         scene = self.scene(mipmaps="given", levels=[{"source": "file", "file": "gone.png"}])
         self.complains(1, "textures[0].levels[0].file", "texture", scene, "-o", "-")
-        self.complains(1, "there is no textures[1]", "texture", self.scene(), "-o", "-", "--texture", "1")
+        self.complains(2, "--texture: there is no textures[1]", "texture", self.scene(), "-o", "-", "--texture", "1")
         self.complains(2, "--level", "texture", self.scene(), "-o", "-", "--step", "0", "--level", "0")
         self.complains(2, "--out", "texture", self.scene())
 

@@ -113,7 +113,7 @@ class Window(Texshot):
         self.assertIsNotNone(self.difference(without, probed))
         self.assertEqual(probed.tobytes(), self.shot(*window, "--probe", "120,180").tobytes())
         out = self.path / "out.png"
-        self.complains(1, "and none at 5000,10", "shot", *window, "--probe", "5000,10", "-o", out)
+        self.complains(2, "and none at 5000,10", "shot", *window, "--probe", "5000,10", "-o", out)
         self.complains(2, "--probe: expected X,Y, found \"here\"", "shot", *window, "--probe", "here", "-o", out)
         self.complains(2, "--probe", "shot", "--probe", "1,1", "-o", out)
 
