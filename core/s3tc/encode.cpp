@@ -106,7 +106,7 @@ Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQu
     parallelFor(rows, std::min(threads == 0 ? processorThreads() : threads, worthwhile), encodeRow);
     if (done < rows)
         return fail(ErrorCode::Cancelled,
-                    fmt::format("compressing was stopped after {} of {} rows of blocks", done, rows));
+                    fmt::format("compressing was stopped after {} of {} rows of blocks", done.load(), rows));
     if (progress)
         progress(1);
     return compressed;
