@@ -198,6 +198,8 @@ void readHead(JsonObject& object, RunRecord& run) {
     readTexts(object, "suites", run.suites);
     object.text("driver", run.driver, maxRecordText);
     object.text("version", run.version, maxRecordText);
+    std::string settings; // which older records have for the run and not for each case
+    object.text("settings", settings, maxRecordText);
     object.text("plan", run.plan, maxRecordText);
     object.whole("planned", run.planned, 0, maxRecordCases);
     std::array<int, 2> shard{run.shard.number, run.shard.count};

@@ -82,6 +82,18 @@ struct Wrong {
     std::string said;
 };
 
+// A report that an earlier version has left is still one: it is replaced, merged and gone on with.
+TEST(RecordJson, SettingsOfTheWholeRunAreRead) {
+    const RunRecord run = samples::sampleRun();
+    std::string text = asJson(run);
+    const std::size_t at = text.find("\"planned\"");
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at, "\"settings\": \"GALLIVM_PERF=nopt\", ");
+    const Result<RunRecord> read = parseRun(text);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(asJson(*read), asJson(run));
+}
+
 TEST(RecordJson, WhatIsWrongIsSaidWithItsLine) {
     const std::string head = journalStart(samples::sampleRun());
     const std::array wrongs{
