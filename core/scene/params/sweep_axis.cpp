@@ -107,8 +107,11 @@ Result<std::vector<std::string>> listed(const ParamRow& row, std::string_view te
     return values;
 }
 
+enum class Repeats : std::uint8_t { Refused, LeftOut };
+
 /// Each as formatValue writes it, none of them twice.
-Result<std::vector<std::string>> checked(const ParamRow& row, const std::vector<std::string>& given) {
+Result<std::vector<std::string>> checked(const ParamRow& row, const std::vector<std::string>& given,
+                                         Repeats repeats) {
     std::vector<std::string> values;
     for (const std::string& text : given) {
         const Result<Value> value = parseValue(row, text);
@@ -117,6 +120,9 @@ Result<std::vector<std::string>> checked(const ParamRow& row, const std::vector<
         std::string written = formatValue(row, *value);
         if (std::ranges::find(values, written) == values.end())
             values.push_back(std::move(written));
+        else if (repeats == Repeats::Refused)
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected each value once, found {} twice", inQuotes(written)));
     }
     if (values.size() > maxAxisValues)
         return fail(ErrorCode::TooLarge,
@@ -169,29 +175,11 @@ std::vector<std::string> suggestedValues(const ParamRow& row, const Value& curre
         values = suggestedNumbers(row, *whole);
     else if (const auto* number = std::get_if<float>(&current))
         values = suggestedNumbers(row, *number);
-    Result<std::vector<std::string>> suited = checked(row, values);
+    Result<std::vector<std::string>> suited = checked(row, values, Repeats::LeftOut);
     return suited ? *std::move(suited) : std::vector<std::string>();
 }
 
 namespace {
-
-/// The error: one of these, each written out, has been given before.
-Result<void> checkEachOnce(const ParamRow& row, const std::vector<std::string>& given) {
-    std::vector<std::string> values;
-    for (const std::string& text : given) {
-        const Result<Value> value = parseValue(row, text);
-        if (!value)
-            return fail(value.error());
-        std::string written = formatValue(row, *value);
-        if (std::ranges::find(values, written) != values.end())
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected each value once, found {} twice", inQuotes(written)));
-        values.push_back(std::move(written));
-    }
-    return {};
-}
-
-enum class Repeats : std::uint8_t { Refused, LeftOut };
 
 Result<SweepAxis> axisOf(const Scene& scene, std::string_view path, std::string_view values,
                          Repeats repeats) {
@@ -211,13 +199,10 @@ Result<SweepAxis> axisOf(const Scene& scene, std::string_view path, std::string_
     Result<std::vector<std::string>> given = all ? suggestedValues(row, at->value) : listed(row, wanted);
     if (given && given->empty())
         return refuse({ErrorCode::OutOfRange, "expected values, since none suggest themselves here", {}});
-    const bool areWrittenOut = !all && wanted.find(rangeSign) == std::string_view::npos;
-    if (given && areWrittenOut && repeats == Repeats::Refused) {
-        if (const Result<void> once = checkEachOnce(row, *given); !once)
-            return refuse(once.error());
-    }
+    if (all || wanted.find(rangeSign) != std::string_view::npos) // not written out one by one
+        repeats = Repeats::LeftOut;
     Result<std::vector<std::string>> made =
-        given.and_then([&](const std::vector<std::string>& each) { return checked(row, each); });
+        given.and_then([&](const std::vector<std::string>& each) { return checked(row, each, repeats); });
     if (!made)
         return refuse(made.error());
     return SweepAxis{std::string(path), *std::move(made)};
