@@ -2,7 +2,7 @@
 """The layers of Texplorer, as CMake's targets have them.
 
 layers.py SOURCE LAYERS check     an include that its folder's library doesn't link is an error, as is a cycle
-layers.py SOURCE LAYERS compare   the picture in CONTRIBUTING.md is that of the targets
+layers.py SOURCE LAYERS compare   the picture in docs/develop/layers.md is that of the targets
 layers.py SOURCE LAYERS draw      puts it there
 """
 import pathlib
@@ -144,13 +144,13 @@ def main():
         problems = cycles(layers) + wrong_includes(layers, sources(root))
         print("\n".join(problems) or f"{len(layers)} layers, no include points up")
         return 1 if problems else 0
-    document = root / "CONTRIBUTING.md"
+    document = root / "docs/develop/layers.md"
     old = document.read_text(encoding="utf-8")
     new = PICTURE.sub(lambda match: match[1] + picture(layers) + match[2], old)
     if command == "draw":
         document.write_text(new, encoding="utf-8")
     elif PICTURE.search(old) is None or new != old:
-        print("the layers in CONTRIBUTING.md are not those of the targets: ./dev picture draws them again")
+        print("the layers in docs/develop/layers.md are not those of the targets: ./dev picture draws them again")
         return 1
     return 0
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs into a fresh prefix, moves it, and uses it from there: the programs, and the library as other projects do.
+# Installs into a new prefix, moves it, and uses the programs and the library from there.
 set -euo pipefail
 build=$1 source=$2 compiler=$3 python=$4 version=$5
-work=$build/installed # always the same, so that a compiler cache knows what was compiled before
+work=$build/installed # always the same path, for the compiler cache
 rm -rf "$work"
 mkdir "$work"
 trap 'rm -rf "$work"' EXIT
@@ -20,7 +20,7 @@ if grep -rlF -e "$source" -e "$build" "$prefix"/lib*/cmake "$prefix"/lib*/pkgcon
 fi
 ! objdump -h "$prefix"/lib*/*.a "$prefix/bin/texshot" | grep -q debug_info || complain "--strip left debugging information"
 
-# The headers: each can be included alone, and needs nothing that isn't installed.
+# Each header can be included alone and needs nothing that is not installed.
 include=$prefix/include
 (cd "$include" && find texplorer -name '*.h' | sort) >"$work/headers"
 ! grep -rn '"core/' "$include" || complain "these lines are for inside the project"
@@ -34,7 +34,7 @@ cache=$(command -v ccache || true)
 find "$work/alone" -name '*.cpp' -print0 |
     xargs -0 -P 2 -I SOURCE $cache "$compiler" -std=c++20 -O0 -Wall -Wextra -Werror -I "$include" -c SOURCE -o SOURCE.o
 
-# The consumer, found by CMake and by pkg-config, does what Pillow says that it does.
+# The consumer project, found by CMake and by pkg-config, must agree with Pillow.
 cmake -S "$source/tests/end_to_end/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$prefix" \
     -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
 cmake --build "$work/consumer" >/dev/null
@@ -72,23 +72,26 @@ if "$work/consumer/consumer" "$work/nowhere.dds" "$work/out.dds" "$work/out.png"
 fi
 grep -q "consumer: $work/nowhere.dds: " "$work/said" || complain "the error names no file: $(cat "$work/said")"
 
-# The README's blocks of C++ and CMake, as they stand: one project, its program, its tests.
-mkdir -p "$work/readme/golden"
-"$python" - "$source/README.md" "$work/readme" <<'EOF'
+# The C++ and CMake blocks of the documents, unchanged: one project, its programs, its tests.
+mkdir -p "$work/documents/golden"
+"$python" - "$source" "$work/documents" <<'EOF'
 import re
 import sys
 from pathlib import Path
 
-text, folder = Path(sys.argv[1]).read_text(), Path(sys.argv[2])
+root, folder = Path(sys.argv[1]), Path(sys.argv[2])
+files = [root / "README.md", root / "CONTRIBUTING.md", *(root / "docs").rglob("*.md")]
+blocks = [each for file in files for each in re.findall(r"^ *```(cpp|cmake)\n(.*?)^ *```", file.read_text(), re.M | re.S)]
 
 
 def block(language, word):
-    [found] = [each for each in re.findall(rf"^```{language}\n(.*?)^```", text, re.M | re.S) if word in each]
-    return found
+    [found] = [each for each in blocks if each[0] == language and word in each[1]]
+    blocks.remove(found)
+    return found[1]
 
 
-assert len(re.findall("^```(cpp|cmake)$", text, re.M)) == 4, "a block that isn't tried"
-(folder / "mine.cpp").write_text(block("cpp", "int main()"))
+(folder / "mine.cpp").write_text(block("cpp", "drawReference("))
+(folder / "short.cpp").write_text(block("cpp", "auto brick"))
 (folder / "start.cpp").write_text(block("cpp", "TEST("))
 (folder / "framebuffer.cpp").write_text("""#include <GL/gl.h>
 #include <cstdlib>
@@ -100,49 +103,57 @@ void glReadPixels(GLint, GLint, GLsizei width, GLsizei height, GLenum, GLenum, v
 }
 """)
 (folder / "CMakeLists.txt").write_text("""cmake_minimum_required(VERSION 3.25)
-project(readme CXX)
+project(documents CXX)
 set(CMAKE_CXX_STANDARD 20)
 enable_testing()
 add_executable(mine mine.cpp)
 """ + block("cmake", "target_link_libraries(mine") + """
+add_executable(short short.cpp)
+target_link_libraries(short PRIVATE texplorer::core)
 find_package(GTest REQUIRED)
 add_executable(start start.cpp framebuffer.cpp)
 target_link_libraries(start PRIVATE texplorer::core GTest::gtest_main)
 """ + block("cmake", "texplorer_add_screenshot_test"))
+assert not blocks, f"a block that isn't tried: {blocks}"
 EOF
-cp "$work/in.dds" "$work/readme/brick.dds"
-"$prefix/bin/texshot" scene --example cube -o "$work/readme/brick.json"
-"$prefix/bin/texshot" shot "$work/readme/brick.json" --size 320x240 -o "$work/readme/golden/brick.png"
-cmake -S "$work/readme" -B "$work/readme/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
-cmake --build "$work/readme/build" >/dev/null
-ctest --test-dir "$work/readme/build" -R brick >"$work/said" || complain "the README's screenshot test: $(cat "$work/said")"
-grep -q '100% tests passed, 0 tests failed out of 1' "$work/said" || complain "the README has no screenshot test"
-[ "$(cd "$work/readme" && ./build/mine 2>&1)" = "640 x 480" ] || complain "the README's program says something else"
-"$python" - "$work/readme" <<'EOF' || complain "the README's program is wrong"
+cp "$work/in.dds" "$work/documents/brick.dds"
+"$prefix/bin/texshot" scene --example cube -o "$work/documents/brick.json"
+"$prefix/bin/texshot" shot "$work/documents/brick.json" --size 320x240 -o "$work/documents/golden/brick.png"
+cmake -S "$work/documents" -B "$work/documents/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
+cmake --build "$work/documents/build" >/dev/null
+ctest --test-dir "$work/documents/build" -R brick >"$work/said" || complain "docs/suites.md, screenshot test: $(cat "$work/said")"
+grep -q '100% tests passed, 0 tests failed out of 1' "$work/said" || complain "docs/suites.md has no screenshot test"
+flipped() { # LEVELS: flipped.dds has so many, and is brick.dds upside down
+    "$python" - "$work/documents" "$1" <<'EOF'
 import struct
 import sys
 from PIL import Image
 
-folder = sys.argv[1]
+folder, levels = sys.argv[1:]
 brick = Image.open(f"{folder}/brick.dds").convert("RGB").transpose(Image.Transpose.FLIP_TOP_BOTTOM)
-assert Image.open(f"{folder}/flipped.dds").convert("RGB").tobytes() == brick.tobytes(), "it isn't turned around"
+assert Image.open(f"{folder}/flipped.dds").convert("RGB").tobytes() == brick.tobytes(), "it isn't flipped"
 with open(f"{folder}/flipped.dds", "rb") as file:
-    assert struct.unpack_from("<I", file.read(), 28)[0] == 7, "it has no mip levels"
+    assert max(1, struct.unpack_from("<I", file.read(), 28)[0]) == int(levels), "it has other mip levels"
 EOF
-start() { # STATUS, in an environment: README's test of a framebuffer
+}
+(cd "$work/documents" && ./build/short) || complain "the program of README.md fails"
+flipped 1 || complain "the program of README.md is wrong"
+[ "$(cd "$work/documents" && ./build/mine 2>&1)" = "640 x 480" ] || complain "the program of docs/library.md says something else"
+flipped 7 || complain "the program of docs/library.md is wrong"
+start() { # STATUS, in an environment: the framebuffer's test of docs/suites.md
     local status=0
-    (cd "$work/readme" && ./build/start) >"$work/said" 2>&1 || status=$?
-    [ $status = "$1" ] || complain "the README's test ended with $status: $(cat "$work/said")"
+    (cd "$work/documents" && ./build/start) >"$work/said" 2>&1 || status=$?
+    [ $status = "$1" ] || complain "the test of docs/suites.md ended with $status: $(cat "$work/said")"
 }
 start 1
 TEXPLORER_UPDATE_GOLDENS=1 start 0
 start 0
 BLUE=1 start 1
 for picture in actual expected difference; do
-    [ -e "$work/readme/start-$picture.png" ] || complain "the README's test leaves no start-$picture.png"
+    [ -e "$work/documents/start-$picture.png" ] || complain "the test of docs/suites.md leaves no start-$picture.png"
 done
 
-# Its screenshot tests. One golden is right where the mask lets it count, another is of another time, and one isn't there.
+# Its screenshot tests. One golden is right only with the mask, another shows another time, and one is missing.
 goldens=$work/consumer/goldens
 scene=$source/tests/end_to_end/consumer/scene.json
 mkdir "$goldens"
@@ -175,7 +186,7 @@ for said in 'screenshot.different (Failed)' 'screenshot.missing (Failed)' '50% t
 done
 [ "$(left)" = "screenshot.different-actual.png screenshot.different-difference.png screenshot.missing-actual.png " ] ||
     complain "these were left: $(left)"
-[ ! -e "$goldens/new" ] || complain "a golden was written unasked"
+[ ! -e "$goldens/new" ] || complain "a golden was written without a request"
 cp "$goldens/alike.png" "$work/kept.png"
 TEXPLORER_UPDATE_GOLDENS=1 screenshots 0
 cmp "$goldens/alike.png" "$work/kept.png" || complain "a golden that is right was written"
@@ -185,7 +196,8 @@ TEXPLORER_UPDATE_GOLDENS=0 screenshots 0
 [ -z "$(left)" ] || complain "these were left by tests that passed: $(left)"
 [ "$(ctest --test-dir "$work/consumer" -N -L slow | grep -c 'Test *#')" = 1 ] || complain "a label is missing"
 
-# A project without a compiler. A wrong word is said before a golden is written; a golden that is no picture is replaced.
+# A project without a compiler. A wrong word is reported before a golden is written; a golden that is not a picture is
+# replaced.
 mkdir "$work/none"
 none() { # STATUS WORDS
     printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(none NONE)' \
@@ -200,7 +212,7 @@ none() { # STATUS WORDS
 export TEXPLORER_UPDATE_GOLDENS=1
 none 8 "TOLERANCE many"
 grep -q -e '--tolerance' "$work/said" || complain "the wrong tolerance isn't named: $(cat "$work/said")"
-[ ! -e "$work/none/golden.png" ] || complain "a golden was written beside a wrong tolerance"
+[ ! -e "$work/none/golden.png" ] || complain "a golden was written despite a wrong tolerance"
 echo 'version https://git-lfs.github.com/spec/v1' >"$work/none/golden.png"
 none 0 "METRIC flip PIXELS_PER_DEGREE 30"
 export TEXPLORER_UPDATE_GOLDENS=0
@@ -208,7 +220,7 @@ none 0 "RGB SET view.azimuth=24"
 none 8 "SET view.azimuth=90 view.elevation=50"
 unset TEXPLORER_UPDATE_GOLDENS
 
-# Its framebuffer, whose golden Pillow makes: red grows to the right, green upwards.
+# Its framebuffer; Pillow makes the golden: red increases to the right, green upwards.
 "$python" - "$goldens/framebuffer.png" <<'EOF'
 import sys
 from PIL import Image
@@ -217,7 +229,7 @@ golden = Image.new("RGBA", (5, 4))
 golden.putdata([(x * 50, y * 60, 7, 255) for y in (3, 2, 1, 0) for x in range(5)])
 golden.save(sys.argv[1])
 EOF
-framebuffer() { # STATUS of its tests, which run in their build folder; what they leave goes there
+framebuffer() { # STATUS of its tests, which run in their build folder and write there
     local status=0
     (cd "$work/consumer" && ./framebuffer_test --gtest_filter='*.IsTheGolden') >"$work/said" || status=$?
     [ $status = "$1" ] || complain "the framebuffer's test ended with $status: $(cat "$work/said")"
@@ -237,7 +249,7 @@ for picture in actual expected difference; do
     [ "$(identify -format '%wx%h' "$work/consumer/framebuffer-$picture.png")" = 5x4 ] || complain "there is no $picture picture"
 done
 
-# Wrong calls, and an installation without the program: CMake says so.
+# Wrong calls, and an installation without the program: CMake must report them.
 refused() { # SENTENCE ARGUMENTS
     echo "include(\"$(echo "$prefix"/lib*/cmake/texplorer)/TexplorerScreenshotTest.cmake\")
 texplorer_add_screenshot_test($2)" >"$work/wrong.cmake"
@@ -263,11 +275,12 @@ mv "$prefix/bin/texshot" "$work/texshot"
 grep -q "has no texshot" "$work/said" || complain "CMake says: $(cat "$work/said")"
 mv "$work/texshot" "$prefix/bin/texshot"
 
-# What they write of themselves, where man, the shells and editors look for it.
+# The generated files, where man, the shells and editors look for them.
 for file in share/man/man1/{texplorer,texshot,texshot-shot}.1.gz share/bash-completion/completions/{texplorer,texshot} \
     share/zsh/site-functions/{_texplorer,_texshot} share/fish/vendor_completions.d/{texplorer,texshot}.fish \
     share/texplorer/{scene,suite}.schema.json share/texplorer/suites/textures.suite.json \
     share/doc/texplorer/examples/cluster/texshot-{array.sbatch,job.yaml} \
+    share/doc/texplorer/{README,docs/texshot,docs/library}.md \
     share/doc/texplorer/examples/consumer/CMakeLists.txt share/mime/packages/texplorer.xml share/metainfo/texplorer.metainfo.xml; do
     [ -s "$prefix/$file" ] || complain "$file is not installed"
 done

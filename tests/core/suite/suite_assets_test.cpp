@@ -1,4 +1,4 @@
-// The suites of assets/suites, and the one that CONTRIBUTING.md shows.
+// The suites of assets/suites, and the one that docs/suites.md shows.
 
 #include "core/base/file_io.h"
 #include "core/suite/case_scene.h"
@@ -27,7 +27,7 @@ TEST(SuiteAssets, CanBePlannedAndOpened) {
 }
 
 TEST(SuiteAssets, WhatIsDocumentedIsRead) {
-    const Result<std::string> text = readText(source / "CONTRIBUTING.md");
+    const Result<std::string> text = readText(source / "docs/suites.md");
     ASSERT_TRUE(text) << describe(text.error());
     const std::size_t start = text->find("```json\n{\n  \"suite\": 1");
     ASSERT_NE(start, std::string::npos);

@@ -1,5 +1,5 @@
-"""The examples of help, of the manual and of the README: each can be made as it stands, and shows what it is there for:
-pictures of something, which differ where a parameter goes through its values; a pixel of a model; scenes that are valid."""
+"""The examples of help, of the manual and of the documents. Each runs unchanged and shows its subject: pictures with a
+content, which differ if a parameter takes several values; a pixel of a model; valid scenes."""
 
 import io
 import itertools
@@ -17,7 +17,7 @@ from PIL import Image, ImageChops, ImageSequence
 from texshot import TEXSHOT, Texshot, texshot
 
 ROOT = Path(__file__).resolve().parents[3]
-README = ROOT / "README.md"
+DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def examples_of(text):
@@ -38,7 +38,7 @@ def blocks_of(file, language):
 
 class Examples(Texshot):
     def made(self, lines, folder):
-        """Makes them, one after the other, as a shell does, and looks at what each leaves."""
+        """Runs them one after the other, as a shell does, and checks what each leaves."""
         path = f"{Path(TEXSHOT).parent}:{os.environ['PATH']}"
         for line in lines:
             before = {each: each.stat().st_mtime_ns for each in Path(folder).rglob("*")}
@@ -57,7 +57,7 @@ class Examples(Texshot):
                     frames = [frame.convert("RGBA") for frame in ImageSequence.Iterator(picture)]
                     if len(frames) > 1:
                         self.assertTrue(all(a.tobytes() != b.tobytes() for a, b in itertools.pairwise(frames)),
-                                        f"{file} stands still:\n{block}")
+                                        f"{file} does not move:\n{block}")
         for line in re.sub(r"\\\n\s*", "", block).splitlines():
             words = shlex.split(line, comments=True) if line.startswith("texshot ") else []
             if words[:2] == ["texshot", "probe"]:
@@ -69,7 +69,7 @@ class Examples(Texshot):
                 self.cells_differ(words[1:], folder)
 
     def explains_a_model(self, words, folder):
-        """The panel below the view says another thing than where nothing covers the pixel: all models are out of sight."""
+        """The panel below the view shows another text than for a pixel without a model: all models are hidden."""
         panels = []
         for sight in ((), ("--set", "view.target=90,90,0")):
             result = texshot(*words[:words.index("-o")], *sight, "-o", "-", cwd=folder)
@@ -79,7 +79,7 @@ class Examples(Texshot):
         self.assertTrue(panels[0].tobytes() != panels[1].tobytes(), f"nothing covers the pixel: {shlex.join(words)}")
 
     def cells_differ(self, words, folder):
-        """The pictures of a sheet, or of a list: no two are the same."""
+        """The pictures of a sheet, or of a list: no two are equal."""
         call = ["shot"]
         rest = iter(words[1:])
         for word in rest:
@@ -127,7 +127,7 @@ class Examples(Texshot):
                 self.assertIn(line, lines)
 
     def prepare(self, folder):
-        """What the README's blocks find in the folder: pictures, and a suite with goldens of which one is wrong."""
+        """The files that blocks of the documents find in the folder: pictures, and a suite with one wrong golden."""
         folder = Path(folder)
         shot = [TEXSHOT, "shot", "--size", "64x64", "-o"]
         for name in ("golden.png", "now.png", "clock.png", "golden/a.png", "actual/a.png"):
@@ -139,11 +139,11 @@ class Examples(Texshot):
         listed = subprocess.run([TEXSHOT, "test", "--list", folder / "my.suite.json"], check=True, capture_output=True, timeout=60)
         (folder / "accept.txt").write_bytes(listed.stdout.splitlines()[0] + b"\n")
 
-    def test_the_blocks_of_the_readme_can_be_made(self):
-        blocks = blocks_of(README, "sh")
-        self.assertGreater(len(blocks), 8)
-        for before, block in blocks:
-            with self.subTest(block.splitlines()[0]), tempfile.TemporaryDirectory() as folder:
+    def test_the_blocks_of_the_documents_run(self):
+        blocks = [(file.name, *block) for file in DOCUMENTS for block in blocks_of(file, "sh")]
+        self.assertGreater(len(blocks), 16)
+        for name, before, block in blocks:
+            with self.subTest(f"{name}: {block.splitlines()[0]}"), tempfile.TemporaryDirectory() as folder:
                 self.assertEqual([line for line in block.splitlines() if len(line) > 80], [])
                 if "./dev" in block:  # of the clone
                     continue
@@ -154,10 +154,10 @@ class Examples(Texshot):
 
     def test_scenes_suites_and_lessons_are_what_they_should_be(self):
         seen = []
-        for file in (README, ROOT / "CONTRIBUTING.md"):
+        for file in DOCUMENTS:
             for _, block in blocks_of(file, "json"):
                 document = json.loads(block)
-                with self.subTest(block[:80]), tempfile.TemporaryDirectory() as folder:
+                with self.subTest(f"{file.name}: {block[:80]}"), tempfile.TemporaryDirectory() as folder:
                     if "lesson" in document:
                         seen.append("lesson")
                         (Path(folder) / "lesson.json").write_text(block)
@@ -174,7 +174,7 @@ class Examples(Texshot):
                     self.succeeds("validate", name)
                     for path in {key["path"] for key in document.get("timeline", [])}:
                         values = {str(key["value"]) for key in document["timeline"] if key["path"] == path}
-                        self.assertGreater(len(values), 1, f"{path} stands still")
+                        self.assertGreater(len(values), 1, f"{path} does not move")
                     times = ("--time", "0,2") if "timeline" in document else ("--time", "0")
                     self.succeeds("shot", name, "--size", "160x100", *times, "-o", Path(folder) / "{time}.png")
                     pictures = [Image.open(each).convert("RGB") for each in sorted(Path(folder).glob("*.png"))]
@@ -183,9 +183,10 @@ class Examples(Texshot):
                     self.assertEqual(len({each.tobytes() for each in pictures}), len(pictures))
         self.assertEqual(sorted(set(seen)), ["lesson", "scene", "suite"])
 
-    def test_programs_in_the_readme_are_tried_where_the_library_is_installed(self):
-        """tests/end_to_end/install_test.sh compiles and runs these; other languages have none that would do so."""
-        languages = {each for each in re.findall(r"^```(\w+)$", README.read_text(), re.MULTILINE)}
+    def test_the_programs_of_the_documents_are_compiled_where_the_library_is_installed(self):
+        """tests/end_to_end/install_test.sh compiles and runs C++ and CMake; there is no such test for other
+        languages."""
+        languages = {each for file in DOCUMENTS for each in re.findall(r"^ *```(\S+)$", file.read_text(), re.MULTILINE)}
         self.assertEqual(languages, {"sh", "json", "cpp", "cmake"})
 
     def test_an_example_of_the_program_is_a_scene(self):
