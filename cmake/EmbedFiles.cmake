@@ -30,7 +30,7 @@ function(texplorer_embed target folder names header namespace type function)
     list(JOIN names "," joined)
     set(embed ${CMAKE_COMMAND} -DOUT=${out} -DFOLDER=${folder} -DNAMES=${joined} -DHEADER=${header}
         -DNAMESPACE=${namespace} -DTYPE=${type} -DFUNCTION=${function} -P ${TEXPLORER_EMBED_SCRIPT})
-    if(NOT EXISTS ${out}) # for what reads sources and builds nothing, as clang-tidy
+    if(NOT EXISTS ${out}) # for tools that read sources without a build, such as clang-tidy
         execute_process(COMMAND ${embed} COMMAND_ERROR_IS_FATAL ANY)
     endif()
     list(TRANSFORM names PREPEND ${folder}/ OUTPUT_VARIABLE files)

@@ -1,4 +1,5 @@
-# Squish::Squish: libsquish, which brings no package file of its own. Installed beside texplorer's, which needs it too.
+# Squish::Squish: libsquish, which has no CMake package file. Installed with texplorer's own package, which needs it
+# too.
 find_path(SQUISH_INCLUDE_DIR squish.h)
 find_library(SQUISH_LIBRARY squish)
 include(FindPackageHandleStandardArgs)

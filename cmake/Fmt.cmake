@@ -1,5 +1,5 @@
-# TEXPLORER_FMT: what makes texts of values. The library where it can be linked; for another standard library or another
-# processor than it was built for, one that is made of its headers.
+# TEXPLORER_FMT: the fmt library. Linked if possible; built from its headers for another standard library or processor
+# than it was built for.
 include(CheckCXXSourceCompiles)
 find_package(fmt QUIET GLOBAL)
 if(fmt_FOUND)
@@ -12,7 +12,7 @@ if(fmt_FOUND)
 endif()
 if(TEXPLORER_FMT_LINKS)
     set(TEXPLORER_FMT fmt::fmt)
-    set(TEXPLORER_FMT_PACKAGE fmt) # as pkg-config knows it
+    set(TEXPLORER_FMT_PACKAGE fmt) # its name in pkg-config
 else()
     find_path(FMT_INCLUDE_DIR fmt/core.h REQUIRED)
     add_library(texplorer_fmt STATIC cmake/fmt_from_headers.cpp)

@@ -4,8 +4,8 @@ set(TEXPLORER_MAINTAINER "The Texplorer authors <texplorer@packages.invalid>" CA
     "Who makes the packages, as Debian has it: NAME <ADDRESS>")
 find_program(GZIP_PROGRAM gzip REQUIRED)
 
-# What Debian wants of each package: its copyright, and what changed, packed without the time.
-set(ENV{SOURCE_DATE_EPOCH} ${TEXPLORER_RELEASED}) # which TIMESTAMP takes for now
+# Debian requires of each package: its copyright, and a changelog packed without the time.
+set(ENV{SOURCE_DATE_EPOCH} ${TEXPLORER_RELEASED}) # used by TIMESTAMP as the current time
 string(TIMESTAMP TEXPLORER_RELEASE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 unset(ENV{SOURCE_DATE_EPOCH})
 set(folder ${PROJECT_BINARY_DIR}/packaging)
@@ -45,7 +45,7 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME texplorer)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON) # of the modules, too: what they are linked with is found at their start
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON) # also for modules: their libraries are found when they start
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS libgl1-mesa-dri)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "fonts-droid-fallback, xplanet-images")

@@ -10,11 +10,12 @@ set(texplorer_precompiled_common
     <glm/glm.hpp> <tl/expected.hpp>)
 set(texplorer_precompiled_code ${texplorer_precompiled_common} <fmt/core.h>)
 set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
+set(texplorer_precompiled_texshot ${texplorer_precompiled_code} <nlohmann/json.hpp>)
 foreach(layer core render ui) # a precompiled header of their own: their flags differ
     set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_common} <gmock/gmock.h> <gtest/gtest.h>)
 endforeach()
 
-# The first target of a kind makes it, the others take it over.
+# The first target of a kind creates it; the others reuse it.
 function(texplorer_precompile target kind)
     if(NOT TEXPLORER_PRECOMPILE OR NOT DEFINED texplorer_precompiled_${kind})
         return()
@@ -27,6 +28,6 @@ function(texplorer_precompile target kind)
         set_property(GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${kind} ${target})
     endif()
     if(CCACHE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        target_compile_options(${target} PRIVATE -fpch-preprocess) # so that ccache sees what is in it
+        target_compile_options(${target} PRIVATE -fpch-preprocess) # ccache can then look into it
     endif()
 endfunction()

@@ -15,7 +15,7 @@ foreach(name IN LISTS names)
     if(EXISTS "${TO}/${name}")
         file(READ "${TO}/${name}" old)
     endif()
-    if(NOT text STREQUAL old) # what stays the same keeps its time
+    if(NOT text STREQUAL old) # an unchanged file keeps its time
         file(WRITE "${TO}/${name}" "${text}")
     endif()
 endforeach()

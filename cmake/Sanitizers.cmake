@@ -1,4 +1,4 @@
-# AddressSanitizer and UndefinedBehaviorSanitizer for everything that is built; any finding ends the program.
+# AddressSanitizer and UndefinedBehaviorSanitizer for the whole build; any finding ends the program.
 if(TEXPLORER_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)

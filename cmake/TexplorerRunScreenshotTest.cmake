@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.19...3.25)
 
 set(actual "${NAME}-actual.png")
 set(difference "${NAME}-difference.png")
-file(REMOVE "${FOLDER}/${actual}" "${FOLDER}/${difference}") # of the last time
+file(REMOVE "${FOLDER}/${actual}" "${FOLDER}/${difference}") # from the previous run
 
 set(draw "")
 foreach(word IN ITEMS SIZE TIME RENDERER CONTEXT)
@@ -19,7 +19,7 @@ set(hold "")
 if(RGB)
     list(APPEND hold --rgb)
 endif()
-foreach(word IN ITEMS METRIC TOLERANCE SHARE PIXELS_PER_DEGREE MASK) # a [ in the file's name would hide what follows
+foreach(word IN ITEMS METRIC TOLERANCE SHARE PIXELS_PER_DEGREE MASK) # a [ in a file's name would hide the next words
     if(NOT "${${word}}" STREQUAL "")
         string(TOLOWER "${word}" option)
         string(REPLACE "_" "-" option "${option}")
@@ -27,7 +27,7 @@ foreach(word IN ITEMS METRIC TOLERANCE SHARE PIXELS_PER_DEGREE MASK) # a [ in th
     endif()
 endforeach()
 
-# Drawn within its folder: in -o, the braces of a folder's name would be places to fill in.
+# Runs in its folder: braces in the folder's name would be placeholders in -o.
 function(draw_into folder file)
     execute_process(COMMAND "${TEXSHOT}" shot "${SCENE}" ${draw} ${ARGN} -o "${file}"
         WORKING_DIRECTORY "${folder}" RESULT_VARIABLE result)
@@ -42,7 +42,7 @@ if(update STREQUAL "0")
 endif()
 
 draw_into("${FOLDER}" "${actual}")
-if(NOT update STREQUAL "") # a wrong word or mask is said before a golden is written
+if(NOT update STREQUAL "") # report a wrong word or mask before a golden is written
     execute_process(COMMAND "${TEXSHOT}" compare "${actual}" "${actual}" ${hold}
         WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE result OUTPUT_QUIET)
     if(NOT result STREQUAL 0)
@@ -56,7 +56,7 @@ if(EXISTS "${GOLDEN}")
         file(REMOVE "${FOLDER}/${actual}" "${FOLDER}/${difference}")
         return()
     endif()
-    set(broken FALSE) # it can be read and is no picture: a new one may take its place
+    set(broken FALSE) # a file that is not a picture: a new golden may replace it
     if(NOT update STREQUAL "" AND result STREQUAL 2)
         execute_process(COMMAND "${CMAKE_COMMAND}" -E cat "${GOLDEN}" RESULT_VARIABLE unreadable OUTPUT_QUIET ERROR_QUIET)
         if(unreadable STREQUAL 0)

@@ -1,7 +1,7 @@
-# A compiler cache and a fast linker, where there are any.
+# A compiler cache and a fast linker, if available.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-    # What a precompiled header may differ in without being another one: its time.
+    # The time of a precompiled header may differ.
     set(launcher ${CMAKE_COMMAND} -E env
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
     set(CMAKE_C_COMPILER_LAUNCHER ${launcher})

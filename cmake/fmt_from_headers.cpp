@@ -1,5 +1,5 @@
-// What libfmt.so holds, made of fmt's headers, for a compiler or a processor that can't link that. Without it
-// every source would compile it for itself, which takes longer than the rest of the source.
+// The contents of libfmt.so, built from fmt's headers, for a compiler or processor that cannot link it.
+// Without it every source would compile fmt itself, which takes longer than the rest of the source.
 
 #include <fmt/format-inl.h>
 

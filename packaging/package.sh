@@ -4,11 +4,12 @@
 #   package.sh [--twice] [--no-root]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. packaging/bare_debian.sh
 source=$PWD
 work=$(mktemp -d)
 root=$work/root
-chmod 755 "$work" # the bare Debian's users go through it
-umask 022         # packages hold what it lets
+chmod 755 "$work" # the users of the bare Debian pass through it
+umask 022         # packages keep its permissions
 
 say() { printf 'package: %s\n' "$*" >&2; }
 complain() {
@@ -17,8 +18,7 @@ complain() {
 }
 
 clean() {
-    mountpoint -q "$root/proc" && umount "$root/proc"
-    if mountpoint -q "$root/proc"; then
+    if ! unmount_proc "$root"; then
         say "$root/proc can't be unmounted, so $work stays"
         return
     fi
@@ -43,7 +43,7 @@ version=$(sed -n 's/^project(texplorer VERSION \([0-9.]*\) .*/\1/p' CMakeLists.t
 architecture=$(dpkg --print-architecture)
 export SOURCE_DATE_EPOCH
 
-# make FOLDER: the packages of the sources there, into build/package/packages.
+# make FOLDER: builds the packages of the sources there into build/package/packages.
 make() (
     cd "$1"
     cmake --preset package >/dev/null
@@ -65,7 +65,7 @@ done
 say "lintian"
 lintian --allow-root --fail-on error,warning "$programs" "$library" || complain "lintian finds something"
 
-# What a package must not have.
+# Files that a package must not have.
 dpkg-deb -x "$programs" "$work/unpacked"
 dpkg-deb -x "$library" "$work/unpacked"
 find "$work/unpacked" -type f -exec file {} + | sed -n 's/: *ELF .*//p' >"$work/elf"
@@ -98,28 +98,23 @@ if [ "$(id -u)" -ne 0 ]; then
     exit 3
 fi
 
-# Where this machine has its packages from.
-. /etc/os-release
-mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' |
-    sed -n "s/^$VERSION_CODENAME main Packages //p" | head -1)
-[ -n "$mirror" ] || complain "apt knows no mirror of $VERSION_CODENAME, main"
-say "a bare $VERSION_CODENAME"
-debootstrap --variant=minbase "$VERSION_CODENAME" "$root" "$mirror" >"$work/log" 2>&1 ||
-    { tail -5 "$work/log" >&2; complain "debootstrap failed"; }
-mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
+release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+say "a bare $release"
+make_bare_debian "$release" "$root" "$work/log" || complain "debootstrap failed"
+mount_proc "$root"
 
-# inside COMMAND…: in the bare Debian, as a user who is nobody.
-inside() { chroot --userspec=nobody "$root" env -i PATH=/usr/bin:/bin HOME=/tmp/home LC_ALL=C.UTF-8 "$@"; }
+# inside COMMAND…: runs in the bare Debian, as an unprivileged user.
+inside() { chroot --userspec=65534:65534 "$root" env -i PATH=/usr/bin:/bin HOME=/tmp/home LC_ALL=C.UTF-8 "$@"; }
 apt_inside() {
     chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get -qq -y \
         -o APT::Install-Recommends=false -o Dpkg::Use-Pty=0 "$@" >"$work/log" 2>&1 || { tail -20 "$work/log" >&2; return 1; }
 }
-listed() { # what is there, but for what caches and logs
+listed() { # lists files, except caches and logs
     find "$root" -xdev -path "$root/proc" -prune -o -path "$root/tmp" -prune -o -path "$root/var/cache" -prune -o \
         -path "$root/var/log" -prune -o -path "$root/var/lib/dpkg" -prune -o -path "$root/var/lib/apt" -prune -o -print | sort
 }
 
-# First what they need, and who uses the library: then the packages alone make a difference.
+# First their dependencies and the tools of the library's users: then only the packages make a difference.
 depends=$(for package in "$programs" "$library"; do dpkg-deb -f "$package" Depends; done | paste -sd,)
 apt_inside update || complain "the bare Debian can't read its lists of packages"
 apt_inside satisfy "$depends" || complain "their dependencies can't be installed: $depends"

@@ -1,4 +1,4 @@
-"""What a page of WebGL draws into its canvas, in Chromium without a window, on SwiftShader, frame by frame."""
+"""Draws a page of WebGL into its canvas, in headless Chromium on SwiftShader, frame by frame."""
 
 import base64
 import shutil
@@ -10,8 +10,8 @@ from selenium.webdriver.chrome.service import Service
 
 from capture import PATIENCE, ProgramError
 
-# Before the page's own scripts: time stands still where it is put, frames are drawn when they are asked for and not when the
-# screen would, the picture stays where it can be read, and the errors of OpenGL are looked for after each frame. A page calls
+# Runs before the page's own scripts. The clock is set by the test, frames are drawn on request and not at the screen's
+# rate, the picture stays readable, and OpenGL errors are checked after each frame. The page may call
 # requestAnimationFrame or not.
 WATCH = """
 (() => {

@@ -16,8 +16,8 @@
      CAPTURE_PICTURES.1        and at the other times of CAPTURE_TIMES, which has commas between them
 
    The first two must be the same, and show that the second frame is the same as the first; the others must be those of
-   texshot. The files are portable arbitrary maps (PAM) of RGBA, top row first. Whatever is wrong is a line on standard error and
-   exit status 70. */
+   texshot. The files are portable arbitrary maps (PAM) of RGBA, top row first. An error is a line on standard
+   error and exit status 70. */
 
 #define _GNU_SOURCE
 #define GL_GLEXT_PROTOTYPES
@@ -114,12 +114,12 @@ static int isCompatible(void) {
     return (mask & GL_CONTEXT_CORE_PROFILE_BIT) == 0;
 }
 
-/* What decides how glReadPixels writes, besides glPixelTransfer. */
+/* State of glReadPixels, except glPixelTransfer. */
 static const GLenum packNames[] = {GL_PACK_SWAP_BYTES,  GL_PACK_LSB_FIRST,    GL_PACK_ROW_LENGTH,  GL_PACK_SKIP_ROWS,
                                    GL_PACK_SKIP_PIXELS, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES, GL_PACK_ALIGNMENT};
 enum { PACKS = sizeof packNames / sizeof packNames[0] };
 
-/* Bottom row first, four bytes for each pixel, whatever state the program has left; the state is left as it was. */
+/* Bottom row first, four bytes for each pixel, in any state of the program; restores the state. */
 static void readPixels(int width, int height, unsigned char* pixels) {
     GLint packs[PACKS];
     GLint packBuffer = 0;

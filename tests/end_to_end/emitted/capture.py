@@ -1,5 +1,5 @@
-"""Compiles programs of GLFW and OpenGL and runs them on a display of their own: what they draw, frame by frame. capture.c
-says how it comes by that."""
+"""Compiles programs of GLFW and OpenGL and runs them on their own display, to capture what they draw, frame by frame.
+capture.c describes how."""
 
 import os
 import re
@@ -10,19 +10,19 @@ from pathlib import Path
 
 import numpy
 
-PATIENCE = 120  # seconds, of a machine that has much else to do
+PATIENCE = 120  # seconds, for a busy machine
 # Mesa as exact as it can be, as in the tests of the renderers.
 DRIVER = {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIVM_PERF": "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling"}
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror"]
 
 
 class ProgramError(AssertionError):
-    """What is wrong with a program: a sentence."""
+    """An error of a program, in one sentence."""
 
 
 def compile_program(source, program, *options):
-    """By the command that stands in the program's first comment, but with every warning: by GCC into a program, and by
-    Clang for what it has to say."""
+    """Runs the command in the program's first comment, but with all warnings: GCC makes the program, Clang checks
+    it."""
     found = re.search(r"\bcc (.*?-o .*?)\s*(?:\*/)?$", source.read_text()[:2000], re.MULTILINE)
     if not found:
         raise ProgramError("its first comment has no command, cc FILE -o PROGRAM and libraries, that compiles it")
@@ -61,7 +61,8 @@ class Display:
 
 
 def read_picture(path):
-    """The red, green and blue of a file that the library wrote, as an array of rows. Alpha is shown by no screen."""
+    """The red, green and blue of a file that the library wrote, as an array of rows. Alpha is not visible on a
+    screen."""
     head, pixels = Path(path).read_bytes().split(b"ENDHDR\n", 1)
     fields = dict(line.split(b" ", 1) for line in head.splitlines()[1:])
     picture = numpy.frombuffer(pixels, numpy.uint8)
@@ -70,12 +71,12 @@ def read_picture(path):
 
 class Capture:
     def __init__(self, library, display):
-        self.environment = {**os.environ, **DRIVER, "DISPLAY": display.name, "MESA_DEBUG": "1",  # names calls that are wrong
+        self.environment = {**os.environ, **DRIVER, "DISPLAY": display.name, "MESA_DEBUG": "1",  # reports wrong calls
                             "LD_PRELOAD": os.path.abspath(library)}
 
     def run(self, program, folder, times=(0,), patience=PATIENCE):
-        """The pictures of a program at these times, after a look at whether it draws the same in every frame and ends as
-        it should."""
+        """The pictures of a program at these times. Also checks that it draws the same in every frame and ends
+        correctly."""
         pictures = Path(folder) / "picture"
         for file in Path(folder).glob("picture.*"):
             file.unlink()
@@ -100,7 +101,7 @@ class Capture:
 
 
 def differing(a, b, bound=0):
-    """In how many pixels a component differs by more than `bound`, in 255ths."""
+    """The number of pixels in which a component differs by more than `bound`, in 255ths."""
     if numpy.array_equal(a, b):
         return 0
     return int((numpy.abs(a.astype(numpy.int16) - b.astype(numpy.int16)).max(axis=2) > bound).sum())

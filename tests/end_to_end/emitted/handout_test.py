@@ -1,4 +1,4 @@
-"""The programs beside the page of lessons, compiled in the folder that they lie in: those that read image files find them."""
+"""Compiles the programs of the lesson page in their folder, so that those that read image files find them."""
 
 import os
 import re

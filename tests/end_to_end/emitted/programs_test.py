@@ -1,5 +1,5 @@
-"""The programs of every example, preset and step of a lesson draw what texshot draws: those of fixed function the same
-pixels, those of GLSL within 1/255, the rounding of a component. Fixed or Glsl as the last word chooses one of them."""
+"""The programs of examples, presets and steps of lessons draw what texshot draws: those of fixed function the same
+pixels, those of GLSL within 1/255, the rounding of a component. scenes.py chooses them. Fixed or Glsl as the last word chooses one of them."""
 
 import json
 import re
@@ -14,7 +14,7 @@ from PIL import Image
 import moving
 from capture import Capture, Display
 from proof import FIXED, GLSL, Proof
-from scenes import Case, every_case, said, written
+from scenes import Case, chosen, every_case, said, written
 
 TEXSHOT, LIBRARY, KEEP = (sys.argv.pop(1) for _ in range(3))
 
@@ -30,8 +30,8 @@ class Programs:
 
     def test_draws_what_texshot_draws(self):
         with tempfile.TemporaryDirectory() as folder:
-            verdicts = Proof(TEXSHOT, self.FLAVOUR, self.capture, KEEP).of_all(every_case(TEXSHOT, folder))
-        self.assertGreater(len(verdicts), 100)
+            verdicts = Proof(TEXSHOT, self.FLAVOUR, self.capture, KEEP).of_all(chosen(every_case(TEXSHOT, folder)))
+        self.assertGreater(len(verdicts), 10)
         for verdict in verdicts:
             with self.subTest(verdict.case.name):
                 if verdict.wrong or verdict.refused:
@@ -55,7 +55,7 @@ class Programs:
                 with self.subTest(path):
                     done = subprocess.run([TEXSHOT, "emit", str(scene), "--as", self.FLAVOUR.name, "-o", str(out)], capture_output=True, text=True)
                     self.assertEqual((done.returncode, done.stdout, out.exists()), (1, "", False))
-                    self.assertRegex(done.stderr, rf"^texshot: .*{re.escape(path)}: a program .*; texshot animate draws it\n$")
+                    self.assertRegex(done.stderr, rf"^texshot: .*{re.escape(path)}: a program .*; texshot animate can\n$")
 
     def test_reads_files(self):
         """BMP, TGA and DDS files by the lines that the program has for them: odd rows, both orders of rows, levels of one and

@@ -1,5 +1,5 @@
-"""The programs and pages of scenes that nobody would make. TEXPLORER_PROGRAMS says of how many, TEXPLORER_SEED of which;
-./dev soak programs takes hundreds. Fixed, Glsl and Webgl as last words choose among them."""
+"""The programs and pages of random scenes. TEXPLORER_PROGRAMS sets their number, TEXPLORER_SEED the seed; ./dev soak
+programs runs hundreds. Fixed, Glsl and Webgl as last words select among them."""
 
 import os
 import subprocess
@@ -17,7 +17,7 @@ from web_proof import HEIGHT, WIDTH, PagesProof
 TEXSHOT, SOAK, LIBRARY, JUDGE, KEEP = (sys.argv.pop(1) for _ in range(5))
 COUNT = int(os.environ.get("TEXPLORER_PROGRAMS", "10"))
 SEED = os.environ.get("TEXPLORER_SEED", "1")
-TIMES = ("0", "0.4375", "1.75")  # most key frames of theirs come in the first second
+TIMES = ("0", "0.4375", "1.75")  # most of their key frames are in the first second
 
 
 class RandomScenes:
@@ -34,7 +34,7 @@ class RandomScenes:
         return [Case(file.stem, (str(file),), file) for file in files]
 
     def hold(self, proof, cases, least):
-        """All that are drawn are right, and that is at least this share."""
+        """Checks that all pictures are right, and that at least this share of the scenes can be drawn."""
         verdicts = proof.of_all(cases)
         for verdict in verdicts:
             with self.subTest(verdict.case.name):
@@ -46,7 +46,7 @@ class RandomScenes:
     def of_program(self, flavour, least):
         display = Display()
         self.addCleanup(display.close)
-        # Nobody would make what is seen of these scenes: texture matrices that magnify last bits.
+        # These scenes have extreme values: texture matrices that magnify the last bits.
         proof = Proof(TEXSHOT, flavour, Capture(LIBRARY, display), Path(KEEP) / "random", TIMES, 2 * LAST_BITS)
         self.hold(proof, self.cases("--tame"), least)
 

@@ -1,7 +1,9 @@
-"""The scenes whose programs are proved: the one that Texplorer starts with, every example, every preset and every step of
-every lesson."""
+"""The scenes whose programs are tested: the default scene, every example, every preset and every step of every
+lesson."""
 
 import json
+import os
+import random
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -17,7 +19,7 @@ class Case(NamedTuple):
 
 
 def every_case(texshot, folder):
-    """Of scenes that are the same the first one. They are written into the folder."""
+    """Removes duplicates of scenes and writes the rest into the folder."""
     presets = json.loads(said(texshot, "presets", "--json"))["presets"]
     lessons = json.loads(said(texshot, "lessons", "--json"))["lessons"]
     words = {"start": ()}
@@ -34,8 +36,24 @@ def every_case(texshot, folder):
     return list(first.values())
 
 
+def chosen(cases):
+    """One of TEXPLORER_PROOFS scenes, a tenth by default, always with the default scene. The seed is
+    TEXPLORER_PROOF_SEED or the commit, so that each commit tests others."""
+    share = int(os.environ.get("TEXPLORER_PROOFS", "10"))
+    seed = os.environ.get("TEXPLORER_PROOF_SEED") or commit()
+    count = -(-len(cases) // share)
+    print(f"{count} of {len(cases)} scenes: TEXPLORER_PROOF_SEED={seed} TEXPLORER_PROOFS={share}", flush=True)
+    return cases[:1] + random.Random(seed).sample(cases[1:], count - 1)
+
+
+def commit():
+    done = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ASSETS, capture_output=True, text=True, check=False)
+    return done.stdout.strip() or "1"
+
+
 def written(texshot, case):
-    """The text of its file. A lesson is read from its folder, or its images would be named as if they lay beside the file."""
+    """The text of its file. A lesson is read from its folder, or the paths of its images would be relative to the
+    file."""
     words = [str(ASSETS / "lessons" / word) if before == "--lesson" else word for before, word in zip(("", *case.words), case.words)]
     said(texshot, "scene", *words, "-o", str(case.file))
     return case.file.read_text()

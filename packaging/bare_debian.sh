@@ -1,0 +1,25 @@
+# shellcheck shell=bash
+# What ./dev package and ./dev elsewhere share: a minimal Debian in a folder. Needs root. To be sourced.
+
+# make_bare_debian RELEASE FOLDER LOG: debootstrap from this machine's mirror; 1 and the end of LOG on stderr if it fails.
+make_bare_debian() {
+    local release=$1 root=$2 log=$3 mirror
+    # This machine's release may have another name than the created one; both are on the same mirror.
+    mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' |
+        sed -n "s/^$(. /etc/os-release && echo "$VERSION_CODENAME") main Packages //p" | head -1)
+    if [ -z "$mirror" ]; then
+        echo "apt knows no mirror of this release's main packages" >&2
+        return 1
+    fi
+    if ! debootstrap --variant=minbase "$release" "$root" "$mirror" >"$log" 2>&1; then
+        tail -5 "$log" >&2
+        return 1
+    fi
+    cp /etc/hosts "$root/etc/hosts"
+    cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
+}
+
+mount_proc() { mountpoint -q "$1/proc" || mount -t proc proc "$1/proc"; }
+
+# unmount_proc FOLDER: returns 1 if it is still in use.
+unmount_proc() { ! mountpoint -q "$1/proc" || umount "$1/proc"; }
