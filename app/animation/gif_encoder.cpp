@@ -53,7 +53,7 @@ public:
         try {
             return put(opaqueFrame(picture), duration);
         } catch (const std::bad_alloc&) {
-            return fail(ErrorCode::TooLarge, "GIF: there is no memory for the animation");
+            return fail(ErrorCode::TooLarge, "GIF: not enough memory for the animation");
         }
     }
 
@@ -80,7 +80,7 @@ private:
     static tl::unexpected<texplorer::Error> refused(int error) {
         const char* reason = GifErrorString(error);
         return fail(ErrorCode::TooLarge,
-                    fmt::format("GIF: it can't be written: {}", reason ? reason : "giflib doesn't say why"));
+                    fmt::format("GIF: it can't be written: {}", reason ? reason : "giflib gives no reason"));
     }
 
     Result<void> put(OpaqueFrame frame, int duration) {
@@ -94,9 +94,9 @@ private:
         if (!written)
             return refused(gif_->Error);
         last_ = std::move(frame);
-        if (file_.size() > mostAnimationBytes)
+        if (file_.size() > maxAnimationBytes)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("GIF: it would be larger than {} bytes", mostAnimationBytes));
+                        fmt::format("GIF: it would be larger than {} bytes", maxAnimationBytes));
         return {};
     }
 

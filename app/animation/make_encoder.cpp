@@ -13,10 +13,10 @@ namespace texplorer::animation {
 
 Result<std::unique_ptr<Encoder>> makeEncoder(Format format, const Settings& settings) {
     const FormatRow& row = rowOf(format);
-    if (std::max(settings.width, settings.height) > row.mostExtent)
+    if (std::max(settings.width, settings.height) > row.maxExtent)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("a {} has at most {} x {} pixels, found {} x {}", row.name, row.mostExtent,
-                                row.mostExtent, settings.width, settings.height));
+                    fmt::format("a {} has at most {} × {} pixels, found {} × {}", row.name, row.maxExtent,
+                                row.maxExtent, settings.width, settings.height));
     try {
         switch (format) {
         case Format::Gif:
@@ -28,7 +28,7 @@ Result<std::unique_ptr<Encoder>> makeEncoder(Format format, const Settings& sett
         }
         return apngEncoder(settings);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for an animation of this size");
+        return fail(ErrorCode::TooLarge, "not enough memory for an animation of this size");
     }
 }
 

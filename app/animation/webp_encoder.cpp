@@ -58,7 +58,7 @@ public:
         try {
             return put(opaqueFrame(picture), duration);
         } catch (const std::bad_alloc&) {
-            return fail(ErrorCode::TooLarge, "WebP: there is no memory for the animation");
+            return fail(ErrorCode::TooLarge, "WebP: not enough memory for the animation");
         }
     }
 
@@ -71,21 +71,21 @@ public:
         const std::unique_ptr<void, void (*)(void*)> freed(const_cast<std::uint8_t*>(data.bytes), &WebPFree);
         if (!assembled)
             return refused();
-        if (data.size > mostAnimationBytes)
+        if (data.size > maxAnimationBytes)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("WebP: it would be larger than {} bytes", mostAnimationBytes));
+                        fmt::format("WebP: it would be larger than {} bytes", maxAnimationBytes));
         const auto* bytes = reinterpret_cast<const std::byte*>(data.bytes);
         try {
             return Bytes(bytes, bytes + data.size);
         } catch (const std::bad_alloc&) {
-            return fail(ErrorCode::TooLarge, "WebP: there is no memory for the animation");
+            return fail(ErrorCode::TooLarge, "WebP: not enough memory for the animation");
         }
     }
 
 private:
     tl::unexpected<Error> refused() {
         const char* reason = WebPAnimEncoderGetError(encoder_.get());
-        const std::string words = reason && *reason != 0 ? reason : "libwebp doesn't say why";
+        const std::string words = reason && *reason != 0 ? reason : "libwebp gives no reason";
         return fail(ErrorCode::TooLarge, fmt::format("WebP: it can't be written: {}", words));
     }
 

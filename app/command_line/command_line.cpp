@@ -23,8 +23,8 @@ std::shared_ptr<CLI::App> makeApp(const std::string& program, const std::string&
     return app;
 }
 
-/// Of any value: an empty one is a variable of a shell that isn't set, and the name of an option one that
-/// took the place of a value which was forgotten.
+/// For any value. An empty value comes from an unset shell variable; the name of an option means that its
+/// value was forgotten.
 std::string checkValue(const CLI::App& app, const std::string& value) {
     if (value.empty())
         return "expected a value, found an empty one";
@@ -81,7 +81,7 @@ std::string Option::initial() const {
 Command::Command(std::shared_ptr<CLI::App> app, std::shared_ptr<Program> program)
     : app_(std::move(app))
     , program_(std::move(program)) {
-    shared_.emplace_back(*app_->set_help_flag("-h,--help", "Print this."), OptionRules{});
+    shared_.emplace_back(*app_->set_help_flag("-h,--help", "Print this help."), OptionRules{});
     shared_.emplace_back(*app_->set_version_flag("--version", program_->version, "Print the version."),
                          OptionRules{});
     for (const SharedFlag& flag : program_->flags)
@@ -109,7 +109,7 @@ std::string Command::version() const {
 
 std::string Command::group() const {
     const std::string title = app_->get_group();
-    return title == "Subcommands" ? std::string() : title; // CLI11's, of a program that has named none
+    return title == "Subcommands" ? std::string() : title; // the title that CLI11 uses without a name
 }
 
 std::string Command::footer() const {
@@ -204,7 +204,7 @@ void Command::showSections() {
 
 Command& Command::command(const std::string& name, const std::string& help) {
     app_->require_subcommand(1);
-    for (const Option& each : shared_) // these stand apart, as they do in each command
+    for (const Option& each : shared_) // listed separately, as in each command
         each.option_->group(sharedGroup);
     std::shared_ptr<CLI::App> app(app_, app_->add_subcommand(name, help));
     app->formatter(std::make_shared<HelpFormatter>());
@@ -242,8 +242,8 @@ void CommandLine::group(const std::string& title) {
 }
 
 void CommandLine::addHelp() {
-    Command& command = this->command(helpCommandName, "What a command does and takes.");
-    command.option("COMMAND", explained_, "The command. Without one: the list of them.",
+    Command& command = this->command(helpCommandName, "Help for a command.");
+    command.option("COMMAND", explained_, "The command. Default: a list of all commands.",
                    {.offers = {.words = [this] {
                         std::vector<std::string> names;
                         for (const auto& each : commands())
@@ -253,7 +253,7 @@ void CommandLine::addHelp() {
     helpCommand_ = &command;
 }
 
-/// "texshot shot": the command that was called, as one would write it.
+/// The called command as the user writes it: "texshot shot".
 std::string CommandLine::calledCommand() const {
     std::string name = app_->get_name();
     for (const CLI::App* command : app_->get_subcommands())
@@ -273,7 +273,7 @@ std::string CommandLine::noCommand(const std::string& word) const {
                        meant.empty() ? fmt::format("; expected one of {}", all) : meant);
 }
 
-/// CLI11 would say only that a subcommand is missing. Empty: none is.
+/// The error for a missing subcommand, with more than CLI11 says. Empty if none is missing.
 std::string CommandLine::missingCommand(int argc, const char* const* argv) const {
     if (commands_.empty())
         return {};
@@ -312,7 +312,7 @@ Result<std::optional<std::string>> CommandLine::parse(int argc, const char* cons
     try {
         app_->parse(argc, argv);
         if (!completion_.empty() || !manual_.empty())
-            return fail(ErrorCode::OutOfRange, "expected nothing beside it",
+            return fail(ErrorCode::OutOfRange, "expected no other argument with it",
                         completion_.empty() ? manualOption : completionOption);
         if (helpCommand_ != nullptr && app_->got_subcommand(helpCommandName))
             return helpAskedFor();

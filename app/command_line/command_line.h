@@ -1,7 +1,7 @@
 #pragma once
 
-// A program's command line: what it takes is declared, then parsed. Its --help and the sentences about wrong
-// calls are the same in every program.
+// The command line of a program. Options and commands are declared, then parsed. --help and the error
+// messages look the same in every program.
 
 #include "app/command_line/help_sections.h"
 #include "app/command_line/offers.h"
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CLI { // CLI11, which command_line.cpp and help_format.cpp alone include: it takes seconds to
+namespace CLI { // CLI11: only command_line.cpp and help_format.cpp include it, because it takes seconds to
                 // compile
 class App;
 class Option;
@@ -26,42 +26,43 @@ namespace texplorer {
 
 class Option;
 
-/// What may be said about an option beside its names.
+/// Further settings of an option, in addition to its names.
 struct OptionRules {
-    std::string value = {};       ///< what help calls its value: "FILE"
-    std::string environment = {}; ///< the variable that does the same
+    std::string value = {};       ///< the name of the value in help: "FILE"
+    std::string environment = {}; ///< an environment variable with the same effect
     bool required = false;
-    bool showsDefault = false; ///< help says the value that it has when it is declared
-    bool oneEach = false;      ///< of a list: takes one value each time that it is given, not all that follow
-    const Option* needs = nullptr;    ///< without which it is refused
-    const Option* excludes = nullptr; ///< with which it is refused
+    bool showsDefault = false; ///< help shows the value that it has when it is declared
+    bool oneEach =
+        false; ///< of a list: takes one value each time it is given, not all the values that follow
+    const Option* needs = nullptr;    ///< required together with it
+    const Option* excludes = nullptr; ///< not allowed together with it
     std::function<std::string(const std::string&)> check =
-        {};             ///< of a value: what is wrong with it; empty: nothing
-    Offers offers = {}; ///< what a shell offers while one types the value
+        {};             ///< checks a value: returns what is wrong with it, or an empty text
+    Offers offers = {}; ///< what a shell offers to complete the value
 };
 
-/// An option, flag or positional argument. Its command keeps it.
+/// An option, flag or positional argument. Owned by its command.
 class Option {
 public:
     Option(CLI::Option& option, OptionRules rules)
         : option_(&option)
         , rules_(std::move(rules)) {}
 
-    /// "--out" of "-o,--out".
+    /// The long name: "--out" of "-o,--out".
     [[nodiscard]] std::string name() const;
 
-    /// Whether the command line itself has it: what an environment variable says may go unused.
+    /// Whether the command line itself has it; a value from the environment does not count.
     [[nodiscard]] bool isGiven() const;
 
-    // What was declared, for who writes it down: help, manuals, completion.
+    // The declaration, for help, manuals and completion.
 
     /// "-o" and "--out"; "FILE" of an argument.
     [[nodiscard]] std::vector<std::string> names() const;
-    [[nodiscard]] bool isArgument() const; ///< has no dashes: its place tells what it is
+    [[nodiscard]] bool isArgument() const; ///< has no dashes: its position tells what it is
     [[nodiscard]] bool isFlag() const;     ///< takes no value
-    [[nodiscard]] bool isList() const;     ///< may be given again
+    [[nodiscard]] bool isList() const;     ///< can be given several times
     [[nodiscard]] std::string help() const;
-    [[nodiscard]] std::string initial() const; ///< the value that help says it has; empty: none
+    [[nodiscard]] std::string initial() const; ///< the initial value that help shows; empty: none
     [[nodiscard]] const OptionRules& rules() const { return rules_; }
 
 private:
@@ -70,8 +71,8 @@ private:
     OptionRules rules_;
 };
 
-/// What a program takes, or one of its commands ("texshot shot"). Values are filled in while the line is
-/// parsed; they must live until then, and keep what they have where the line doesn't say otherwise.
+/// The options and arguments of a program or of one of its commands ("texshot shot"). Parsing fills in the
+/// values: they must live until then, and stay unchanged if the command line does not set them.
 class Command {
 public:
     Command(const Command&) = delete;
@@ -80,22 +81,22 @@ public:
 
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string help() const;
-    [[nodiscard]] std::string version() const; ///< of the program: "texshot 0.1.0"
-    [[nodiscard]] std::string group() const;   ///< the title that it stands under in the program's help
+    [[nodiscard]] std::string version() const; ///< the version of the program: "texshot 0.1.0"
+    [[nodiscard]] std::string group() const;   ///< the title of its group in the program's help
 
     /// `names`: "--size", "-o,--out", or "FILE" for an argument that has no dashes.
     const Option& option(const std::string& names, std::string& value, const std::string& help,
                          const OptionRules& rules = {});
 
-    /// May be given again: each value joins the others. So do several with commas between them, where
-    /// offers.joined says so: of names that have none.
+    /// Can be given several times: each value is appended. With offers.joined, one word may hold several
+    /// values separated by commas, for values whose names contain no comma.
     const Option& option(const std::string& names, std::vector<std::string>& values, const std::string& help,
                          const OptionRules& rules = {});
 
     const Option& flag(const std::string& names, bool& value, const std::string& help,
                        const OptionRules& rules = {});
 
-    /// A whole number from `low` to `high`, which help says.
+    /// An integer from `low` to `high`; help shows the range.
     template<std::integral T>
     const Option& number(const std::string& names, T& value, long long low, long long high,
                          const std::string& help, const OptionRules& rules = {}) {
@@ -104,34 +105,33 @@ public:
             high, help, rules);
     }
 
-    /// The paragraphs below the options in --help, one a line.
+    /// The paragraphs below the options in --help, one per line.
     void footer(const std::string& text);
     [[nodiscard]] std::string footer() const;
 
-    /// How it is called, where that isn't its options and arguments in their order: "IN OUT", "IN... -o DIR".
+    /// The usage lines, if they are not the options and arguments in their order: "IN OUT", "IN... -o DIR".
     void usage(std::vector<std::string> lines);
     [[nodiscard]] const std::vector<std::string>& usage() const { return sections_.usage; }
 
-    /// Calls that can be made as they stand, in this order in an empty folder: each a line of a shell.
+    /// Calls that work unchanged, in this order, in an empty folder: one line of a shell each.
     void examples(std::vector<std::string> lines);
     [[nodiscard]] const std::vector<std::string>& examples() const { return sections_.examples; }
 
-    /// A table below the options: what is written in a file that the command reads, and what it says there.
+    /// A table below the options: describes the contents of a file that the command reads.
     void table(HelpTable table);
     [[nodiscard]] const std::vector<HelpTable>& tables() const { return sections_.tables; }
 
-    /// A command of this one, which from then on needs one of them.
+    /// Adds a subcommand. From then on one of the subcommands is required.
     Command& command(const std::string& name, const std::string& help);
     [[nodiscard]] const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
 
-    /// What the command does, and the program's exit status.
+    /// The action of the command; returns the program's exit status.
     void onCall(std::function<int()> action);
 
-    /// Does that, or what the command below it does that was called. After a parse that gave nothing to
-    /// print.
+    /// Runs the action of the command that was called. Call it after a parse that returned nothing to print.
     [[nodiscard]] int run() const;
 
-    /// All that were declared for it so far, without those that every command has.
+    /// All options declared so far, without those that every command has.
     [[nodiscard]] const std::deque<Option>& options() const { return options_; }
 
     /// --help, --version and the flags that every command has.
@@ -143,20 +143,20 @@ protected:
         std::string names;
         bool* value;
         std::string help;
-        std::string excludes; ///< another of them; empty: none
+        std::string excludes; ///< another shared flag that it excludes; empty: none
     };
-    /// What the commands of a program have from it.
+    /// What all commands share.
     struct Program {
-        std::string version; ///< what --version says
+        std::string version; ///< printed by --version
         std::vector<SharedFlag> flags{};
-        std::string group{}; ///< of the commands that are declared next
+        std::string group{}; ///< the group of the commands that are declared next
     };
 
     Command(std::shared_ptr<CLI::App> app, std::shared_ptr<Program> program);
 
     void share(const SharedFlag& flag);
 
-    std::shared_ptr<CLI::App> app_; ///< the program's own owns those of its commands
+    std::shared_ptr<CLI::App> app_; ///< the program's own object owns those of its commands
     std::shared_ptr<Program> program_;
     std::vector<std::unique_ptr<Command>> commands_;
 
@@ -177,28 +177,29 @@ private:
 inline constexpr const char* completionOption = "--completion";
 inline constexpr const char* manualOption = "--manual";
 
-/// A program's.
+/// The command line of a program.
 class CommandLine : public Command {
 public:
     CommandLine(const std::string& program, const std::string& version, const std::string& help);
 
-    /// A flag that may stand before a command and among its options: declared before the commands are.
-    /// `excludes`: such a flag with which it is refused.
+    /// A flag that is allowed before a command and among its options. Must be declared before the commands.
+    /// `excludes`: another such flag that is not allowed together with it.
     void everywhere(const std::string& names, bool& value, const std::string& help,
                     const std::string& excludes = {});
 
-    /// The title in help of the commands that are declared from here on.
+    /// The title in help of the commands that are declared next.
     void group(const std::string& title);
 
     /// Declares "help COMMAND", which says what "COMMAND --help" does.
     void addHelp();
 
-    /// Declares --completion SHELL, which writes a script for it, and --manual PAGE, which writes a page for
-    /// man.
+    /// Declares --completion SHELL, which prints a completion script, and --manual PAGE, which prints a
+    /// manual page.
     void addWords();
 
-    /// Fills in the values. Gives what --help, --version or addWords' options ask for, if one of them is
-    /// there: nothing else is to be done then. A wrong call is one sentence, without the program's name.
+    /// Parses the command line and sets the values. Returns the text to print if --help, --version or an
+    /// option of addWords was given; the program then does nothing else. The error for a wrong call is one
+    /// sentence, without the program's name.
     [[nodiscard]] Result<std::optional<std::string>> parse(int argc, const char* const* argv);
 
 private:
@@ -210,7 +211,7 @@ private:
     [[nodiscard]] std::optional<Result<std::string>> wordsAskedFor(int argc, const char* const* argv) const;
 
     const Command* helpCommand_ = nullptr;
-    std::string explained_;  ///< the command that "help" was asked about
+    std::string explained_;  ///< the command named after "help"
     std::string completion_; ///< the shell
     std::string manual_;     ///< the page
 };

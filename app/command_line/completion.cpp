@@ -7,7 +7,7 @@
 namespace texplorer {
 namespace {
 
-/// "Draw a scene into a picture. …" without what follows.
+/// The first sentence of a help text: "Draw a scene into a picture."
 std::string summaryOf(std::string_view help) {
     std::string text(help.substr(0, help.find(". ")));
     std::ranges::replace(text, '\n', ' ');
@@ -16,7 +16,7 @@ std::string summaryOf(std::string_view help) {
     return text;
 }
 
-/// By what help calls the value.
+/// Chosen by the name of the value in help.
 Offered offeredFor(const std::string& value, bool isArgument) {
     if (value == "DIR")
         return Offered::Folders;

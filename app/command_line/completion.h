@@ -17,10 +17,10 @@ struct ShellRow {
 inline constexpr std::array shellRows{ShellRow{Shell::Bash, "bash"}, ShellRow{Shell::Zsh, "zsh"},
                                       ShellRow{Shell::Fish, "fish"}};
 
-/// A script that completes the words of a program's command line, its commands' options and their values. It
-/// asks no program: all that it offers but files is in it. Where a shell looks for such scripts, it is named
-/// after the program: bash-completion/completions/NAME, zsh/site-functions/_NAME,
-/// fish/vendor_completions.d/NAME.fish below share/.
+/// A script that completes the commands of a program, their options and values. It does not call the program:
+/// it contains everything that it offers, except files. Shells look for such scripts by the program's name:
+/// bash-completion/completions/NAME, zsh/site-functions/_NAME, fish/vendor_completions.d/NAME.fish below
+/// share/.
 [[nodiscard]] std::string completionScript(const CommandLine& line, Shell shell);
 
 } // namespace texplorer

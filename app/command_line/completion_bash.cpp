@@ -5,7 +5,7 @@
 namespace texplorer {
 namespace {
 
-/// What doesn't depend on what there is to complete; NAME is the program's.
+/// The part that is the same for every program; NAME is replaced by the program's name.
 constexpr std::string_view bashAssign = R"bash(
 _NAME_assign() # what was typed of PATH=VALUE: the paths that begin so, and after = the values that have names
 {

@@ -5,7 +5,7 @@
 namespace texplorer {
 namespace {
 
-/// What was called; NAME is the program's.
+/// Finds the called command; NAME is replaced by the program's name.
 constexpr std::string_view fishCalled = R"fish(
 function __NAME_called # COMMAND: whether it is what was called; without one: whether nothing was
     for word in (commandline -opc)[2..]
@@ -56,7 +56,7 @@ std::string fishNamed(std::string_view text, const std::string& name) {
     return out;
 }
 
-/// What follows a value's option, or stands for an argument.
+/// The offer for the value of an option, or for an argument.
 std::string fishOffer(const std::string& name, const CompletionRow& row) {
     switch (row.offered) {
     case Offered::Nothing:
@@ -97,7 +97,7 @@ std::string fishOptions(const std::string& name, const CompletionTable& table, b
         text += fmt::format(" -d {}\n", fishQuoted(row.summary));
     }
     for (const CompletionRow& row : table.arguments) {
-        if (row.offered == Offered::Files || row.offered == Offered::Folders) // of all arguments alike
+        if (row.offered == Offered::Files || row.offered == Offered::Folders) // the same for all arguments
             text += fmt::format("complete -c {}{} -F\n", name, when);
         else if (row.offered == Offered::Words)
             text += fmt::format("complete -c {}{} -a {}\n", name, when, fishQuoted(joined(row.words)));

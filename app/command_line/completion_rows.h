@@ -1,6 +1,6 @@
 #pragma once
 
-// What the scripts of the three shells have in common: the table that they are written from.
+// The table that the scripts of the three shells are written from.
 
 #include "app/command_line/command_line.h"
 
@@ -10,36 +10,36 @@
 
 namespace texplorer {
 
-/// What is typed after an option's name, or as an argument.
+/// What is offered after the name of an option, or as an argument.
 enum class Offered { Nothing, Files, Folders, Words, Joined, Assigned };
 
-/// An option, or an argument by its place.
+/// An option or a positional argument.
 struct CompletionRow {
-    std::vector<std::string> names; ///< "-o" and "--out"; of an argument "FILE"
+    std::vector<std::string> names; ///< "-o" and "--out"; "FILE" for an argument
     std::string value;              ///< "FILE"; empty: a flag
     std::string summary;            ///< the first sentence of its help, without its full stop
     Offered offered = Offered::Nothing;
     std::vector<std::string> words{};
-    bool isList = false;    ///< may be given again
-    bool takesMany = false; ///< of an option: a list that takes all values that follow
+    bool isList = false;    ///< can be given several times
+    bool takesMany = false; ///< of an option: a list that takes all values that follow it
 };
 
 struct CompletionTable {
     std::string command; ///< "shot"; empty: the program itself
     std::string summary;
-    std::vector<CompletionRow> options; ///< those that every command has among them
+    std::vector<CompletionRow> options; ///< including those that every command has
     std::vector<CompletionRow> arguments;
 };
 
-/// The program, and after it its commands in their order.
+/// The program, followed by its commands in their order.
 [[nodiscard]] std::vector<CompletionTable> completionTables(const CommandLine& line);
 
-/// What its options assign to; empty: none does.
+/// The parameters that its options assign to; empty: none.
 [[nodiscard]] std::vector<Assigned> assignedBy(const CommandLine& line);
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view separator = " ");
 
-/// As one word of bash and zsh.
+/// Quoted as one word of bash and zsh.
 [[nodiscard]] std::string singleQuoted(std::string_view text);
 
 [[nodiscard]] std::string bashCompletion(const CommandLine& line);

@@ -30,7 +30,7 @@ constexpr std::string_view zshAssign = R"zsh(    local typed=${(Q)PREFIX} row na
 }
 )zsh";
 
-/// Within the brackets of _arguments.
+/// Escaped for the brackets of _arguments.
 std::string zshText(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -64,7 +64,8 @@ std::string zshOption(const std::string& name, const CompletionRow& row) {
     if (!row.value.empty())
         rest += fmt::format(":{}:{}", zshText(row.value), zshAction(name, row));
     std::string text;
-    for (const std::string& option : row.names) { // each excludes all of them, unless it may be given again
+    for (const std::string& option :
+         row.names) { // each name excludes all of them, unless it can be given several times
         std::string spec = row.isList ? "*" : row.names.size() > 1 ? "(" + joined(row.names) + ")" : "";
         spec += option;
         if (!row.value.empty())
@@ -93,7 +94,7 @@ std::string zshAssigned(const std::string& name, const std::vector<Assigned>& as
     return text.append("    )\n").append(zshAssign);
 }
 
-/// The words after the program's name are a command, and what belongs to it.
+/// Completes the command after the program's name, then its options.
 std::string zshWithCommands(const std::string& name, const std::vector<CompletionTable>& tables) {
     std::string text;
     std::string described;

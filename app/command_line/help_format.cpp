@@ -10,10 +10,10 @@ namespace texplorer {
 namespace {
 
 constexpr std::size_t textColumn = 26;
-constexpr std::size_t commandColumn = 14; // their names are short
+constexpr std::size_t commandColumn = 14; // the names of commands are short
 constexpr std::size_t lineLength = 80;
 
-/// The first line of words that has room, which is taken away from them.
+/// Removes the first line from the words and returns it.
 std::string_view takeLine(std::string_view& words, std::size_t room) {
     std::size_t end = words.size();
     if (end > room) {
@@ -35,7 +35,7 @@ std::string paragraph(std::string_view words) {
     return text;
 }
 
-/// The name at the left, the words beside it or, where it is long, below it.
+/// The name on the left with the words to the right of it, or below it if the name is long.
 std::string entry(const std::string& name, std::string_view words, std::size_t textAt = textColumn) {
     std::string text = "  " + name;
     std::size_t column = text.size();
@@ -65,7 +65,7 @@ std::string rangeIn(std::string_view described) {
                        described.substr(middle + 3, end - middle - 3));
 }
 
-/// As they are typed, however long.
+/// Printed as typed, without line breaks.
 std::string examplesText(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines)

@@ -9,12 +9,12 @@
 
 namespace texplorer {
 
-/// --help as we want it: values by their names, sentences in lines of 80 columns, and what is needed or taken
-/// otherwise at their end.
+/// The format of --help: values by their names, text wrapped at 80 columns, requirements and exclusions at
+/// the end.
 class HelpFormatter : public CLI::Formatter {
 public:
-    /// The title of what every command has, which stands behind its own.
-    static constexpr const char* sharedGroup = "Of every command";
+    /// The title of the options that every command has; they come last.
+    static constexpr const char* sharedGroup = "Common options";
 
     explicit HelpFormatter(HelpSections sections = {});
 
@@ -23,7 +23,7 @@ public:
     std::string make_option(const CLI::Option* option, bool positional) const override;
     std::string make_subcommand(const CLI::App* command) const override;
     std::string make_description(const CLI::App* command) const override;
-    std::string make_footer(const CLI::App* command) const override; ///< a paragraph for each of its lines
+    std::string make_footer(const CLI::App* command) const override; ///< one paragraph per line
 
 private:
     HelpSections sections_;

@@ -15,11 +15,11 @@
 namespace texplorer {
 namespace {
 
-/// The programs that belong together.
+/// The programs that refer to each other in their manuals.
 constexpr std::array<std::string_view, 2> programs{"texplorer", "texshot"};
 
-/// As one line of text, which no macro or escape of roff is: letters beyond ASCII as groff, which reads no
-/// UTF-8 by itself, names them, and with places in long words where a line may be broken.
+/// One line of text without macros and escapes of roff. Letters beyond ASCII are written by their groff names
+/// because groff does not read UTF-8 by itself; long words get places to break.
 std::string roffText(std::string_view text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -35,7 +35,7 @@ std::string roffText(std::string_view text) {
             out += "\\-";
         else if (c == '\n')
             out += ' ';
-        else if (c == '~' || c == '^') // of the keyboard, not accents
+        else if (c == '~' || c == '^') // keyboard characters, not accents
             out += c == '~' ? "\\(ti" : "\\(ha";
         else
             out += c;
@@ -43,7 +43,7 @@ std::string roffText(std::string_view text) {
     return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-/// Sentences, each of which begins a line, as roff wants it.
+/// One sentence per line, as roff expects.
 std::string roffSentences(std::string_view text) {
     std::string out;
     while (!text.empty()) {
@@ -54,7 +54,7 @@ std::string roffSentences(std::string_view text) {
     return out;
 }
 
-/// A line of a shell: what is typed is ASCII, and may be copied from the page.
+/// A line of a shell: plain ASCII that can be copied from the page.
 std::string roffLiteral(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -99,7 +99,7 @@ std::string italic(std::string_view text) {
     return "\\fI" + roffText(text) + "\\fR";
 }
 
-/// When the page was made, as 2026-11-23.
+/// The date of the page: 2026-11-23.
 std::string dateOfPage() {
     std::time_t seconds = std::time(nullptr);
     if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) { // NOLINT(concurrency-mt-unsafe)
@@ -182,7 +182,7 @@ std::string commandsOf(const CommandLine& line) {
     return text.empty() ? "" : ".SH COMMANDS\n" + text;
 }
 
-/// Verbatim: a shell's lines, which must not be broken.
+/// Verbatim: lines of a shell must not be broken.
 std::string examplesOf(const Command& command) {
     std::string text;
     for (const std::string& line : command.examples())
@@ -200,7 +200,7 @@ std::string tablesOf(const Command& command) {
     return text;
 }
 
-/// The lines of a footer: the exit status has a section of its own.
+/// The lines of a footer, without the exit status, which has its own section.
 std::string footerOf(const Command& command) {
     constexpr std::string_view exits = "Exit status: ";
     std::string notes;

@@ -8,15 +8,15 @@
 
 namespace texplorer {
 
-/// The manual pages of a program, without their section: its own and one for each command, "texshot",
-/// "texshot-shot", …
+/// The names of a program's manual pages, without their section: the program's own page and one for each
+/// command, "texshot", "texshot-shot", …
 [[nodiscard]] std::vector<std::string> manualPages(const CommandLine& line);
 
-/// What stands in the place of a page for their names, one a line.
+/// Instead of a page name: prints the names of all pages, one per line.
 inline constexpr const char* manualList = "list";
 
-/// One of them in the language of man(7), made of what --help says. Its date is that of SOURCE_DATE_EPOCH,
-/// where the environment has it, else today. The error names the pages that there are.
+/// A manual page in the language of man(7), made from the text of --help. Its date is SOURCE_DATE_EPOCH if
+/// set in the environment, else today. The error lists the available pages.
 [[nodiscard]] Result<std::string> manualPage(const CommandLine& line, const std::string& page);
 
 } // namespace texplorer

@@ -6,17 +6,17 @@
 
 namespace texplorer {
 
-/// What is assigned to by PATH=VALUE: "textures[].minFilter", with the values that have names.
+/// A parameter that is assigned to by PATH=VALUE, such as "textures[].minFilter", and its named values.
 struct Assigned {
-    std::string path; ///< a number belongs between each pair of brackets
+    std::string path; ///< a number goes between each pair of brackets
     std::vector<std::string> values;
 };
 
-/// What a shell offers while an option's value is typed. Asked for when completion is written, and not when a
-/// program starts. Without any: files where the value or argument is one, by its name in help.
+/// What a shell offers for an option's value. Called only when completion is written, not when a program
+/// starts. Without offers: files, if the name of the value in help says so.
 struct Offers {
     std::function<std::vector<std::string>()> words = {};
-    bool joined = false; ///< several of them, with commas between them
+    bool joined = false; ///< several values, separated by commas
     std::function<std::vector<Assigned>()> assigned = {};
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Standard output as a file that may be full, closed or a pipe that nobody reads.
+// Standard output as a file that may be full or closed, or a pipe without a reader.
 
 #include "core/base/file_io.h"
 #include "core/base/file_kind.h"
@@ -13,27 +13,27 @@
 
 namespace texplorer {
 
-/// Whether whoever started the program wants to be told of a pipe that nobody reads: it has SIGPIPE ignored.
+/// Whether the parent process wants an error for a pipe without a reader: it has SIGPIPE ignored.
 inline bool& toldOfBrokenPipes() {
     static bool told = false;
     return told;
 }
 
-/// Called first. What can't be written is then told by errno, not by a signal that ends the program; and a
-/// standard stream that is closed is not the number that the next file gets.
+/// Call this first. Write errors are then reported by errno, not by a signal that ends the program. A closed
+/// standard stream keeps its number, so that the next file does not get it.
 inline void prepareStandardStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(stream, F_GETFD) < 0) // opened so that its use fails, as of a closed one
+        if (::fcntl(stream, F_GETFD) < 0) // opened so that its use fails, as for a closed stream
             static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     std::signal(SIGXFSZ, SIG_IGN);
     toldOfBrokenPipes() = std::signal(SIGPIPE, SIG_IGN) == SIG_IGN;
 }
 
-/// All of it, or an error. Of what was written to a file nothing is left then: half a report would look like
-/// a whole one. What was there before stays. Where nobody reads any more ("texshot schema | head -1"), the
-/// program ends as others do, by SIGPIPE and without a word.
+/// Writes everything or returns an error. On an error a file gets back its old length, because half a report
+/// would look like a whole one. If the reader of a pipe is gone ("texshot schema | head -1"), the program
+/// ends like others: by SIGPIPE, without a message.
 [[nodiscard]] inline Result<void> writeStandardOutput(ByteView bytes) {
-    // A file that is appended to (>>) is opened at its beginning.
+    // A file that is appended to (>>) starts at position 0.
     static const bool appends = (::fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) != 0;
     static const off_t start = ::lseek(STDOUT_FILENO, 0, appends ? SEEK_END : SEEK_CUR);
     if (writeFully(STDOUT_FILENO, bytes))

@@ -1,4 +1,4 @@
-// --completion and --manual: what is written from the same tables as --help.
+// --completion and --manual: written from the same tables as --help.
 
 #include "app/command_line/completion.h"
 #include "app/command_line/manual.h"
@@ -24,7 +24,7 @@ Result<std::string> completionFor(const CommandLine& line, const std::string& na
 
 void CommandLine::addWords() {
     option(completionOption, completion_,
-           fmt::format("Print what completes its words in a shell, one of {}, and end.",
+           fmt::format("Print a completion script for a shell, one of {}, and end.",
                        fmt::join(namesIn(shellRows), ", ")),
            {.value = "SHELL", .offers = {.words = [] { return namesIn(shellRows); }}});
     option(manualOption, manual_,
@@ -33,7 +33,7 @@ void CommandLine::addWords() {
            {.value = "PAGE", .offers = {.words = [this] { return manualPages(*this); }}});
 }
 
-/// They stand alone, in the place of a command.
+/// They are allowed only alone, instead of a command.
 std::optional<Result<std::string>> CommandLine::wordsAskedFor(int argc, const char* const* argv) const {
     if (argc < 2)
         return std::nullopt;

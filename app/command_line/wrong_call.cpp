@@ -9,17 +9,17 @@
 namespace texplorer {
 namespace {
 
-constexpr std::size_t mostNamed = 3;
-constexpr std::size_t leastLetters = 2; // of a beginning that tells something
+constexpr std::size_t maxNamed = 3;
+constexpr std::size_t minLetters = 2; // shortest beginning of a name that is recognised
 
 std::vector<std::string_view> meantBy(std::string_view word, const std::vector<std::string_view>& names) {
     std::vector<std::string_view> meant;
-    if (word.size() >= leastLetters)
+    if (word.size() >= minLetters)
         std::ranges::copy_if(names, std::back_inserter(meant),
                              [&](std::string_view name) { return name.starts_with(word); });
     if (meant.empty())
         meant = nearestNames(word, names);
-    meant.resize(std::min(meant.size(), mostNamed));
+    meant.resize(std::min(meant.size(), maxNamed));
     return meant;
 }
 
@@ -35,7 +35,7 @@ std::string oneOf(const std::vector<std::string_view>& names, std::string_view m
     return text;
 }
 
-/// What is called, and last of all the command.
+/// The innermost command that was called.
 const CLI::App& calledOf(const CLI::App& program) {
     const CLI::App* app = &program;
     for (std::vector<CLI::App*> called = app->get_subcommands(); !called.empty();
@@ -44,7 +44,7 @@ const CLI::App& calledOf(const CLI::App& program) {
     return *app;
 }
 
-/// The part of a sentence of CLI11's before `rest`: the option that it is about. Empty: it is another.
+/// The option that a message of CLI11 names before `rest`. Empty: another message.
 std::string_view aboutIn(std::string_view said, std::string_view rest) {
     const std::size_t at = said.find(rest);
     return at == std::string_view::npos ? std::string_view() : said.substr(0, at);
@@ -71,9 +71,9 @@ std::string didYouMeanOption(const CLI::App& app, std::string_view word) {
     for (const CLI::Option* option : app.get_options())
         for (const std::string& name : option->get_lnames())
             names.push_back("--" + name);
-    // With one dash it is said to be short ones in a row: "-size".
+    // CLI11 reports a long name with one dash as short options: "-size".
     const std::string full = asked.starts_with("--") ? std::string(asked) : fmt::format("-{}", asked);
-    if (full.size() < 2 + leastLetters) // a single letter is close to nothing
+    if (full.size() < 2 + minLetters) // a single letter is similar to everything
         return {};
     const std::vector<std::string_view> meant =
         meantBy(full, std::vector<std::string_view>(names.begin(), names.end()));
@@ -84,7 +84,7 @@ std::string sentenceFor(const CLI::App& program, const std::string& called, cons
     const CLI::App& app = calledOf(program);
     const std::string said = error.what();
     const std::vector<std::string> extra = app.remaining(true);
-    // An option that there isn't is what went wrong, even where something else is missing for it.
+    // Report an unknown option first, even if something else is missing.
     const auto unknown = std::ranges::find_if(
         extra, [](const std::string& word) { return word.size() > 1 && word.starts_with("-"); });
     if (unknown != extra.end() && *unknown != "--") {
@@ -105,7 +105,7 @@ std::string sentenceFor(const CLI::App& program, const std::string& called, cons
                            quotedValues(app, std::string(option)));
     if (const std::string_view option = aboutIn(said, " was given a disallowed flag override");
         !option.empty())
-        return fmt::format("--{}: expected no value, it is only there or not", option);
+        return fmt::format("--{}: expected no value", option);
     if (const std::string_view option = aboutIn(said, " excludes ");
         !option.empty() && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExcludesError))
         return fmt::format("{} and {} exclude each other", option,

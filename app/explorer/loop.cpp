@@ -14,8 +14,8 @@ namespace {
 
 std::atomic<Autosave*> keptWithoutDisplay = nullptr;
 
-/// While one of these lives, what is not saved is written when the display goes away, which is how many
-/// sessions end.
+/// While an object of this class exists, unsaved work is written when the display connection is lost, which
+/// is how many sessions end.
 class KeptWithoutDisplay {
 public:
     explicit KeptWithoutDisplay(Autosave& autosave) {
@@ -30,7 +30,7 @@ public:
     ~KeptWithoutDisplay() { keptWithoutDisplay = nullptr; }
 };
 
-/// While one of these lives, a signal writes what is not saved, and wakes the window so that it ends.
+/// While an object of this class exists, a signal writes unsaved work and wakes the window so that it closes.
 class KeptOnSignal {
 public:
     KeptOnSignal(Signals& signals, Autosave& autosave)
@@ -48,8 +48,8 @@ private:
     Signals& signals_;
 };
 
-/// Sleeps until something happens or `wake` has come, but not less than the display needs for a frame: the
-/// driver may not wait for it, and the mouse may report a thousand times a second.
+/// Sleeps until an event or until `wake`, but at least for one frame of the display: the driver may not wait
+/// for it, and the mouse may report a thousand times a second.
 void rest(Window& window, std::optional<double> wake, double last) {
     const double now = Window::now();
     if (!wake)
@@ -93,7 +93,7 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
 
     for (;;) {
         if (signals.received() != 0) {
-            (void)unsaved.autosave.flush(); // with what the last frame changed
+            (void)unsaved.autosave.flush(); // including the changes of the last frame
             return {};
         }
         const double now = Window::now();

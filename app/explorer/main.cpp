@@ -33,7 +33,7 @@ int complain(const std::string& sentence) {
     return failure;
 }
 
-/// What a call asks for beside its files.
+/// The options of a call, in addition to its files.
 struct Wanted {
     std::string lesson;
     std::string shaders;
@@ -41,16 +41,15 @@ struct Wanted {
     explorer::ContextApi context{};
 };
 
-/// Of "native" or "egl".
+/// Parses "native" or "egl".
 Result<explorer::ContextApi> parseContext(const std::string& word) {
     if (word == "native")
         return explorer::ContextApi::Native;
     if (word == "egl")
         return explorer::ContextApi::Egl;
     return fail(ErrorCode::OutOfRange,
-                word == "osmesa"
-                    ? "OSMesa draws into memory, which no window shows: texshot --context osmesa does"
-                    : fmt::format("expected native or egl, found \"{}\"", word),
+                word == "osmesa" ? "OSMesa draws into memory without a window: use texshot --context osmesa"
+                                 : fmt::format("expected native or egl, found \"{}\"", word),
                 "--context");
 }
 
@@ -73,7 +72,7 @@ int run(const std::vector<std::string>& files, const Wanted& wanted) {
         complain(describe(each));
     if (!paths.empty() && refused.size() == paths.size())
         return failure;
-    explorer::Signals signals; // before any other thread
+    explorer::Signals signals; // before any other thread starts
     const int status = show(signals, paths, wanted);
     if (signals.received() != 0)
         explorer::endBy(signals.received());
@@ -90,28 +89,28 @@ int main(int argc, char** argv) {
     std::vector<std::string> files;
     line.option(
         "FILE", files,
-        "Scene files (JSON) and images. Images become textures of the scene, the first one is "
-        "shown. Of a PNG that texshot has drawn, which holds its scene, the window asks what is meant "
-        "where it is the only file.");
+        "Scene files (JSON) and images. Images become textures of the scene, and the first one is shown. A "
+        "PNG drawn by texshot contains its scene; if it is the only file, the window asks whether to open "
+        "the scene or the image.");
     line.footer(fmt::format(
-        "Of several files those that can't be opened are listed, and the others are opened.\n"
-        "The images of a scene may take {} together once they are decoded.\n"
-        "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
-        "offered at the next start.\n"
-        "Settings are kept in $XDG_CONFIG_HOME/texplorer/settings.json (~/.config/texplorer/settings.json), and "
-        "which files were opened in $XDG_STATE_HOME/texplorer/recent.json.\n"
-        "Where the driver has a core profile alone, without fixed functions, the reference draws.\n"
-        "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
-        "usual, with the unsaved work kept.",
+        "Files that can't be opened are listed, and the others are opened.\n"
+        "The decoded images of a scene may take {} together.\n"
+        "Unsaved work is stored in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) "
+        "and offered at the next start.\n"
+        "Settings are stored in $XDG_CONFIG_HOME/texplorer/settings.json "
+        "(~/.config/texplorer/settings.json), and recent files in $XDG_STATE_HOME/texplorer/recent.json.\n"
+        "If the driver has only a core profile, without fixed functions, the reference renderer draws.\n"
+        "Exit status: 0 the window was closed, 1 it could not be opened, 2 invalid arguments; a signal "
+        "ends it as usual, with the unsaved work stored.",
         sceneImageBytesText()));
     Wanted wanted;
     line.option(
         "--shaders", wanted.shaders,
-        "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
-        "at once. Without it: those that the program was built with.",
+        "The folder of the shader renderer's files, a copy of shaders/. Changes there are drawn at once. "
+        "Default: the files that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     line.option("--lesson", wanted.lesson,
-                "Opens a lesson, by its name, which \"texshot lessons\" lists, or its folder.",
+                "Opens a lesson, by its name (\"texshot lessons\" lists them) or its folder.",
                 {.value = "NAME", .offers = {lesson::builtInLessons}});
     std::vector<std::string> pretended;
     line.option("--pretend", pretended, view::pretenceHelp(),
@@ -119,8 +118,7 @@ int main(int argc, char** argv) {
     std::string context = "native";
     line.option(
         "--context", context,
-        "How the window gets its OpenGL. native: as the display has it, GLX on X11 and EGL on Wayland. "
-        "egl: by EGL on both.",
+        "How the window creates its OpenGL context. native: GLX on X11, EGL on Wayland. egl: EGL on both.",
         {.value = "CONTEXT", .showsDefault = true, .offers = {[] {
                                                        return std::vector<std::string>{"native", "egl"};
                                                    }}});
@@ -145,8 +143,8 @@ int main(int argc, char** argv) {
         const Result<void> printed = writeStandardOutput(viewBytes(**answer));
         return printed ? 0 : complain(describe(printed.error()));
     } catch (const std::bad_alloc&) {
-        return complain("there is not enough memory");
-    } catch (const std::exception& error) { // still one sentence and an exit status
+        return complain("not enough memory");
+    } catch (const std::exception& error) { // reported as one sentence and an exit status
         return complain(reasonOf(error));
     }
 }

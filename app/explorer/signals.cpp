@@ -13,7 +13,7 @@ namespace texplorer::explorer {
 namespace {
 
 constexpr std::array requests{SIGTERM, SIGHUP, SIGINT};
-constexpr int farewell = SIGUSR2; // ends the thread; sent to it alone
+constexpr int farewell = SIGUSR2; // ends the signal thread; sent only to it
 
 bool isIgnored(int signal) {
     struct sigaction now = {};
@@ -27,7 +27,7 @@ struct Signals::State {
     sigset_t before{};
     std::atomic<int> received = 0;
     std::atomic<bool> ending = false;
-    std::mutex mutex; // of the action
+    std::mutex mutex; // protects the action
     std::function<void()> action;
     std::thread thread;
 
@@ -61,7 +61,7 @@ void Signals::State::work() {
         if (signal == farewell) {
             if (ending)
                 return;
-            continue; // somebody else's
+            continue; // from another source
         }
         if (received.exchange(signal) != 0)
             endBy(signal);
@@ -74,7 +74,7 @@ void Signals::State::work() {
 void Signals::onRequest(std::function<void()> action) {
     const std::scoped_lock lock(state_->mutex);
     state_->action = std::move(action);
-    if (state_->action && received() != 0) // it came before there was something to do
+    if (state_->action && received() != 0) // a signal arrived before an action was set
         state_->action();
 }
 

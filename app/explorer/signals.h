@@ -5,9 +5,9 @@
 
 namespace texplorer::explorer {
 
-/// SIGTERM, SIGHUP and SIGINT as requests to end, on a thread of its own, so that the window's loop may do
-/// what it likes, or hang in the driver. To be made before any other thread: they inherit which signals are
-/// left to it. A signal that was ignored when the program started stays so (nohup). A second one ends the
+/// Handles SIGTERM, SIGHUP and SIGINT as requests to quit, on its own thread, so that it works even while the
+/// window's loop is busy or hangs in the driver. Create it before any other thread: threads inherit the
+/// blocked signals. A signal that was ignored at the start stays ignored (nohup). A second signal ends the
 /// program at once.
 class Signals {
 public:
@@ -16,11 +16,11 @@ public:
     Signals& operator=(const Signals&) = delete;
     ~Signals();
 
-    /// What is done on that thread when the first one comes; nothing: it waits until there is something. Once
-    /// this returns, what was set before is no longer running.
+    /// Sets the action that runs on that thread at the first signal; without one, the signal waits for an
+    /// action. When this returns, the previous action is no longer running.
     void onRequest(std::function<void()> action);
 
-    /// The signal that came, or 0.
+    /// The signal that was received, or 0.
     [[nodiscard]] int received() const;
 
 private:
@@ -28,7 +28,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Ends the process as this signal does where nobody waits for it: its parent process sees why.
+/// Ends the process by the default action of this signal, so that the parent process sees the reason.
 [[noreturn]] void endBy(int signal);
 
 } // namespace texplorer::explorer

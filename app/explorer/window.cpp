@@ -1,7 +1,7 @@
 #include "app/explorer/window.h"
 
 #include "app/render/driver_cache.h"
-#include "app/ui/window/smallest_window.h"
+#include "app/ui/window/min_window_size.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -21,15 +21,15 @@ namespace texplorer::explorer {
 namespace {
 
 std::string lastGlfwError;
-std::atomic<bool> woken = false; // by any thread, for the one window
+std::atomic<bool> woken = false; // set by any thread; there is one window
 
 void rememberError(int /*code*/, const char* description) {
     lastGlfwError = description;
 }
 
-constexpr double slowestMonitor = 60; // hertz; virtual displays report less, or nothing
+constexpr double minRefreshRate = 60; // hertz; virtual displays report less, or 0
 
-/// What a pointer looks like, where it isn't an arrow.
+/// Pointer shapes other than the arrow.
 constexpr std::array cursorShapes{std::pair{ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR},
                                   std::pair{ImGuiMouseCursor_ResizeNS, GLFW_VRESIZE_CURSOR},
                                   std::pair{ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR},
@@ -39,11 +39,11 @@ constexpr std::array cursorShapes{std::pair{ImGuiMouseCursor_TextInput, GLFW_IBE
 
 struct Window::State {
     GLFWwindow* window = nullptr;
-    std::vector<stage::Event> events; // what the callbacks leave for the loop
-    stage::Surface surface;           // as it was said last
-    stage::Modifiers modifiers;       // as GLFW said last: not every callback is told
+    std::vector<stage::Event> events; // events from the callbacks, for the loop
+    stage::Surface surface;           // the last known state
+    stage::Modifiers modifiers;       // the last known state: not every callback reports it
     std::string title;
-    std::optional<std::array<int, 4>> windowed; // x, y, width and height, while it fills the screen
+    std::optional<std::array<int, 4>> windowed; // x, y, width and height before full screen
     std::map<ImGuiMouseCursor, GLFWcursor*> cursors;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 
@@ -71,7 +71,7 @@ struct Window::Callbacks {
 
 namespace {
 
-/// GLFW names keys by their place on an American keyboard; shortcuts are meant by what is printed on them.
+/// GLFW names keys by their position on a US keyboard; shortcuts go by the printed character.
 int printedKey(int key, int scancode) {
     if (key < GLFW_KEY_A || key > GLFW_KEY_Z)
         return key;
@@ -86,7 +86,7 @@ stage::Modifiers modifiersOf(int mods) {
     return {has(GLFW_MOD_CONTROL), has(GLFW_MOD_SHIFT), has(GLFW_MOD_ALT), has(GLFW_MOD_SUPER)};
 }
 
-/// The two keys of each modifier.
+/// The left and right key of each modifier.
 struct ModifierKeys {
     bool stage::Modifiers::*modifier;
     int left;
@@ -98,7 +98,7 @@ constexpr std::array modifierKeys{
     ModifierKeys{&stage::Modifiers::alt, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT},
     ModifierKeys{&stage::Modifiers::super, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER}};
 
-/// After a key, which may be a modifier itself: some systems say what was held before it.
+/// After a key event, which may be for a modifier itself: some systems report the modifiers from before it.
 stage::Modifiers modifiersAfter(GLFWwindow* window, int key, int mods) {
     stage::Modifiers modifiers = modifiersOf(mods);
     for (const ModifierKeys& keys : modifierKeys) {
@@ -125,7 +125,7 @@ void Window::Callbacks::install(GLFWwindow* window) {
         stateOf(w).happened(stage::FocusChanged{focused == GLFW_TRUE});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        if (entered == GLFW_FALSE) // where it enters, it moves too
+        if (entered == GLFW_FALSE) // a pointer that enters also moves
             stateOf(w).happened(stage::PointerLeft{});
     });
     glfwSetCursorPosCallback(window,
@@ -158,9 +158,9 @@ void Window::Callbacks::install(GLFWwindow* window) {
 
 Result<Window> Window::open(view::Size size, const std::string& title, ContextApi context) {
     render::setUpDriverCache();
-    // EGL would take GLFW's display for one of this kind. GLFW knows better, and Mesa doesn't survive
-    // another.
-    static_cast<void>(::unsetenv("EGL_PLATFORM")); // NOLINT(concurrency-mt-unsafe): nobody reads it yet
+    // EGL would assume that GLFW's display is of this kind. GLFW knows the kind, and Mesa crashes with a
+    // wrong one.
+    static_cast<void>(::unsetenv("EGL_PLATFORM")); // NOLINT(concurrency-mt-unsafe): no other thread runs yet
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
         return fail(ErrorCode::Driver, fmt::format("no display can be opened ({})", lastGlfwError));
@@ -186,7 +186,7 @@ Result<Window> Window::open(view::Size size, const std::string& title, ContextAp
         state->window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     };
     create();
-    if (!state->window) { // drivers without what is old give nothing less
+    if (!state->window) { // drivers without the old features create no lower version
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -197,13 +197,14 @@ Result<Window> Window::open(view::Size size, const std::string& title, ContextAp
         return fail(ErrorCode::Driver,
                     fmt::format("no window with OpenGL{} can be opened ({})",
                                 context == ContextApi::Egl ? " by EGL" : "", lastGlfwError));
-    glfwSetWindowSizeLimits(state->window, ui::smallestWindow.width, ui::smallestWindow.height,
-                            GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(state->window, ui::minWindowSize.width, ui::minWindowSize.height, GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->window, state.get());
     glfwMakeContextCurrent(state->window);
     glfwSwapInterval(1);
     Callbacks::install(state->window);
-    if (glfwGetWindowAttrib(state->window, GLFW_HOVERED) == GLFW_TRUE) { // before anyone listened
+    if (glfwGetWindowAttrib(state->window, GLFW_HOVERED) ==
+        GLFW_TRUE) { // set before the callbacks were installed
         double x = 0;
         double y = 0;
         glfwGetCursorPos(state->window, &x, &y);
@@ -259,8 +260,9 @@ stage::Surface Window::surface() const {
 }
 
 void Window::whenDisplayIsLost(void (*action)()) {
-    // Xlib would call exit(), be it on a worker's thread: that destroys what all other threads still use, and
-    // the driver's threads with it. It is asked by name because GLFW may have no X11, or load it by itself.
+    // Xlib would call exit(), possibly on a worker thread: that destroys objects that other threads, also
+    // those of the driver, still use. The function is looked up by name because GLFW may be built without X11
+    // or may load it itself.
     using Handler = int (*)(void* display);
     using SetHandler = Handler (*)(Handler);
     static void (*last)() = nullptr;
@@ -277,12 +279,12 @@ void Window::whenDisplayIsLost(void (*action)()) {
 double Window::frameSeconds() const {
     const GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(const_cast<GLFWmonitor*>(monitor)) : nullptr;
-    return 1 / std::max(slowestMonitor, mode ? static_cast<double>(mode->refreshRate) : 0);
+    return 1 / std::max(minRefreshRate, mode ? static_cast<double>(mode->refreshRate) : 0);
 }
 
 namespace {
 
-/// The monitor that has the largest part of a rectangle; nullptr: there is none.
+/// The monitor that contains the largest part of a rectangle; nullptr if there is none.
 GLFWmonitor* monitorOf(const std::array<int, 4>& place) {
     int count = 0;
     GLFWmonitor** monitors = glfwGetMonitors(&count);
@@ -328,7 +330,7 @@ void Window::fillScreen(bool fills) {
         return;
     state_->windowed = place;
     glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-    glfwSwapInterval(1); // some drivers forget it
+    glfwSwapInterval(1); // some drivers reset it
 }
 
 void Window::setTitle(const std::string& title) {

@@ -13,16 +13,16 @@
 
 namespace texplorer::explorer {
 
-/// How a window gets its OpenGL.
+/// How a window creates its OpenGL context.
 enum class ContextApi : std::uint8_t {
-    Native, ///< as the display has it: GLX on X11, EGL on Wayland
+    Native, ///< the display's default: GLX on X11, EGL on Wayland
     Egl,
 };
 
-/// The one window of the program, with an OpenGL context that is current on the thread that made it.
+/// The program's only window. Its OpenGL context is current on the thread that created it.
 class Window {
 public:
-    /// The error says that there is no display, or what the display lacks.
+    /// Fails if there is no display, or if the display lacks something; the error says what.
     [[nodiscard]] static Result<Window> open(view::Size size, const std::string& title,
                                              ContextApi context = ContextApi::Native);
     Window(Window&&) noexcept;
@@ -31,27 +31,29 @@ public:
     Window& operator=(const Window&) = delete;
     ~Window();
 
-    /// What has happened since the last call, in that order.
+    /// The events since the last call, in their order.
     [[nodiscard]] std::vector<stage::Event> takeEvents();
-    /// As it is now. `takeEvents` says when it has changed.
+    /// The current state. `takeEvents` reports changes.
     [[nodiscard]] stage::Surface surface() const;
 
-    /// Sleeps until something happens.
+    /// Sleeps until an event arrives.
     void wait();
-    /// Sleeps for `seconds`, or less where something happens. 0 or less: takes what is there and returns.
+    /// Sleeps for `seconds` or until an event arrives. With 0 or less it processes pending events and
+    /// returns.
     void wait(double seconds);
 
-    /// Ends a wait, from any thread: there is news to show.
+    /// Ends a wait. Can be called on any thread.
     static void wake();
 
-    /// What is done on X11 when the display goes away, on the thread that notices it; then the program ends
-    /// with status 1. For the rest of the process.
+    /// Sets a function for a lost connection to the display (X11). It runs on the thread that notices the
+    /// loss; then the program ends with status 1. Stays set until the process ends.
     static void whenDisplayIsLost(void (*action)());
 
     [[nodiscard]] double frameSeconds() const; ///< how long the monitor shows a frame
     [[nodiscard]] static double now() { return steadySeconds(); }
 
-    /// Over the whole monitor that most of it is on, or as it was before that.
+    /// Switches to full screen on the monitor that shows most of the window, or back to the previous
+    /// position.
     void fillScreen(bool fills);
     void setTitle(const std::string& title);
     void setCursor(ImGuiMouseCursor cursor);

@@ -1,7 +1,7 @@
 #pragma once
 
-// OpenGL without a display. Two libraries define this class, one by OSMesa and one by EGL: a program or
-// module links one of them, for both bring a libGL's worth of gl* functions.
+// OpenGL without a display. Two libraries define this class, one by OSMesa and one by EGL. A program or
+// module links one of them, because both define the gl* functions.
 
 #include "app/view/context_choice.h"
 #include "app/view/size.h"
@@ -12,19 +12,19 @@
 
 namespace texplorer::offscreen {
 
-/// A context that is current on the thread that created it, until it is destroyed: of the compatibility
-/// profile, or where the driver has none of that, a core profile. It has its own framebuffer of `size`
-/// pixels: eight bits of each of RGBA, 24 of depth.
+/// An OpenGL context, current on the thread that created it until it is destroyed. It has the compatibility
+/// profile, or a core profile if the driver has no other. Its framebuffer has `size` pixels with 8 bits per
+/// component of RGBA and a 24-bit depth buffer.
 class Context {
 public:
-    /// `choice`: Auto is whatever this library has. The error says what was tried and what went wrong.
+    /// `choice`: Auto tries all that this library has. The error lists what was tried and what failed.
     [[nodiscard]] static Result<Context> create(view::Size size, const view::ContextChoice& choice = {});
 
-    /// Every context that create() may be asked for by itself, whether or not it gives one: OSMesa; EGL's
+    /// Every context that create() accepts explicitly, whether or not it works here: OSMesa; EGL's
     /// surfaceless platform and its devices.
     [[nodiscard]] static std::vector<view::ContextChoice> all();
 
-    /// What create() came by: Osmesa, EglSurfaceless or EglDevice.
+    /// The kind of the created context: Osmesa, EglSurfaceless or EglDevice.
     [[nodiscard]] const view::ContextChoice& kind() const { return kind_; }
 
     Context(const Context&) = delete;

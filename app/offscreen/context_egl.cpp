@@ -17,8 +17,8 @@ namespace {
 using Kind = view::ContextChoice::Kind;
 
 enum class Profile {
-    Compatibility, ///< what a context has that asks for nothing
-    Core,          ///< so that who asks for its capabilities can be told what there is instead
+    Compatibility, ///< the profile of a context without attributes
+    Core,          ///< used to report what the driver has instead
 };
 
 constexpr std::array coreAttributes{EGL_CONTEXT_MAJOR_VERSION,
@@ -43,7 +43,7 @@ constexpr std::array configAttributes{EGL_SURFACE_TYPE,
                                       EGL_DEPTH_SIZE,
                                       24,
                                       EGL_NONE};
-constexpr view::Size smallest{1, 1};
+constexpr view::Size minSize{1, 1};
 
 tl::unexpected<Error> refusal(const char* function) {
     return fail(ErrorCode::Driver, fmt::format("{} says {}", function, eglError()));
@@ -70,7 +70,7 @@ struct Context::State {
             eglDestroyContext(display, context);
     }
 
-    /// Makes the context, and makes it current with the smallest framebuffer.
+    /// Creates the context and makes it current with the smallest framebuffer.
     Result<void> open(Profile profile) {
         EGLint count = 0;
         if (!eglBindAPI(EGL_OPENGL_API))
@@ -83,22 +83,22 @@ struct Context::State {
                         "of each of RGBA and 24 of depth");
         context = eglCreateContext(display, config, EGL_NO_CONTEXT,
                                    profile == Profile::Core ? coreAttributes.data() : nullptr);
-        return context == EGL_NO_CONTEXT ? refusal("eglCreateContext") : bind(smallest);
+        return context == EGL_NO_CONTEXT ? refusal("eglCreateContext") : bind(minSize);
     }
 
-    /// Another framebuffer. Which sizes there are, the context knows once it is current.
+    /// Replaces the framebuffer. The maximum size is known once the context is current.
     Result<void> resize(view::Size size) {
-        if (size == smallest)
+        if (size == minSize)
             return {};
         std::array<GLint, 2> limit{};
         glGetIntegerv(GL_MAX_VIEWPORT_DIMS, limit.data());
         if (size.width < 1 || size.height < 1 || size.width > limit[0] || size.height > limit[1])
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("an off-screen framebuffer has 1 x 1 to {} pixels, not {}",
+                        fmt::format("an off-screen framebuffer has 1 × 1 to {} pixels, not {}",
                                     asText(view::Size{limit[0], limit[1]}), asText(size)));
         if (Result<void> bound = bind(size); !bound)
             return bound;
-        glViewport(0, 0, size.width, size.height); // which the first framebuffer of a context sets
+        glViewport(0, 0, size.width, size.height); // set by the first framebuffer of a context
         glScissor(0, 0, size.width, size.height);
         return {};
     }
@@ -144,12 +144,12 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
                     return fail(resized.error());
                 return Context(std::move(state), place);
             }
-            if (profile == Profile::Compatibility) // of a core profile the reasons are the same
+            if (profile == Profile::Compatibility) // a core profile fails for the same reasons
                 reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", place.text(),
                                        opened.error().message);
         }
     }
-    return fail(ErrorCode::Driver, fmt::format("EGL gave no context of OpenGL ({})", reasons));
+    return fail(ErrorCode::Driver, fmt::format("EGL made no OpenGL context ({})", reasons));
 }
 
 AnyFunction findGlFunction(const char* name) {

@@ -17,18 +17,19 @@ namespace texplorer::offscreen {
 
 namespace {
 
-/// Of Gallium's drivers, those that draw into memory. OSMesa doesn't survive the name of another.
+/// The Gallium drivers that draw into memory. OSMesa crashes with any other name.
 constexpr std::array drivers{"llvmpipe", "softpipe"};
 
 Result<void> checkDriverName() {
-    const char* name = std::getenv("GALLIUM_DRIVER"); // NOLINT(concurrency-mt-unsafe): nobody changes it
+    const char* name = std::getenv("GALLIUM_DRIVER"); // NOLINT(concurrency-mt-unsafe): no thread changes it
     if (!name || *name == '\0' ||
         std::ranges::any_of(drivers, [&](const char* each) { return std::strcmp(each, name) == 0; }))
         return {};
     return fail(
         ErrorCode::Unsupported,
         fmt::format(
-            "GALLIUM_DRIVER names the driver \"{}\"; without a display there are llvmpipe and softpipe",
+            "GALLIUM_DRIVER names the driver \"{}\"; without a display, only llvmpipe and softpipe are "
+            "available",
             name));
 }
 
@@ -69,7 +70,7 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
     OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &limit);
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("an off-screen framebuffer has 1 x 1 to {} pixels, not {}",
+                    fmt::format("an off-screen framebuffer has 1 × 1 to {} pixels, not {}",
                                 asText(view::Size{limit, limit}), asText(size)));
 
     const int attributes[] = {
@@ -77,7 +78,7 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
     auto state = std::make_unique<State>();
     state->context.reset(OSMesaCreateContextAttribs(attributes, nullptr));
     if (!state->context)
-        return fail(ErrorCode::Driver, "OSMesa gave no context of the OpenGL compatibility profile");
+        return fail(ErrorCode::Driver, "OSMesa made no context of the OpenGL compatibility profile");
 
     try {
         state->pixels.resize(std::size_t{4} * static_cast<std::size_t>(size.width) *
@@ -85,7 +86,7 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
     } catch (const std::bad_alloc&) {
         return fail(
             ErrorCode::TooLarge,
-            fmt::format("there is no memory for an off-screen framebuffer of {} pixels", asText(size)));
+            fmt::format("not enough memory for an off-screen framebuffer of {} pixels", asText(size)));
     }
     if (!OSMesaMakeCurrent(state->context.get(), state->pixels.data(), GL_UNSIGNED_BYTE, size.width,
                            size.height))

@@ -33,7 +33,7 @@ bool hasClientExtension(std::string_view name) {
     return hasExtension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), name);
 }
 
-/// EGL_EXT_device_enumeration; none where it is missing.
+/// Uses EGL_EXT_device_enumeration; empty without that extension.
 std::vector<EGLDeviceEXT> eglDevices() {
     if (!hasClientExtension("EGL_EXT_device_enumeration") && !hasClientExtension("EGL_EXT_device_base"))
         return {};
@@ -59,7 +59,7 @@ Result<EGLDisplay> deviceDisplay(int number) {
     const std::vector<EGLDeviceEXT> devices = eglDevices();
     if (static_cast<std::size_t>(number) >= devices.size())
         return fail(ErrorCode::OutOfRange,
-                    devices.empty() ? std::string("EGL names no devices")
+                    devices.empty() ? std::string("EGL lists no devices")
                                     : fmt::format("EGL has the devices 0 to {}", devices.size() - 1));
     if (!hasClientExtension("EGL_EXT_platform_device"))
         return fail(ErrorCode::Unsupported, "EGL has no EGL_EXT_platform_device");

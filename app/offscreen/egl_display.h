@@ -8,18 +8,18 @@
 
 namespace texplorer::offscreen {
 
-/// The places that a choice stands for, in the order in which they are tried: EglSurfaceless and EglDevice
-/// alone.
+/// The concrete choices for a choice, in the order in which they are tried: only EglSurfaceless and
+/// EglDevice.
 [[nodiscard]] std::vector<view::ContextChoice> eglPlaces(const view::ContextChoice& choice);
 
-/// The display of one of them, initialised. It stays so until the program ends: contexts share it. The error
-/// says why there is none.
+/// The initialised display of a choice. It stays initialised until the program ends, because contexts share
+/// it. The error gives the reason.
 [[nodiscard]] Result<EGLDisplay> openEglDisplay(const view::ContextChoice& place);
 
-/// "EGL_BAD_MATCH": what the last call of EGL on this thread complained about.
+/// The name of the last EGL error on this thread: "EGL_BAD_MATCH".
 [[nodiscard]] std::string eglError();
 
-/// Whether a list of names, as EGL and OpenGL give them, has this one.
+/// Whether a space-separated list of names, as EGL and OpenGL return them, contains `name`.
 [[nodiscard]] bool hasExtension(const char* list, std::string_view name);
 
 } // namespace texplorer::offscreen

@@ -4,7 +4,7 @@ namespace texplorer::offscreen {
 
 using AnyFunction = void (*)();
 
-/// A function of OpenGL, as the library that makes the contexts finds it; nullptr: there is none.
+/// Looks up an OpenGL function in the library that creates the contexts; nullptr if it is not found.
 [[nodiscard]] AnyFunction findGlFunction(const char* name);
 
 } // namespace texplorer::offscreen

@@ -1,6 +1,6 @@
-// The static libGLEW.a finds GL functions through GLX. There is no GLX here: what it calls is answered by
-// OSMesa or EGL, or by "no such thing", so that nothing needs libGL. glewInit() then loads every GL function
-// and ends with a GLX error, which loadCapabilities() knows.
+// The static libGLEW.a looks up GL functions through GLX, which is not available here. These functions answer
+// by OSMesa or EGL, or report that a feature is missing, so that libGL is not needed. glewInit() then loads
+// every GL function and returns a GLX error, which loadCapabilities() ignores.
 
 #include "app/offscreen/gl_lookup.h"
 

@@ -15,9 +15,9 @@ struct PanelBackend {
     void (*draw)(ImDrawData* panels);
 };
 
-/// What every context of OpenGL can do for a stage, whatever renderers it has: pictures as textures, and the
-/// panels with a backend that suits it. Belongs to the context that is current, on its thread, and must be
-/// destroyed before that.
+/// The part of stage::Graphics that works with every OpenGL context, with any renderers: pictures as
+/// textures, and the panels with a matching backend. Belongs to the current context and its thread, and must
+/// be destroyed before the context.
 class ContextGraphics : public stage::Graphics {
 public:
     [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image, Use use) final;

@@ -13,7 +13,8 @@
 namespace texplorer::opengl {
 namespace {
 
-/// Core profiles begin with OpenGL 3.2 and its GLSL; what is forward-compatible before that has an older one.
+/// Core profiles start at OpenGL 3.2 with its GLSL; a forward-compatible context before that has an older
+/// GLSL.
 const char* shadingLanguage() {
     GLint major = 0;
     GLint minor = 0;
@@ -29,8 +30,7 @@ const PanelBackend coreBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); }
                                ImGui_ImplOpenGL3_NewFrame,
                                ImGui_ImplOpenGL3_RenderDrawData};
 
-/// nullptr: not yet. What the light sees may be another picture with every frame, with which a worker would
-/// never be done.
+/// nullptr: not ready. The light's view can change with every frame, so that a worker would never finish it.
 std::shared_ptr<const PreparedLevels> preparedFor(const LevelsRequest& request, LevelsSource& source) {
     if (request.settings.source != SourceKind::LightDepth)
         return source.prepare(request);
@@ -38,7 +38,7 @@ std::shared_ptr<const PreparedLevels> preparedFor(const LevelsRequest& request, 
         prepareLevels(request.settings, request.pictures, request.target));
 }
 
-/// The base level; nullptr where it can't be made.
+/// The base level; nullptr if it cannot be made.
 std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const PreparedLevels& levels) {
     if (!levels)
         return nullptr;
@@ -56,7 +56,7 @@ CoreGraphics::CoreGraphics()
         "the driver has OpenGL " + capabilities_.version + " as a core profile alone, ";
     offered_.withhold(RendererKind::Fixed, profile + "without fixed functions");
     offered_.withhold(RendererKind::Shader,
-                      profile + "without the texture formats that the shaders are about");
+                      profile + "without the texture formats of the compatibility profile");
 }
 
 Error CoreGraphics::lack(RendererKind renderer) const {

@@ -8,10 +8,10 @@
 
 namespace texplorer::opengl {
 
-/// Paints the window where the driver has a core profile alone, without fixed functions: pictures as RGBA
-/// textures, the panels with Dear ImGui's OpenGL3 backend. It has neither of OpenGL's renderers: both keep a
-/// texture's base internal format, which a core profile has taken away, so that the reference draws. Belongs
-/// to the context that is current, on its thread, and must be destroyed before that.
+/// Draws the window if the driver has only a core profile, without fixed functions: pictures as RGBA
+/// textures, the panels with Dear ImGui's OpenGL3 backend. It has neither of the OpenGL renderers: both keep
+/// a texture's base internal format, and a core profile has removed several of them. The reference draws the
+/// scene. Belongs to the current context and its thread, and must be destroyed before the context.
 class CoreGraphics final : public ContextGraphics {
 public:
     CoreGraphics();

@@ -55,7 +55,7 @@ Result<view::Frame> OpenGlGraphics::draw(RendererKind renderer, view::Side side,
     if (!found)
         return fail(found.error());
     Result<view::Frame> frame = found->draw(scene, images, time, size, &levels);
-    glFlush(); // a renderer in software draws it on its own threads while the panels are made here
+    glFlush(); // a software renderer draws on its own threads while the panels are built here
     return frame;
 }
 

@@ -10,14 +10,13 @@
 
 namespace texplorer::opengl {
 
-/// Paints with OpenGL: the fixed function and the shaders, pictures as textures, the panels with Dear ImGui's
-/// OpenGL2 backend, which draws on a window's context and without a display alike. Belongs to the context
-/// that is current, on its thread, and must be destroyed before that. A renderer is made when it is first
-/// asked for.
+/// Draws with OpenGL: the fixed-function and the shader renderer, pictures as textures, the panels with Dear
+/// ImGui's OpenGL2 backend. Works with a window's context and without a display. Belongs to the current
+/// context and its thread, and must be destroyed before the context. A renderer is created at its first use.
 class OpenGlGraphics final : public ContextGraphics {
 public:
-    /// `shaders` are for the shader renderer, `pretence` is taken from what the driver has. The error says
-    /// what the driver lacks.
+    /// `shaders` are for the shader renderer; `pretence` removes features of the driver. The error says what
+    /// the driver lacks.
     [[nodiscard]] static Result<std::unique_ptr<OpenGlGraphics>> create(render::ShaderOptions shaders = {},
                                                                         const view::Pretence& pretence = {});
 

@@ -8,9 +8,8 @@
 
 namespace texplorer::opengl {
 
-/// What the context that is current can do for a window: OpenGlGraphics, or where it is a core profile
-/// CoreGraphics, which draws with the reference alone and has nothing to pretend. The error says what the
-/// driver lacks.
+/// The graphics for the current context of a window: OpenGlGraphics, or CoreGraphics for a core profile,
+/// which draws only with the reference and ignores `pretence`. The error says what the driver lacks.
 [[nodiscard]] Result<std::unique_ptr<stage::Graphics>>
 createWindowGraphics(render::ShaderOptions shaders = {}, const view::Pretence& pretence = {});
 

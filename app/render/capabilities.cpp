@@ -21,7 +21,7 @@ constexpr const char* s3tc = "GL_EXT_texture_compression_s3tc";
 constexpr std::array rgtc{"GL_VERSION_3_0", "GL_ARB_texture_compression_rgtc"};
 constexpr std::array seamlessCubeMaps{"GL_VERSION_3_2", "GL_ARB_seamless_cube_map"};
 
-/// GLEW wants all of a string's names; any one of ours is enough.
+/// GLEW checks for all names of a string; here any one of them is enough.
 bool has(const char* name) {
     return glewIsSupported(name);
 }
@@ -37,7 +37,7 @@ int integer(GLenum name) {
     return value;
 }
 
-/// Whether a border of texels stays with its image. The texture that is bound is bound again.
+/// Whether a texture keeps the border texels of its image. Restores the bound texture.
 bool keepsBorders() {
     GLint bound = 0;
     glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
@@ -52,8 +52,8 @@ bool keepsBorders() {
     return GlErrors().check("glTexImage2D with a border") && border == 1;
 }
 
-/// glewInit() ends with a look at GLX, after it has loaded every function of OpenGL. Without GLX, that is
-/// under OSMesa and Wayland, it then returns one of two errors that say nothing about OpenGL.
+/// glewInit() checks GLX after it has loaded every OpenGL function. Without GLX, under OSMesa and Wayland, it
+/// returns one of two errors that do not concern OpenGL.
 bool functionsAreLoaded(GLenum status) {
     return status == GLEW_OK || status == GLEW_ERROR_GLX_VERSION_11_ONLY ||
            status == GLEW_ERROR_NO_GLX_DISPLAY;
@@ -62,7 +62,7 @@ bool functionsAreLoaded(GLenum status) {
 } // namespace
 
 bool hasFixedFunctions() {
-    glPushAttrib(GL_CURRENT_BIT); // there are stacks of attributes
+    glPushAttrib(GL_CURRENT_BIT); // because attributes are kept on stacks
     glPopAttrib();
     return GlErrors().check("glPushAttrib");
 }
@@ -84,7 +84,7 @@ Result<view::Capabilities> loadCapabilities() {
         return fail(ErrorCode::Driver,
                     needs(fmt::format("no functions of OpenGL could be loaded: {}",
                                       reinterpret_cast<const char*>(glewGetErrorString(status)))));
-    static_cast<void>(GlErrors().check("glewInit")); // it asks a core profile for things that are gone
+    static_cast<void>(GlErrors().check("glewInit")); // GLEW queries features that a core profile has removed
 
     view::Capabilities capabilities = namedCapabilities();
     const std::string offer =

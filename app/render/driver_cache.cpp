@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Below the directory that it is given (Mesa 22.3, src/util/disk_cache_os.c).
+/// The subfolder that Mesa creates in the directory (Mesa 22.3, src/util/disk_cache_os.c).
 constexpr const char* cacheName = "mesa_shader_cache";
 constexpr const char* indexName = "index";
-/// A counter, then 65,536 keys of 20 bytes. What is there in full stays as it is.
+/// A counter, then 65,536 keys of 20 bytes. An index of this size is left unchanged.
 constexpr off_t indexBytes = 8 + 65536 * 20;
 
 constexpr const char* directoryVariable = "MESA_SHADER_CACHE_DIR";
@@ -33,7 +33,7 @@ constexpr const char* disableVariable = "MESA_SHADER_CACHE_DISABLE";
 constexpr const char* oldDirectoryVariable = "MESA_GLSL_CACHE_DIR";
 constexpr const char* oldDisableVariable = "MESA_GLSL_CACHE_DISABLE";
 constexpr const char* sizeVariable = "MESA_SHADER_CACHE_MAX_SIZE";
-constexpr const char* mostBytes = "256M"; // Mesa's own bound is 1 GB
+constexpr const char* maxCacheSize = "256M"; // Mesa's default is 1 GB
 
 using SignalHandler = void (*)(int);
 
@@ -59,7 +59,7 @@ bool isSwitchedOff() {
     return false;
 }
 
-/// The user's own choice, or below Texplorer's directory; empty: there is none.
+/// The user's choice, or a folder in Texplorer's directory; empty: none.
 fs::path wantedDirectory() {
     for (const char* variable : {directoryVariable, oldDirectoryVariable}) {
         if (const char* value = valueOf(variable))
@@ -75,11 +75,11 @@ Result<void> makePrivate(const fs::path& directory) {
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     struct stat found {};
     if (!opened.valid() || ::fstat(opened.get(), &found) != 0)
-        return refuse(fmt::format("is no directory of its own: {}", systemText(errno)), directory);
+        return refuse(fmt::format("is not a private directory: {}", systemText(errno)), directory);
     if (found.st_uid != ::geteuid())
-        return refuse("belongs to somebody else", directory);
+        return refuse("belongs to another user", directory);
     if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-        return refuse("others may write to it", directory);
+        return refuse("is writable by others", directory);
     return {};
 }
 
@@ -87,7 +87,7 @@ Result<void> makePrivate(const fs::path& directory) {
 
 Result<void> checkDriverCache(const fs::path& directory) {
     std::error_code error;
-    fs::create_directories(directory.parent_path(), error); // if that fails, so does what follows
+    fs::create_directories(directory.parent_path(), error); // if this fails, the next call fails as well
     const fs::path cache = directory / cacheName;
     for (const fs::path& each : {directory, cache}) {
         if (Result<void> made = makePrivate(each); !made)
@@ -100,13 +100,14 @@ Result<void> checkDriverCache(const fs::path& directory) {
     if (!opened.valid() || ::fstat(opened.get(), &found) != 0)
         return refuse(fmt::format("can't be opened: {}", systemText(errno)), index);
     if (!S_ISREG(found.st_mode) || found.st_uid != ::geteuid())
-        return refuse("is no file of its own", index);
-    // Where it is as long as it should be, too: a file with holes has its size and no place on the disk.
-    const SignalHandler before = std::signal(SIGXFSZ, SIG_IGN); // a limit is an answer, not an end
+        return refuse("is not a private file", index);
+    // Also if the file has the right length: a file with holes has no blocks on the disk.
+    const SignalHandler before =
+        std::signal(SIGXFSZ, SIG_IGN); // a limit must return an error, not end the process
     const int failed = ::posix_fallocate(opened.get(), 0, indexBytes);
     std::signal(SIGXFSZ, before);
     if (failed != 0)
-        return refuse(fmt::format("there are no {} bytes for it: {}", indexBytes, systemText(failed)), index);
+        return refuse(fmt::format("it needs {} bytes: {}", indexBytes, systemText(failed)), index);
     return {};
 }
 
@@ -120,7 +121,7 @@ void setUpDriverCache() {
     }
     set(directoryVariable, directory.string());
     if (!valueOf(sizeVariable))
-        set(sizeVariable, mostBytes);
+        set(sizeVariable, maxCacheSize);
 }
 
 } // namespace texplorer::render

@@ -1,7 +1,7 @@
 #pragma once
 
-// Mesa keeps compiled shaders below the user's cache directory and maps the index of that cache into memory.
-// Where the disk is full, or a file system ends while it is mapped, to touch the index is a bus error.
+// Mesa keeps compiled shaders in the user's cache directory and maps the index of that cache into memory. If
+// the disk is full, or the file system goes away while it is mapped, access to the index is a bus error.
 
 #include "core/base/result.h"
 
@@ -9,13 +9,14 @@
 
 namespace texplorer::render {
 
-/// To be called before the first OpenGL context is made, while no other thread runs: gives the driver a cache
-/// that `checkDriverCache` found fit, below Texplorer's own cache directory or where the user's MESA_* names
-/// one; or switches it off. Says so in the environment (MESA_SHADER_CACHE_DIR, MESA_SHADER_CACHE_DISABLE).
+/// Call it before the first OpenGL context is created and before other threads start. Gives the driver a
+/// cache that passed `checkDriverCache`, in Texplorer's cache directory or where the user's MESA_* variables
+/// say; or disables the cache. Sets environment variables (MESA_SHADER_CACHE_DIR, MESA_SHADER_CACHE_DISABLE).
 void setUpDriverCache();
 
-/// Makes the directory (mode 0700) where it is missing, and gives Mesa's index the blocks on the disk that it
-/// needs. Refused: a link, another user's directory or one that others may write to, no space for the index.
+/// Creates the directory (mode 0700) if it is missing and allocates the disk blocks of Mesa's index. Fails
+/// for a link, another user's directory, a directory that others can write to, and if there is no space for
+/// the index.
 [[nodiscard]] Result<void> checkDriverCache(const std::filesystem::path& directory);
 
 } // namespace texplorer::render

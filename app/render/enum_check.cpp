@@ -1,5 +1,5 @@
-// The core writes GL's numbers down without a GL header. Here the compiler proves that each row of each table
-// has the number and the name of the GL macro, and that no row is left out.
+// The core writes down the numbers of GL without a GL header. These checks prove at compile time that each
+// row of each table has the number and the name of the GL macro, and that no row is missing.
 
 #include "core/gl/combine.h"
 #include "core/gl/depth_texture.h"
@@ -34,7 +34,7 @@ constexpr bool agrees(std::initializer_list<Macro> macros) {
            });
 }
 
-// Only a macro sees the name of a macro.
+// Only a macro can read the name of a macro.
 #define TEXPLORER_GL(name)                                                                                   \
     { name, #name }
 

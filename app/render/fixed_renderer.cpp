@@ -47,7 +47,7 @@ public:
     }
 
     void placeModel(const Scene& scene, const Model& model, bool /*colored*/, double time) override {
-        applyMaterial(materialOf(scene, model)); // a mesh with colours has taken glColor with it
+        applyMaterial(materialOf(scene, model)); // a mesh with colours has overwritten glColor
         applyModelView(scene.view, model, time);
     }
 

@@ -39,7 +39,7 @@ void setEnabled(GLenum what, bool on) {
         glDisable(what);
 }
 
-/// One environment parameter that is an enumerator.
+/// Sets an environment parameter that is an enumerator.
 template<class E>
 void setEnv(GLenum name, E value) {
     glTexEnvi(GL_TEXTURE_ENV, name, static_cast<GLint>(value));
@@ -72,7 +72,7 @@ void applyFog(const Fog& fog) {
     glFogfv(GL_FOG_COLOR, glm::value_ptr(fog.color));
 }
 
-/// t becomes what r is.
+/// Sets t to r.
 constexpr glm::mat4 rAsT{1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1};
 
 void applyTexGen(const GeneratedCoordinate& row, const TexGen& generated) {
@@ -88,13 +88,13 @@ void translate(glm::vec3 offset) {
     glTranslatef(offset.x, offset.y, offset.z);
 }
 
-/// Nothing is called where nothing turns, nor without an axis, for which OpenGL leaves it undefined.
+/// Does not call GL for an angle of 0 or without an axis, for which the result is undefined.
 void rotate(float degrees, glm::vec3 axis) {
     if (degrees != 0 && axis != glm::vec3(0))
         glRotatef(degrees, axis.x, axis.y, axis.z);
 }
 
-/// Whole turns of what turns with the time are taken away before the angle becomes a float.
+/// Removes whole turns of an animated angle before it is rounded to a float.
 float angleAt(float start, float rate, double time) {
     return rate == 0 ? start : static_cast<float>(std::fmod(double{start} + double{rate} * time, 360.0));
 }
@@ -128,7 +128,7 @@ void applyStep(const MatrixStep& step, double time, const Light& light) {
         glScalef(amount.x, amount.y, amount.z);
         break;
     case MatrixOp::Multiply:
-    case MatrixOp::Load: // which takes the place of all before it: see applySteps
+    case MatrixOp::Load: // it replaces all steps before it: see applySteps
         glMultMatrixf(glm::value_ptr(step.matrix));
         break;
     case MatrixOp::Projector:
@@ -139,7 +139,7 @@ void applyStep(const MatrixStep& step, double time, const Light& light) {
         translate(-step.pivot);
 }
 
-/// Steps before one that loads a matrix are void.
+/// Steps before a loaded matrix have no effect.
 void applySteps(std::span<const MatrixStep> steps, double time, const Light& light) {
     const auto lastLoad = std::find_if(steps.rbegin(), steps.rend(),
                                        [](const MatrixStep& step) { return step.op == MatrixOp::Load; });
@@ -211,8 +211,8 @@ void applyMaterial(const Material& material) {
     glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, glm::value_ptr(material.emission));
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
     if (material.colorMaterial) {
-        // The mode first: enabling copies the current colour at once into what the mode names
-        // (section 2.14.3).
+        // Set the mode first: glEnable copies the current colour at once to the properties that the mode
+        // names (section 2.14.3).
         glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
         glColor4fv(glm::value_ptr(material.color));
         glEnable(GL_COLOR_MATERIAL);
@@ -242,7 +242,7 @@ void switchUnitOff(int index) {
 }
 
 void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time, const Light& light) {
-    switchUnitOff(index); // a pass before this one may have used another target, which could take precedence
+    switchUnitOff(index); // an earlier pass may have used another target, which could take precedence
     const auto target = static_cast<GLenum>(unit.target);
     glBindTexture(target, texture.name);
     glEnable(target);
@@ -256,7 +256,8 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
     glMatrixMode(GL_TEXTURE);
     glLoadIdentity();
     if (texture.compares && unit.target == Target::Texture1D)
-        glMultMatrixf(glm::value_ptr(rAsT)); // which Mesa 22.3 compares; a line asks for t otherwise never
+        glMultMatrixf(
+            glm::value_ptr(rAsT)); // Mesa 22.3 compares this coordinate; otherwise a line never requests t
     if (texture.lateFlip == LateFlip::Matrix) {
         glTranslatef(0, 1, 0);
         glScalef(1, -1, 1);

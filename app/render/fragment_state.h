@@ -4,10 +4,10 @@
 
 namespace texplorer::render {
 
-/// The per-fragment operations that no shader takes over: OpenGL 2.1, sections 4.1.6 and 4.1.8.
+/// Sets the per-fragment operations that no shader replaces: OpenGL 2.1, sections 4.1.6 and 4.1.8.
 void applyDepthAndBlend(const Pass& pass);
 
-/// The widths of lines and points: sections 3.3 and 3.4.
+/// Sets the widths of lines and points: sections 3.3 and 3.4.
 void applyLineAndPoint(const Model& model);
 
 } // namespace texplorer::render

@@ -11,9 +11,9 @@ namespace texplorer::render {
 
 namespace {
 
-// GL holds one flag per kind of error (section 2.5), on distributed implementations several. A lost context,
-// or none at all, may answer with an error for ever.
-constexpr int mostFlags = 16;
+// GL holds one flag per kind of error (section 2.5), distributed implementations several. Without a context,
+// or with a lost one, glGetError may return errors for ever.
+constexpr int maxFlags = 16;
 
 std::string nameOf(unsigned error) {
     if (const EnumRow* found = findRow(glErrorRows, error))
@@ -33,7 +33,7 @@ bool GlErrors::check(std::string_view where, unsigned (*getError)()) {
 
 bool GlErrors::check(const std::function<std::string()>& where, unsigned (*getError)()) {
     bool clean = true;
-    for (int flag = 0; flag < mostFlags; ++flag) {
+    for (int flag = 0; flag < maxFlags; ++flag) {
         const unsigned error = getError();
         if (error == GL_NO_ERROR)
             break;

@@ -7,17 +7,17 @@
 
 namespace texplorer::render {
 
-/// glGetError, without a GL header.
+/// Calls glGetError, without a GL header.
 [[nodiscard]] unsigned currentGlError();
 
-/// Collects what goes wrong while something is drawn, as sentences; each is kept once.
+/// Collects errors of drawing as sentences, each once.
 class GlErrors {
 public:
-    /// Asks GL for the errors since the last check. `where` names the call or group of calls in between:
+    /// Collects the GL errors since the last check. `where` names the call or the group of calls:
     /// "textures[0]: glTexImage2D" gives "textures[0]: glTexImage2D: GL_INVALID_VALUE (A number is out of
-    /// range.)". True where there was none. Ends even where a driver reports an error for ever.
+    /// range.)". Returns true if there was no error. Returns even if a driver reports errors for ever.
     bool check(std::string_view where, unsigned (*getError)() = currentGlError);
-    /// The same; the name is asked for where there was an error.
+    /// The same, but computes the name only if there was an error.
     bool check(const std::function<std::string()>& where, unsigned (*getError)() = currentGlError);
 
     void add(std::string sentence);

@@ -15,7 +15,7 @@ constexpr const char* version15 = "OpenGL 1.5";
 constexpr const char* version20 = "OpenGL 2.0";
 constexpr const char* framebuffers = "GL_ARB_framebuffer_object";
 
-// GLEW's names are macros: what stands for one is the pointer.
+// GLEW's names are macros that expand to the pointers.
 #define TEXPLORER_GL(function, source, needed)                                                               \
     {                                                                                                        \
 #function, source, [] { return (function) != nullptr; }, needed                                      \

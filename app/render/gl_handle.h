@@ -8,8 +8,8 @@
 
 namespace texplorer::render {
 
-/// The name of a GL object, owned: move-only, deleted with the handle, safe when empty. It must be destroyed
-/// while its context is current.
+/// Owns the name of a GL object: move-only, deletes the object, may be empty. Must be destroyed while its
+/// context is current.
 template<class Kind>
 class GlHandle {
 public:

@@ -13,20 +13,20 @@ namespace texplorer::render {
 
 namespace {
 
-/// So that a frame with an upload is no slower than one can bear: about ten milliseconds on llvmpipe.
+/// Limits the time of a frame with an upload to about ten milliseconds on llvmpipe.
 constexpr std::size_t bytesPerFrame = std::size_t{8} << 20;
 
-/// "64", "64 x 32" or "64 x 32 x 8": as many axes as the target has.
+/// "64", "64 x 32" or "64 x 32 x 8": one extent per axis of the target.
 std::string extents(const Surface& surface, Target target) {
     std::string text = std::to_string(widthOf(surface));
     if (target != Target::Texture1D)
-        text += fmt::format(" x {}", heightOf(surface));
+        text += fmt::format(" × {}", heightOf(surface));
     if (target == Target::Texture3D)
-        text += fmt::format(" x {}", depthOf(surface));
+        text += fmt::format(" × {}", depthOf(surface));
     return text;
 }
 
-/// Why a driver can't take these levels as they are; empty: it can.
+/// Why a driver cannot take these levels unchanged; empty: it can.
 std::string lackingFormat(const TextureLevels& levels, const view::Capabilities& capabilities) {
     std::optional<BlockFormat> format = levels.driverFormat;
     if (const auto* blocks = std::get_if<BlockImage>(&*levels.levels.front().surface))
@@ -44,10 +44,9 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
 void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities,
                          LevelsSource* source, std::string_view where) {
     cancelled_ = false;
-    if (request.settings.source ==
-        SourceKind::LightDepth) // another with every frame, maybe: at once or never
+    if (request.settings.source == SourceKind::LightDepth) // may change with every frame: at once or never
         source = nullptr;
-    giveBack(source); // a frame later: to read them takes its time, as the last part of an upload does
+    giveBack(source); // one frame later: reading takes time, as does the last part of an upload
     if (shown_ == request)
         return next_.reset();
     if (!next_ || next_->request != request) {
@@ -71,7 +70,7 @@ void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities*
     }
 }
 
-/// There is nothing to show, and why.
+/// Shows nothing and reports the reason.
 void LiveTexture::refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence) {
     *this = LiveTexture();
     shown_ = request;
@@ -107,7 +106,7 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
             return refuse(
                 request, where,
                 fmt::format(
-                    "{} texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
+                    "{} texels: the driver supports powers of two only (no GL_ARB_texture_non_power_of_two)",
                     extents(base, request.target)));
         if (const std::string lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
             errors.add(fmt::format("{}: {}", where, lack));
@@ -119,7 +118,7 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
     next_.emplace(Next{request, std::move(levels), TextureObject(request.target), {}, std::move(errors)});
 }
 
-/// The next levels take the place of those that were shown.
+/// Replaces the shown levels by the next ones.
 void LiveTexture::finish() {
     Next next = std::move(*next_);
     next_.reset();

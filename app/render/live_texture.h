@@ -12,42 +12,42 @@
 
 namespace texplorer::render {
 
-/// A texture object that follows what is wanted of it. It shows what it showed before until the next levels
-/// are made and uploaded as a whole; with a LevelsSource that may take several frames.
+/// A texture object that follows the requested levels. Shows the previous ones until the next ones are made
+/// and fully uploaded; with a LevelsSource that can take several frames.
 class LiveTexture {
 public:
-    /// To be called once a frame, with GL's active unit free for its target. Without `source` levels are made
-    /// and uploaded at once. `capabilities` (nullptr: as if it could do anything) decide what is refused or
-    /// decompressed; GL errors and notes are reported as `where`.
+    /// Call once per frame; GL's active unit must be free for its target. Without `source` levels are made
+    /// and uploaded at once. `capabilities` decide what is refused or decompressed (nullptr: no limits). GL
+    /// errors and notes are reported as `where`.
     void follow(const LevelsRequest& request, const view::Capabilities* capabilities, LevelsSource* source,
                 std::string_view where);
 
-    /// Whether it is up to date: then `follow` has nothing to do.
+    /// Whether it is up to date, so that `follow` would do nothing.
     [[nodiscard]] bool shows(const LevelsRequest& request) const { return shown_ == request; }
 
-    /// Empty where there is nothing to show.
+    /// Empty if there is nothing to show.
     [[nodiscard]] TextureObject& object() { return object_; }
     [[nodiscard]] const TextureObject& object() const { return object_; }
     [[nodiscard]] int lastLevel() const { return lastLevel_; }
     [[nodiscard]] LateFlip lateFlip() const { return lateFlip_; }
 
-    /// Whether texels may be below 0: those of a signed format.
+    /// Whether texels can be negative: those of a signed format.
     [[nodiscard]] bool hasNegative() const { return hasNegative_; }
 
-    /// Its base format and the extents of its levels, without texels: enough to say whether it is complete.
+    /// The base format and the extents of the levels, without texels: enough to check completeness.
     [[nodiscard]] const reference::SampledTexture& shape() const { return shape_; }
 
-    /// What there is to say of it: the same sentences with every frame, for as long as it is like this.
+    /// Errors and notes about its current state; repeated each frame while they apply.
     [[nodiscard]] const GlErrors& errors() const { return cancelled_ ? cancelledErrors_ : errors_; }
 
-    /// Whether what is wanted was given up, so that it shows what it showed before.
+    /// Whether the request was cancelled, so that it still shows the previous levels.
     [[nodiscard]] bool isCancelled() const { return cancelled_; }
 
-    /// Whether an upload has to go on with the next frame.
+    /// Whether an upload continues in the next frame.
     [[nodiscard]] bool isUploading() const { return next_.has_value() || given_.has_value(); }
 
 private:
-    /// Levels that are uploaded, until their source gets them back.
+    /// Uploaded levels, until they are returned to their source.
     struct Given {
         LevelsRequest request;
         std::shared_ptr<const PreparedLevels> levels;
@@ -74,7 +74,7 @@ private:
     reference::SampledTexture shape_;
     GlErrors errors_;
     bool cancelled_ = false;
-    GlErrors cancelledErrors_; ///< instead of errors_, while it is
+    GlErrors cancelledErrors_; ///< used instead of errors_ while it is cancelled
     std::optional<Next> next_;
     std::optional<Given> given_;
 };

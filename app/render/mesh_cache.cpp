@@ -20,7 +20,7 @@ BufferHandle makeBuffer(GLenum target, const std::vector<T>& content) {
     return buffer;
 }
 
-/// With a buffer bound, GL takes an offset in bytes where it once took a pointer (section 2.9).
+/// With a bound buffer, GL takes an offset in bytes instead of a pointer (section 2.9).
 const void* offsetInBuffer(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr): it is no pointer
 }
@@ -128,7 +128,7 @@ void MeshCache::bindCoords(const Scene& scene, const Pass& pass, double time, co
         glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
         return pointAtCoords(coordKey.unit, sizeof(Vertex), offsetof(Vertex, texCoord));
     }
-    TexCoords embossed; // which change with the time and the light
+    TexCoords embossed; // depend on the time and the light
     if (coordKey.embossed)
         embossed = givenTexCoords(scene, pass, coordKey.unit, model, mesh.mesh, time);
     const TexCoords& list = coordKey.embossed ? embossed : own;

@@ -10,36 +10,36 @@
 
 namespace texplorer::render {
 
-/// What a texture unit wants of a model's coordinates.
+/// The texture coordinates that a unit needs.
 enum class CoordUse : std::uint8_t {
     Off,
     AsGiven,
     Flipped, ///< t becomes q - t, so that t / q becomes 1 - t / q
 };
 
-/// Where vertices go: to the arrays of fixed function (glVertexPointer and its like), or to the attributes of
-/// a shader.
+/// The destination of vertices: the fixed-function arrays (glVertexPointer and similar calls) or the
+/// attributes of a shader.
 enum class VertexInput : std::uint8_t { FixedArrays, Attributes };
 
-/// The vertex and index buffers of a scene's models. They are filled when a shape or a texture coordinate
-/// changed.
+/// The vertex and index buffers of a scene's models. Filled again when a shape or a texture coordinate
+/// changes.
 class MeshCache {
 public:
     explicit MeshCache(VertexInput input = VertexInput::FixedArrays)
         : input_(input) {}
 
-    /// Begins a frame: what was not drawn in the one before it is forgotten.
+    /// Starts a frame: removes models that the previous frame did not draw.
     void beginFrame();
 
-    /// Points the vertex arrays at the model with this index in the scene, as a pass of it draws it at a
-    /// time. `units` says what each texture unit needs.
+    /// Sets the vertex arrays to the model with this index in the scene, for a pass at a time. `units` gives
+    /// the coordinates that each texture unit needs.
     void bind(const Scene& scene, const Pass& pass, std::size_t index, double time,
               const std::array<CoordUse, maxUnits>& units);
 
-    /// Whether the model that is bound has colours at its vertices.
+    /// Whether the bound model has vertex colours.
     [[nodiscard]] bool hasColors() const { return bound_ && bound_->mesh.colored; }
 
-    /// Draws the model that is bound.
+    /// Draws the bound model.
     void draw() const;
 
 private:
@@ -63,7 +63,7 @@ private:
         auto operator<=>(const CoordKey&) const = default; // NOLINT(modernize-use-nullptr)
     };
     struct CoordSlot {
-        TexCoords list; ///< the model's, or as they were embossed
+        TexCoords list; ///< the coordinates of the model, or the embossed ones
         std::uint64_t mesh = 0;
         CoordUse use = CoordUse::AsGiven;
         BufferHandle buffer;

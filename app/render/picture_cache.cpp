@@ -8,7 +8,7 @@
 namespace texplorer::render {
 namespace {
 
-/// Empty where GL refused it. The texture that is bound is bound again.
+/// Returns an empty handle if GL refused it. Restores the bound texture.
 TextureHandle upload(const Image& image, PictureCache::Use use) {
     const Image pixels = image.format == PixelFormat::Rgba8 ? Image() : asRgba8(image, BaseFormat::Rgba);
     GLint bound = 0;
@@ -23,7 +23,7 @@ TextureHandle upload(const Image& image, PictureCache::Use use) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  (pixels.empty() ? image : pixels).pixels.data());
     glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
-    GlErrors errors; // a picture that can't be shown is not worth a sentence
+    GlErrors errors; // errors of pictures in panels are not reported
     return errors.check("glTexImage2D") ? std::move(texture) : TextureHandle();
 }
 

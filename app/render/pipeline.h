@@ -13,11 +13,11 @@
 
 namespace texplorer::render {
 
-/// One texture a unit; name 0 where a unit is off or its texture can't be drawn.
+/// One texture per unit; the name is 0 if a unit is off or its texture cannot be drawn.
 using BoundTextures = std::array<BoundTexture, maxUnits>;
 
-/// How state reaches GL: what the renderers that draw with OpenGL do differently. Its functions are called in
-/// this order, with GL's initial state (see StateGuard) at the beginning of a frame.
+/// How state is sent to GL: the difference between the OpenGL renderers. A frame calls the functions in this
+/// order and starts with GL's initial state (see StateGuard).
 class Pipeline {
 public:
     Pipeline() = default;
@@ -25,24 +25,24 @@ public:
     Pipeline& operator=(const Pipeline&) = delete;
     virtual ~Pipeline() = default;
 
-    /// Which vertex arrays it reads.
+    /// The vertex arrays that it reads.
     [[nodiscard]] virtual VertexInput vertexInput() const = 0;
 
-    /// What is the same for all passes; `aspect` is width / height of the picture.
+    /// Sets the state that all passes share; `aspect` is width / height of the picture.
     virtual void beginFrame(const Scene& scene, float aspect, GlErrors& errors) = 0;
 
-    /// Everything that a pass says but its depth test and blending. False where it can't be drawn, which is
-    /// said in `errors`.
+    /// Sets all of a pass except its depth test and blending. Returns false if it cannot be drawn; `errors`
+    /// says why.
     [[nodiscard]] virtual bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
                                          double time, GlErrors& errors) = 0;
 
-    /// Those of the frame that is drawn, one a pass; empty where it has none.
+    /// The shader programs of the current frame, one per pass; empty if it has none.
     [[nodiscard]] virtual std::vector<std::shared_ptr<const view::PassShader>> shaders() const { return {}; }
 
-    /// Grows when it draws the same scene otherwise than before: somebody has edited its shaders.
+    /// Increases when it draws the same scene differently: its shaders were edited.
     [[nodiscard]] virtual std::uint64_t revision() const { return 0; }
 
-    /// Before each model. `colored` says that its vertices have colours in the place of glColor.
+    /// Called before each model. `colored`: its vertices have colours, which replace glColor.
     virtual void placeModel(const Scene& scene, const Model& model, bool colored, double time) = 0;
 };
 

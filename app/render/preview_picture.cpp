@@ -11,8 +11,8 @@ namespace texplorer::render {
 
 namespace {
 
-/// What matters for the base level. A flip of coordinates or of the matrix is one of pixels here: the panel
-/// shows the picture below the coordinates as the scene has them.
+/// The settings that affect the base level. A flip of coordinates or of the matrix becomes a flip of pixels
+/// here, because the panel shows the picture below the scene's coordinates.
 Texture baseSettings(const Texture& texture) {
     Texture settings = imageSettings(texture);
     settings.flip = texture.flip == FlipMode::None ? FlipMode::None : FlipMode::Pixels;
@@ -42,17 +42,17 @@ TextureImage unfolded(const TextureImage& image) {
     return picture;
 }
 
-/// Whether it has more texels than a panel could show: of those it gets a part.
+/// Whether it has more texels than a panel can show; the panel then gets a part of them.
 bool isLarge(const TextureImage& image) {
     const Image* base = std::get_if<Image>(&image.surfaces.front());
-    return base && base->depth == 1 && std::max(base->width, base->height) > PreviewPicture::mostTexels;
+    return base && base->depth == 1 && std::max(base->width, base->height) > PreviewPicture::maxTexels;
 }
 
-/// Every nth texel of a large image, as GL_NEAREST leaves them out where it is drawn small.
+/// Every nth texel of a large image, as GL_NEAREST samples it when it is drawn small.
 TextureImage thinned(const TextureImage& image) {
     const auto& base = std::get<Image>(image.surfaces.front());
     const int step =
-        (std::max(base.width, base.height) + PreviewPicture::mostTexels - 1) / PreviewPicture::mostTexels;
+        (std::max(base.width, base.height) + PreviewPicture::maxTexels - 1) / PreviewPicture::maxTexels;
     Image part =
         Image::uninitialised(base.format, (base.width + step - 1) / step, (base.height + step - 1) / step);
     for (int y = 0; y < part.height; ++y) {

@@ -9,16 +9,16 @@
 
 namespace texplorer::render {
 
-/// What of a texture a panel shows: its base level, its transparency and the bits of its internal format as
-/// in the scene, not compressed again; numbers of sRGB as they are stored, so that it looks as the file does;
-/// upright, unless the scene flips nothing. Of a volume the middle slice, of a file with six faces all of
-/// them as an unfolded cube. Needs no OpenGL.
+/// The picture of a texture in a panel: its base level with its transparency and the bits of its internal
+/// format as in the scene, but not compressed again; sRGB numbers as stored, so that it looks like the file;
+/// upright, unless the scene flips nothing. A volume is shown by its middle slice, a file with six faces as
+/// an unfolded cube. Does not need OpenGL.
 class PreviewPicture {
 public:
-    /// Along each axis: of a larger image as many are left out as are needed for this.
-    static constexpr int mostTexels = 4096;
+    /// The limit along each axis: a larger image is thinned to fit.
+    static constexpr int maxTexels = 4096;
 
-    /// The levels whose base is that picture; nothing where the image isn't there. Keeps what it had to make.
+    /// The levels whose base is that picture; none if the image is not available. Keeps what it had to make.
     [[nodiscard]] std::optional<LevelsRequest> request(const Texture& texture, const ImageSource& images);
 
 private:

@@ -11,15 +11,15 @@ namespace texplorer::render {
 
 namespace {
 
-// Some drivers can only draw with depth that is packed with a stencil. Packed depth is attached as depth
-// alone: the stencil half is never used.
+// Some drivers can only draw with depth packed with a stencil. It is attached as depth only; the stencil is
+// never used.
 constexpr auto depthFormats = std::to_array<GLenum>({GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8});
 
 } // namespace
 
 Result<void> RenderTarget::bind(view::Size size) {
     if (size != size_) {
-        *this = RenderTarget(); // free the old one first: both at once may not fit
+        *this = RenderTarget(); // free the old one first: both may not fit
         if (Result<void> made = resize(size); !made) {
             *this = RenderTarget();
             return made;
@@ -34,7 +34,7 @@ Result<void> RenderTarget::resize(view::Size size) {
     color_ = TextureHandle::create();
     glBindTexture(GL_TEXTURE_2D, color_.name());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // there are no mipmaps
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); // a view may show its pixels enlarged
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); // a view may enlarge its pixels
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -57,7 +57,7 @@ Result<void> RenderTarget::resize(view::Size size) {
     const std::string what = fmt::format("a picture of {} pixels with 24 bits of depth", asText(size));
     if (!errors.check("glTexImage2D, glRenderbufferStorage"))
         return fail(ErrorCode::Driver,
-                    fmt::format("the driver can't make {}: {}", what, errors.sentences().front()));
+                    fmt::format("the driver can't create {}: {}", what, errors.sentences().front()));
     if (status != GL_FRAMEBUFFER_COMPLETE)
         return fail(
             ErrorCode::Driver,

@@ -6,10 +6,11 @@
 
 namespace texplorer::render {
 
-/// Where a renderer draws: an RGBA texture of 8 bits a component and 24 bits of depth, one sample a pixel.
+/// The target of a renderer: an RGBA texture with 8 bits per component and 24 bits of depth, one sample per
+/// pixel.
 class RenderTarget {
 public:
-    /// Makes it this size, at least 1 x 1; does nothing where it already is. Leaves the framebuffer bound.
+    /// Sets the size, at least 1 x 1; does nothing if it has that size already. Leaves the framebuffer bound.
     [[nodiscard]] Result<void> bind(view::Size size);
 
     [[nodiscard]] GLuint texture() const { return color_.name(); }

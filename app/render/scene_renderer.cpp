@@ -23,8 +23,8 @@ namespace texplorer::render {
 
 namespace {
 
-/// The driver's own limit, whatever its textures are pretended to be held to.
-view::Size largestPicture() {
+/// The driver's own limit, regardless of a pretended limit for textures.
+view::Size maxPictureSize() {
     std::array<GLint, 2> viewport{};
     GLint renderbuffer = 0;
     GLint texture = 0;
@@ -47,7 +47,7 @@ struct SceneRenderer::State {
     State(const view::Capabilities& given, std::unique_ptr<Pipeline> chosen)
         : capabilities(given)
         , pipeline(std::move(chosen))
-        , limit(largestPicture())
+        , limit(maxPictureSize())
         , textures(std::make_shared<TextureCache>(given))
         , meshes(pipeline->vertexInput()) {}
 
@@ -58,7 +58,7 @@ struct SceneRenderer::State {
                            const ImageSource& images);
     void remember(const Scene& scene, double time, view::Size size);
 
-    /// What a picture was made of.
+    /// The inputs of a picture.
     struct Drawn {
         Scene scene;
         double time = 0;
@@ -75,8 +75,8 @@ struct SceneRenderer::State {
     MeshCache meshes;
     std::optional<Drawn> drawn;
     std::uint64_t revision = 0;
-    LevelsSource* levels = nullptr; // of the frame that is being drawn
-    GlErrors errors;                // of the frame that is being drawn
+    LevelsSource* levels = nullptr; // of the current frame
+    GlErrors errors;                // of the current frame
 };
 
 SceneRenderer::SceneRenderer(const view::Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline)
@@ -90,12 +90,12 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     State& state = *state_;
     if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
         size.height > state.limit.height)
-        return fail(ErrorCode::OutOfRange, fmt::format("a picture has 1 x 1 to {} pixels, not {}",
+        return fail(ErrorCode::OutOfRange, fmt::format("a picture has 1 × 1 to {} pixels, not {}",
                                                        asText(state.limit), asText(size)));
     const auto begin = std::chrono::steady_clock::now();
     state.errors = {};
     state.levels = levels;
-    state.errors.check("before the scene was drawn"); // somebody else's, but nobody has reported it
+    state.errors.check("before the scene was drawn"); // caused by other code, but not yet reported
     try {
         const StateGuard guard;
         state.errors.check("glPushAttrib");
@@ -105,7 +105,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
         state.drawScene(*standing, state.textures->withLightDepths(images, *standing, time), time, size);
         state.remember(*standing, time, size);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
+        return fail(ErrorCode::TooLarge, "not enough memory for the scene's images and meshes");
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
@@ -155,7 +155,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     }
 }
 
-/// Nothing is said of a pass without cube maps: it doesn't matter there.
+/// Reports nothing for a pass without cube maps: it does not matter there.
 void SceneRenderer::State::applySeamlessCubeMap(const Pass& pass, const std::string& where) {
     if (capabilities.seamlessCubeMaps)
         return (pass.seamlessCubeMap ? glEnable : glDisable)(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -173,7 +173,7 @@ void SceneRenderer::State::remember(const Scene& scene, double time, view::Size 
     ++revision;
 }
 
-/// Of `frame` the texture doesn't count: it is that of each unit.
+/// Ignores the texture of `frame`: each unit has its own.
 BoundTextures SceneRenderer::State::texturesOf(const TextureUse& frame, std::size_t passIndex,
                                                const ImageSource& images) {
     BoundTextures bound{};
@@ -199,7 +199,7 @@ BoundTexture SceneRenderer::State::textureOf(const TextureUse& frame, const Unit
                                unit.texture, count));
         return {};
     }
-    // Preparing binds the texture: on its own unit, or it would take the place of another's.
+    // Preparing a texture binds it: do it on its own unit, or it would replace another texture.
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
     const TextureUse use{frame.scene, static_cast<std::size_t>(unit.texture), frame.time, frame.width,
                          frame.height};
@@ -220,7 +220,7 @@ Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, 
         static_cast<void>(GlErrors().check("before the texture was read"));
         return object->read();
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the levels of the texture");
+        return fail(ErrorCode::TooLarge, "not enough memory for the levels of the texture");
     }
 }
 
@@ -235,11 +235,11 @@ Result<Image> SceneRenderer::read() {
         image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("there is no memory for a picture of {} pixels", asText(size)));
+                    fmt::format("not enough memory for a picture of {} pixels", asText(size)));
     }
     const StateGuard guard;
     static_cast<void>(
-        GlErrors().check("before the picture was read")); // an older error says nothing about this
+        GlErrors().check("before the picture was read")); // older errors do not belong to this call
     glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
     glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     if (GlErrors errors; !errors.check("glReadPixels"))

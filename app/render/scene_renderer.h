@@ -15,9 +15,9 @@ namespace texplorer::render {
 
 class Pipeline;
 
-/// Draws a Scene with OpenGL into a framebuffer object of its own; FixedRenderer and ShaderRenderer make one.
-/// It belongs to the context that is current, on its thread, and is destroyed before the context is. Leaves
-/// the caller's GL state as it found it.
+/// Draws a Scene with OpenGL into its own framebuffer object; created by FixedRenderer and ShaderRenderer. It
+/// belongs to the current context and its thread and must be destroyed before the context. Restores the
+/// caller's GL state.
 class SceneRenderer {
 public:
     SceneRenderer(const view::Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline);
@@ -27,22 +27,22 @@ public:
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
     ~SceneRenderer();
 
-    /// Draws the scene at `time` seconds, with what its key frames say then. Refused: a size below 1 or above
-    /// the driver's limit. A GL error does not end the drawing: it is reported in Frame::problems. Without
-    /// `levels` the textures are made and uploaded before the drawing; with it, a texture is what it was
-    /// before until they are.
+    /// Draws the scene at `time` seconds, with its key frames applied. Fails for a size below 1 or above the
+    /// driver's limit. A GL error does not stop drawing: it is reported in Frame::problems. Without `levels`
+    /// textures are made and uploaded before drawing; with it, a texture keeps its previous content until
+    /// they are.
     [[nodiscard]] Result<view::Frame> draw(const Scene& scene, const ImageSource& images, double time,
                                            view::Size size, LevelsSource* levels = nullptr);
 
-    /// Uses the textures of a renderer in the same context that draws the same scenes, instead of its own.
+    /// Uses the textures of another renderer in the same context that draws the same scenes.
     void shareTextures(const SceneRenderer& other);
 
-    /// The levels of one of the textures that the last scene was drawn with, as the driver holds them: what
-    /// it compressed is read back as blocks. Refused where the texture was not drawn with this target.
+    /// The levels of a texture of the last scene, as the driver holds them: compressed levels are read back
+    /// as blocks. Fails if the texture was not drawn with this target.
     [[nodiscard]] Result<std::vector<TextureLevel>> readTexture(std::size_t index,
                                                                 Target target = Target::Texture2D);
 
-    /// Reads the last picture back: Rgba8, bottom row first.
+    /// Reads the last picture: Rgba8, bottom row first.
     [[nodiscard]] Result<Image> read();
 
 private:

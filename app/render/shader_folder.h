@@ -9,19 +9,19 @@
 
 namespace texplorer::render {
 
-/// The shaders' files of a folder. Errors: the first that can't be read or is no such file.
+/// Reads the shader files of a folder. The error is about the first file that cannot be read or is not valid.
 [[nodiscard]] Result<glsl::ShaderPieces> readShaderFolder(const std::filesystem::path& folder);
 
-/// The shaders' files in a folder, read again when one of them has changed.
+/// The shader files of a folder, read again when one of them changes.
 class ShaderFolder {
 public:
-    /// `wake` is called on another thread when `refresh` has something to do.
+    /// `wake` is called on another thread when files have changed and `refresh` should be called.
     explicit ShaderFolder(std::filesystem::path folder, std::function<void()> wake = {});
 
-    /// Reads what has changed. True where `pieces` are other ones than before.
+    /// Reads changed files. Returns true if `pieces` has changed.
     bool refresh();
 
-    /// Of the files as they are; else the last ones that could be read, or none, and `problem` says why.
+    /// The current files; or the last ones that could be read, or none, with the reason in `problem`.
     [[nodiscard]] const std::optional<glsl::ShaderPieces>& pieces() const { return pieces_; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
 

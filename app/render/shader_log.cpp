@@ -9,7 +9,7 @@ namespace texplorer::render {
 
 namespace {
 
-/// A place in a source: Mesa and Intel write "0:12(5): error: …", NVIDIA "0(12) : error …", others "ERROR:
+/// A position in a source: Mesa and Intel write "0:12(5): error: …", NVIDIA "0(12) : error …", others "ERROR:
 /// 0:12: …".
 struct Place {
     int line = 0;

@@ -8,8 +8,8 @@
 
 namespace texplorer::render {
 
-/// A driver's compile log with the files' names and lines in the place of the source's: "lighting.glsl:12:
-/// 'eyeNorml' undeclared". A line that names no place stays as it is.
+/// Replaces positions in a driver's compile log by names and lines of files: "lighting.glsl:12: 'eyeNorml'
+/// undeclared". A line without a position stays unchanged.
 [[nodiscard]] std::vector<view::ShaderMessage>
 translateLog(std::string_view log, const glsl::StageSource& source,
              std::optional<view::ShaderStage> stage = std::nullopt);

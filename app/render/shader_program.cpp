@@ -28,7 +28,7 @@ std::string logOf(GLuint object, auto getParameter, auto getLog) {
     return log;
 }
 
-/// Empty where the driver takes it. A driver that refuses without a word is quoted as doing so.
+/// Empty if the driver accepts it. A driver that refuses it without a message gets one.
 ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const glsl::StageSource& source) {
     const GLchar* text = source.text.c_str();
     const auto length = static_cast<GLint>(source.text.size());
@@ -40,7 +40,7 @@ ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const gl
         return {};
     ShaderProgram::Log log = translateLog(logOf(shader, glGetShaderiv, glGetShaderInfoLog), source, stage);
     if (log.empty())
-        log.push_back({stage, 0, "the driver does not compile the shader, and gives no reason"});
+        log.push_back({stage, 0, "the driver can't compile the shader and gives no reason"});
     return log;
 }
 
@@ -68,7 +68,7 @@ tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const gls
     if (linked != GL_TRUE) {
         log = translateLog(logOf(name, glGetProgramiv, glGetProgramInfoLog), {});
         if (log.empty())
-            log.push_back({std::nullopt, 0, "the driver does not link the two stages, and gives no reason"});
+            log.push_back({std::nullopt, 0, "the driver can't link the two stages and gives no reason"});
         return tl::unexpected(std::move(log));
     }
     program.findUniforms();
@@ -78,15 +78,15 @@ tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const gls
 void ShaderProgram::findUniforms() {
     const GLuint program = handle_.name();
     GLint count = 0;
-    GLint longest = 0;
+    GLint maxLength = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
-    glGetProgramiv(program, GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
-    std::string name(static_cast<std::size_t>(std::max(longest, 1)), '\0');
+    glGetProgramiv(program, GL_ACTIVE_UNIFORM_MAX_LENGTH, &maxLength);
+    std::string name(static_cast<std::size_t>(std::max(maxLength, 1)), '\0');
     for (GLint i = 0; i < count; ++i) {
         GLsizei length = 0;
         GLint size = 0;
         GLenum type = 0;
-        glGetActiveUniform(program, static_cast<GLuint>(i), longest, &length, &size, &type, name.data());
+        glGetActiveUniform(program, static_cast<GLuint>(i), maxLength, &length, &size, &type, name.data());
         const std::string uniform = name.substr(0, static_cast<std::size_t>(length));
         locations_[uniform] = glGetUniformLocation(program, uniform.c_str());
     }

@@ -15,12 +15,11 @@
 
 namespace texplorer::render {
 
-/// A program that the driver has compiled and linked, with its uniforms by name. It is set while it is in
-/// use (glUseProgram); a uniform that it does not have is passed over.
+/// A compiled and linked program, with its uniforms by name. Uniforms are set while it is in use
+/// (glUseProgram); a uniform that it does not have is ignored.
 class ShaderProgram {
 public:
-    /// What the driver says of a source that it does not take: a sentence for each message, with the place in
-    /// the files.
+    /// The driver's messages about a source that it does not accept, with positions in the files.
     using Log = std::vector<view::ShaderMessage>;
 
     [[nodiscard]] static tl::expected<ShaderProgram, Log> compile(const glsl::ShaderSource& source);

@@ -22,7 +22,7 @@ namespace texplorer::render {
 
 namespace {
 
-/// Programs are few: a scene has at most eight passes. What is beyond this was used while somebody edited.
+/// Programs are few: a scene has at most eight passes. More than these come from edited shaders.
 constexpr std::size_t maxPrograms = 256;
 
 glsl::SampledUnits sampledUnits(const BoundTextures& textures) {
@@ -36,7 +36,7 @@ glsl::SampledUnits sampledUnits(const BoundTextures& textures) {
     return units;
 }
 
-/// The light, the fog and the alpha test: what is the same for every model and unit.
+/// Sets the light, the fog and the alpha test, which are the same for every model and unit.
 void setPass(const ShaderProgram& program, const Scene& scene, const Pass& pass) {
     const Light& light = scene.light;
     program.set("lightPosition", light.position);
@@ -65,7 +65,7 @@ void setTexGen(const ShaderProgram& program, const std::string& uniform, const T
                 generated.mode == TexGenMode::ObjectLinear ? generated.objectPlane : generated.eyePlane);
 }
 
-/// t -> 1 - t: what is left to do for a texture that was uploaded upside down.
+/// t -> 1 - t: for a texture that was uploaded upside down.
 glm::mat4 flippedMatrix() {
     glm::mat4 flip(1);
     flip[1].y = -1;
@@ -111,9 +111,8 @@ public:
             ++revision_;
         }
         if (!folder_->problem().empty())
-            errors.add(newest_
-                           ? fmt::format("{}; the last shaders that could be read stay", folder_->problem())
-                           : fmt::format("{}; drawn with Texplorer's own shaders", folder_->problem()));
+            errors.add(newest_ ? fmt::format("{}; the last readable shaders stay", folder_->problem())
+                               : fmt::format("{}; drawn with Texplorer's own shaders", folder_->problem()));
     }
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
@@ -132,7 +131,7 @@ public:
             const Unit& unit = scene.passes[pass].units[at];
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
             glBindTexture(static_cast<GLenum>(unit.target), textures[at].name);
-            glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it adds to the shader's
+            glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it is added to that of the shader
             setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);
         }
         errors.check([&] { return fmt::format("{}: glUniform", where); });
@@ -162,8 +161,8 @@ private:
         std::shared_ptr<const view::PassShader> shader;
     };
 
-    /// Of the newest pieces; where those don't compile, of the last ones that did, or of the embedded ones.
-    /// What the newest lack is said in `errors` and beside their source.
+    /// Uses the newest pieces; if they do not compile, the last ones that did, or the embedded ones. Errors
+    /// of the newest are reported in `errors` and with their source.
     const ShaderProgram* programOf(const Scene& scene, std::size_t pass, const glsl::SampledUnits& units,
                                    const std::string& where, GlErrors& errors) {
         ShaderProgram::Log log;
@@ -215,14 +214,14 @@ private:
         return found->second;
     }
 
-    std::map<std::pair<std::string, std::string>, Compiled> programs_; // by their two sources
-    const ShaderProgram* program_ = nullptr;                           // of the pass that is being drawn
+    std::map<std::pair<std::string, std::string>, Compiled> programs_; // keyed by their two sources
+    const ShaderProgram* program_ = nullptr;                           // of the current pass
     glm::mat4 projection_{1};
     std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of this frame
-    std::uint64_t revision_ = 0;                                   // of what is drawn with
+    std::uint64_t revision_ = 0;                                   // of the pieces in use
     std::optional<ShaderFolder> folder_;
     std::shared_ptr<const glsl::ShaderPieces> newest_; // of the folder
-    std::shared_ptr<const glsl::ShaderPieces> good_;   // the last of the folder's that compiled
+    std::shared_ptr<const glsl::ShaderPieces> good_;   // the last ones of the folder that compiled
 };
 
 } // namespace
@@ -241,7 +240,7 @@ view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities) 
         offered.withhold(
             RendererKind::Shader,
             GLEW_VERSION_3_3
-                ? "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend takes away"
+                ? "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend disables"
                 : fmt::format("the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL {}",
                               capabilities.version));
     return offered;

@@ -9,19 +9,19 @@
 
 namespace texplorer::render {
 
-/// Where the shader renderer has its shaders from.
+/// The source of the shader renderer's shaders.
 struct ShaderOptions {
-    /// A folder with the files of shaders/, which are read again when they change; empty: those that the
-    /// program was built with. Where they can't be read or compiled, a sentence in Frame::problems says why,
-    /// and the last ones that could be stay.
+    /// A folder with the files of shaders/, which are read again when they change; empty: the built-in ones.
+    /// If they cannot be read or compiled, a sentence in Frame::problems says why, and the last valid ones
+    /// stay in use.
     std::filesystem::path folder;
-    std::function<void()> wake; ///< called on another thread when a file has changed: draw again
+    std::function<void()> wake; ///< called on another thread when a file has changed, to draw again
 };
 
-/// Draws a Scene with programs in GLSL 3.30, one for each pass, as shader_source.h writes them.
+/// Draws a Scene with GLSL 3.30 programs, one per pass, written by shader_source.h.
 class ShaderRenderer : public SceneRenderer {
 public:
-    /// Refused by a driver without GLSL 3.30.
+    /// Fails if the driver has no GLSL 3.30.
     [[nodiscard]] static Result<ShaderRenderer> create(const view::Capabilities& capabilities,
                                                        const ShaderOptions& options = {});
 
@@ -29,11 +29,11 @@ private:
     using SceneRenderer::SceneRenderer;
 };
 
-/// Which renderers this driver has.
+/// The renderers that this driver supports.
 [[nodiscard]] view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities);
 
-/// The renderer of this kind. The options are for that with shaders. The reference is none of OpenGL's: see
-/// core/reference/draw.h.
+/// Creates the renderer of this kind. `options` are for the shader renderer. The reference does not use
+/// OpenGL: see core/reference/draw.h.
 [[nodiscard]] Result<SceneRenderer> createRenderer(RendererKind kind, const view::Capabilities& capabilities,
                                                    const ShaderOptions& options = {});
 

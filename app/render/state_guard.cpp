@@ -89,7 +89,7 @@ GLenum unitEnum(std::size_t unit) {
     return GL_TEXTURE0 + static_cast<GLenum>(unit);
 }
 
-// GLEW loads these with their extension alone, which a driver of a version that has them need not list.
+// GLEW loads these only with their extension, which a driver need not list if its version includes them.
 bool hasVertexArrays() {
     return glBindVertexArray != nullptr && (GLEW_VERSION_3_0 || GLEW_ARB_vertex_array_object);
 }
@@ -109,7 +109,7 @@ StateGuard::StateGuard() {
     save();
     unbind();
 
-    // The stacks have at least 16 places; a caller may have filled them. Then there is nothing to pop.
+    // The stacks have at least 16 places, which a caller may have filled. Then there is nothing to pop.
     const GLint depth = integer(GL_ATTRIB_STACK_DEPTH);
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     pushed_ = integer(GL_ATTRIB_STACK_DEPTH) > depth;
@@ -138,7 +138,7 @@ void StateGuard::save() {
     if (hasProvokingVertex())
         provokingVertex_ = integer(GL_PROVOKING_VERTEX);
 
-    // Matrices are not pushed: their stacks may have as few as two places.
+    // Matrices are not pushed: their stacks may have only two places.
     projection_ = matrix(GL_PROJECTION_MATRIX);
     modelView_ = matrix(GL_MODELVIEW_MATRIX);
 
@@ -154,8 +154,8 @@ void StateGuard::save() {
     }
 }
 
-// Before the attributes are pushed: glPushAttrib keeps the parameters of every texture that is bound, and
-// glPopAttrib would take back what we change if one of them is ours.
+// Call it before the attributes are pushed: glPushAttrib saves the parameters of every bound texture, and
+// glPopAttrib would undo our changes if one of them is ours.
 void StateGuard::unbind() {
     for (std::size_t i = 0; i < units_.size(); ++i) {
         glActiveTexture(unitEnum(i));
@@ -221,7 +221,8 @@ void StateGuard::setInitialValues() const {
 }
 
 StateGuard::~StateGuard() {
-    // The draw and read buffers that glPopAttrib restores belong to the framebuffers that are bound then.
+    // The draw and read buffers that glPopAttrib restores belong to the framebuffers that are bound at that
+    // time.
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, nameOf(drawFramebuffer_));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, nameOf(readFramebuffer_));
     glBindRenderbuffer(GL_RENDERBUFFER, nameOf(renderbuffer_));
@@ -238,7 +239,7 @@ StateGuard::~StateGuard() {
         glPopClientAttrib();
     if (pushed_)
         glPopAttrib();
-    if (hasSeamlessCubeMaps()) // none of these three does Mesa 22.3 put back
+    if (hasSeamlessCubeMaps()) // Mesa 22.3 does not restore these three
         (seamless_ ? glEnable : glDisable)(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     if (colorSum_)
         glEnable(GL_COLOR_SUM);

@@ -7,9 +7,9 @@
 
 namespace texplorer::render {
 
-/// Borrows the whole state of the context: takes note of it, sets what fixed-function drawing depends on to
-/// GL's initial values, and puts everything back in the destructor. Texture objects, buffers and framebuffers
-/// that are made or changed in between stay as they are then.
+/// Saves the whole state of the context, sets everything that fixed-function drawing depends on to GL's
+/// initial values, and restores the state in the destructor. Texture objects, buffers and framebuffers that
+/// are made or changed in between are not restored.
 class StateGuard {
 public:
     StateGuard();

@@ -14,51 +14,50 @@
 
 namespace texplorer::render {
 
-/// What is bound to a unit, and what is left to do for it.
+/// A texture bound to a unit, and what is still to do for it.
 struct BoundTexture {
-    GLuint name = 0; ///< 0: drawn without it; incomplete textures are, too (section 3.8.10)
+    GLuint name = 0; ///< 0: drawn without a texture, as with an incomplete one (section 3.8.10)
     LateFlip lateFlip = LateFlip::None;
-    BaseFormat format = BaseFormat::Rgba; ///< the base internal format, which the environment asks for
+    BaseFormat format = BaseFormat::Rgba; ///< the base internal format, used by the environment
     bool hasNegative = false;             ///< its format is signed
-    float lodBias = 0;                    ///< of the texture object
-    bool hasDepths = false;               ///< and no colours
-    bool compares = false;                ///< r with its depths
+    float lodBias = 0;                    ///< from the texture object
+    bool hasDepths = false;               ///< depths instead of colours
+    bool compares = false;                ///< compares r with its depths
 };
 
-/// The LOD bias that a unit is given beside that of its texture object. Below equation 3.18 OpenGL limits
-/// their sum, which Mesa 22.3 doesn't: where the sum is beyond the limit, the unit adds what is left up to
-/// it.
+/// The LOD bias of a unit, which is added to that of the texture object. OpenGL limits their sum (below
+/// equation 3.18), Mesa 22.3 does not: if the sum is beyond the limit, the unit gets only the rest up to it.
 [[nodiscard]] float unitBias(const Unit& unit, const BoundTexture& texture);
 
-/// The texture objects of a scene: one for each texture and target that it is used with. Images are uploaded
-/// when the pixels or what is made of them changed (imageSettings), parameters when they changed.
+/// The texture objects of a scene: one for each texture and each target that it is used with. Images are
+/// uploaded when the pixels or their settings (imageSettings) changed, parameters when they changed.
 class TextureCache {
 public:
     explicit TextureCache(const view::Capabilities& capabilities)
         : capabilities_(capabilities)
         , facts_(driverFacts(capabilities)) {}
 
-    /// The texture object, up to date; its name is 0 where it can't be drawn: then a sentence in `errors`
-    /// says why. What was done otherwise than asked for is said there, too. With `levels` it may be what it
-    /// was before, or 0, until its levels are made and uploaded.
+    /// Returns the updated texture object; its name is 0 if it cannot be drawn, and `errors` says why. Notes
+    /// about differences from the request go there as well. With `levels` it may have its previous content,
+    /// or the name 0, until its levels are made and uploaded.
     [[nodiscard]] BoundTexture prepare(const TextureUse& use, Target target, const ImageSource& images,
                                        LevelsSource* levels, GlErrors& errors);
 
-    /// The images with what the light sees: the same ones for all that have this cache.
+    /// The images including the light's view: the same ones for all users of this cache.
     [[nodiscard]] ImageSource withLightDepths(const ImageSource& images, const Scene& scene, double time) {
         return lightDepths_.addedTo(images, scene, time);
     }
 
-    /// What `prepare` made last, or nullptr.
+    /// The result of the last `prepare`, or nullptr.
     [[nodiscard]] const TextureObject* find(std::size_t index, Target target) const;
 
-    /// Forgets the texture objects that no unit of the scene names, whether it is on or off.
+    /// Deletes the texture objects that no unit of the scene names, whether the unit is on or off.
     void keepOnly(const Scene& scene);
 
-    /// Whether an upload has to go on with the next frame.
+    /// Whether an upload continues in the next frame.
     [[nodiscard]] bool isUploading() const;
 
-    /// Grows whenever a texture shows other texels than before.
+    /// Increases whenever a texture shows different texels.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
 private:

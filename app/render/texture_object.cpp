@@ -12,7 +12,7 @@ namespace texplorer::render {
 
 namespace {
 
-/// A format and the sized one by which the driver is asked for it.
+/// A format and the sized format that is requested from the driver.
 struct Sized {
     InternalFormat format;
     GLint name;
@@ -26,9 +26,9 @@ constexpr std::array sizedFormats{
     Sized{InternalFormat::Rgba, GL_RGBA8},
 };
 
-/// Eight bits a component on every driver (table 3.16) where the name alone leaves their number open. A
-/// format of few bits is asked for by its own name, whose numbers the pixels have already: a driver with more
-/// bits stores the same.
+/// Requests eight bits per component on every driver (table 3.16) where the name leaves the number open. A
+/// format with few bits is requested by its own name: the pixels have its precision already, so a driver with
+/// more bits stores the same values.
 GLint sizedFormat(InternalFormat format) {
     const auto* found = std::ranges::find(sizedFormats, format, &Sized::format);
     return found == sizedFormats.end() ? static_cast<GLint>(format) : found->name;
@@ -56,16 +56,16 @@ GLenum pixelType(PixelFormat format) {
     return format == PixelFormat::Depth32 ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE;
 }
 
-/// How many times slower the driver compresses than it copies.
+/// How much slower the driver compresses than it copies.
 constexpr std::size_t driverSlowness = 8;
 
-/// What glTexImage2D wants for it: a face has a target of its own.
+/// The target for glTexImage2D: each face has its own.
 GLenum imageTarget(Target target, int face) {
     return static_cast<GLenum>(target == Target::CubeMap ? static_cast<std::uint32_t>(cubeFaceAt(face))
                                                          : static_cast<std::uint32_t>(target));
 }
 
-/// Returns the name of the call, for a message. Without `pixels` the level is made, but has no content yet.
+/// Returns the name of the call, for messages. Without `pixels` the level is allocated, but not filled.
 const char* uploadImage(Target target, const TextureLevel& level, GLint stored, int border,
                         const std::byte* pixels) {
     const Image& image = std::get<Image>(*level.surface);
@@ -86,7 +86,7 @@ const char* uploadImage(Target target, const TextureLevel& level, GLint stored, 
     }
 }
 
-/// Some rows of a picture, or slices of a volume.
+/// Uploads some rows of a picture, or slices of a volume.
 const char* uploadRows(Target target, const TextureLevel& level, int first, int count) {
     const Image& image = std::get<Image>(*level.surface);
     const GLenum given = pixelFormat(image.format);
@@ -110,8 +110,8 @@ const char* uploadBlocks(Target target, const TextureLevel& level) {
     return "glCompressedTexImage2D";
 }
 
-/// Whether OpenGL takes it at all: faces that aren't square are an error, without which the texture is just
-/// as incomplete. So are levels whose base would be too large (OpenGL 2.1, section 3.8.1).
+/// Whether OpenGL accepts it: faces that are not square are an error, and the texture is incomplete anyway.
+/// So are levels whose base would be too large (OpenGL 2.1, section 3.8.1).
 bool isAccepted(Target target, const TextureLevel& level, int border) {
     const Surface& surface = level.surface;
     if (target == Target::CubeMap && widthOf(surface) != heightOf(surface))
@@ -125,14 +125,14 @@ bool isAccepted(Target target, const TextureLevel& level, int border) {
     return level.number == 0 || extent <= most >> level.number;
 }
 
-/// The levels of a texture that is bound, or of one of its faces.
-Result<void> readImages(GLenum aim, int face, int mostLevels, std::vector<TextureLevel>& levels) {
+/// Reads the levels of the bound texture, or of one of its faces.
+Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<TextureLevel>& levels) {
     const auto ask = [aim](GLint level, GLenum what) {
         GLint value = 0;
         glGetTexLevelParameteriv(aim, level, what, &value);
         return value;
     };
-    for (GLint level = 0; level < mostLevels; ++level) {
+    for (GLint level = 0; level < maxLevels; ++level) {
         const int width = ask(level, GL_TEXTURE_WIDTH);
         if (width == 0)
             continue;
@@ -191,7 +191,8 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
-    if (cursor.level == 0 && cursor.row == 0 && !levels.levels.empty()) // or Mesa makes room for all that fit
+    if (cursor.level == 0 && cursor.row == 0 &&
+        !levels.levels.empty()) // otherwise Mesa allocates all levels that fit
         glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, levels.levels.back().number);
     while (left > 0 && cursor.level < levels.levels.size()) {
         const TextureLevel& level = levels.levels[cursor.level];
@@ -200,11 +201,11 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
             continue;
         }
         const Image* image = std::get_if<Image>(&*level.surface);
-        const int axes = image ? axesOf(target) : 1; // blocks can't be uploaded in part
+        const int axes = image ? axesOf(target) : 1; // blocks cannot be uploaded in part
         const int rows = axes == 3 ? image->depth : axes == 2 ? image->height : 1;
         const std::size_t all = byteCount(level.surface);
         const char* call = nullptr;
-        // Where a border has been taken away by the driver, the place of a row is not what it was.
+        // If the driver has removed a border, the rows have moved.
         const bool whole = rows == 1 || levels.border != 0;
         if (cursor.row == 0 && (all <= left || whole)) {
             call = image ? uploadImage(target, level, stored, levels.border, image->pixels.data())
@@ -215,7 +216,7 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
             if (cursor.row == 0)
                 uploadImage(target, level, stored, 0, nullptr);
             const std::size_t perRow = std::max<std::size_t>(1, all / static_cast<std::size_t>(rows));
-            // Four rows at least, and a multiple of four: blocks can't be uploaded in part.
+            // At least four rows and a multiple of four: blocks cannot be uploaded in part.
             const int fitting = static_cast<int>(std::min<std::size_t>(left / perRow, 1U << 20)) / 4 * 4;
             const int count = std::min(std::max(4, fitting), rows - cursor.row);
             call = uploadRows(target, level, cursor.row, count);
@@ -253,7 +254,7 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     glTexParameteri(target_, GL_TEXTURE_COMPARE_FUNC, enumerant(texture.compareFunc));
     glTexParameteri(target_, GL_DEPTH_TEXTURE_MODE, enumerant(texture.depthMode));
     glTexParameterf(target_, GL_TEXTURE_PRIORITY, texture.priority);
-    if (maxAnisotropy > 1) // else the driver does not know the parameter
+    if (maxAnisotropy > 1) // otherwise the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         std::clamp(texture.maxAnisotropy, 1.0F, maxAnisotropy));
     applyErrors_.check(fmt::format("{}: glTexParameter", where));
@@ -267,11 +268,11 @@ Result<std::vector<TextureLevel>> TextureObject::read() const {
                   : target == Target::CubeMap ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
                                               : GL_MAX_TEXTURE_SIZE,
                   &largest);
-    const int mostLevels = mipLevelCount(largest, 1); // to ask for a level beyond is an error
+    const int maxLevels = mipLevelCount(largest, 1); // it is an error to query a level beyond
     std::vector<TextureLevel> levels;
     glBindTexture(target_, handle_.name());
     for (int face = 0; face < facesOf(target); ++face) {
-        if (Result<void> read = readImages(imageTarget(target, face), face, mostLevels, levels); !read)
+        if (Result<void> read = readImages(imageTarget(target, face), face, maxLevels, levels); !read)
             return fail(read.error());
     }
     GlErrors errors;

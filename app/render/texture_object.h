@@ -10,38 +10,38 @@
 
 namespace texplorer::render {
 
-/// How far an upload has got.
+/// The progress of an upload.
 struct UploadCursor {
-    std::size_t level = 0; ///< index of the next one
-    int row = 0;           ///< the next one of it; the next slice for a volume
+    std::size_t level = 0; ///< index of the next level
+    int row = 0;           ///< its next row; the next slice of a volume
 };
 
-/// A GL texture object: images that never change, and parameters that follow a Texture of the scene.
+/// A GL texture object: its images never change, its parameters follow a Texture of the scene.
 class TextureObject {
 public:
     TextureObject() = default;
 
-    /// One without levels yet, for `upload`.
+    /// Creates one without levels, for `upload`.
     explicit TextureObject(Target target);
 
-    /// Uploads every level to a new texture object: blocks as they are, pixels with the bits of the levels'
-    /// internal format, or compressed by the driver where the levels ask for it. GL errors are reported as
-    /// `where`.
+    /// Uploads every level to a new texture object: blocks unchanged, pixels with the precision of the
+    /// levels' internal format, or compressed by the driver if the levels request it. GL errors are reported
+    /// as `where`.
     TextureObject(Target target, const TextureLevels& levels, std::string_view where, GlErrors& errors);
 
-    /// Uploads about `bytes` more of the levels; driver's compression counts for its slowness. True where all
-    /// are there. `levels` must be the same with every call.
+    /// Uploads about `bytes` more of the levels; compression by the driver counts more. Returns true when all
+    /// are uploaded. `levels` must be the same with every call.
     [[nodiscard]] bool upload(const TextureLevels& levels, UploadCursor& cursor, std::size_t bytes,
                               std::string_view where, GlErrors& errors);
 
-    /// The one place where a Texture becomes glTexParameter calls; none where nothing changed. What GL
-    /// refused is reported every time.
+    /// The only place that turns a Texture into glTexParameter calls; makes none if nothing changed. Calls
+    /// that GL refused are reported every time.
     void apply(const Texture& texture, float maxAnisotropy, std::string_view where, GlErrors& errors);
 
     [[nodiscard]] GLuint name() const { return handle_.name(); }
 
-    /// The levels as the driver holds them: blocks where they are compressed, Depth32 of depths, else Rgba8;
-    /// those that are missing are left out. Binds the texture.
+    /// The levels as the driver holds them: blocks if they are compressed, Depth32 for depths, else Rgba8;
+    /// missing levels are left out. Binds the texture.
     [[nodiscard]] Result<std::vector<TextureLevel>> read() const;
 
 private:

@@ -25,7 +25,7 @@ unsigned TexturePreview::show(const Texture& texture, const ImageSource& images,
             return 0;
         }
     }
-    // The renderer reports the same errors about the texture itself.
+    // The renderer reports the same errors for the texture itself.
     const bool usable = live_.isCancelled() || live_.errors().sentences().empty();
     return usable ? live_.object().name() : 0;
 }

@@ -10,17 +10,17 @@
 
 namespace texplorer::render {
 
-/// A PreviewPicture as a texture: its internal format as in the scene, nearest filtering, edges clamped.
-/// Belongs to the context that is current, on its thread, and must be destroyed before that.
+/// A PreviewPicture as a texture: internal format as in the scene, nearest filtering, edges clamped. Belongs
+/// to the current context and its thread, and must be destroyed before the context.
 class TexturePreview {
 public:
-    /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
-    /// refused it. Uploads only what changed.
-    /// With `levels` it may be the picture of before, or 0, until it is made and uploaded.
+    /// The name of a 2D texture, valid until the next call; 0 if the image is not available or GL refused it.
+    /// Uploads only changes. With `levels` it may be the previous picture, or 0, until the new one is made
+    /// and uploaded.
     [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images,
                                 LevelsSource* levels = nullptr);
 
-    /// Whether an upload has to go on with the next frame.
+    /// Whether an upload continues in the next frame.
     [[nodiscard]] bool isUploading() const { return live_.isUploading(); }
 
 private:

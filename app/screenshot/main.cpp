@@ -98,22 +98,21 @@ int main(int argc, char** argv) {
     sayCrashes();
     watchInterrupts();
     CommandLine line("texshot", TEXPLORER_VERSION,
-                     "Texplorer without a display: draw scenes, look into texture files.");
+                     "Texplorer without a display: draw scenes, inspect texture files.");
     line.footer(fmt::format(
-        "The images of a scene may take {} together once they are decoded; a file that several textures name "
-        "counts once.\n"
-        "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call, "
-        "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\n"
-        "A file appears as a whole or not at all, its folder is made where it is missing, and no output takes the "
-        "place of an input or of another output.\n"
-        "An option without effect gets a note. Where a call with --json fails, the document has \"error\", the first "
-        "sentence on standard error.\n"
+        "The decoded images of a scene may take {} together; a file used by several textures counts once.\n"
+        "Exit status: 0 done, 1 it failed (with one sentence on standard error), 2 invalid arguments, 130 "
+        "ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\n"
+        "Files are written completely or not at all, missing folders are created, and no output may "
+        "overwrite an input or another output.\n"
+        "An option without effect gets a note. If a call with --json fails, the document has \"error\", "
+        "the first sentence on standard error.\n"
         "\"texshot help COMMAND\" explains each command.",
         sceneImageBytesText()));
     line.everywhere("--quiet", loudness().quiet,
-                    "No warnings, notes and progress on standard error; errors stay.");
+                    "Don't print warnings, notes and progress on standard error; errors are printed.");
     line.everywhere("--verbose", loudness().verbose,
-                    "Say on standard error what is done: files with their sizes, the driver, the time.",
+                    "Print the files with their sizes, the driver and the time on standard error.",
                     "--quiet");
     for (const auto& [title, commands] : groups) {
         line.group(title);
@@ -128,7 +127,7 @@ int main(int argc, char** argv) {
     try {
         status = perform(line, argc, argv, start);
     } catch (const std::bad_alloc&) {
-        complain({ErrorCode::TooLarge, "there is not enough memory for this", {}});
+        complain({ErrorCode::TooLarge, "not enough memory for this", {}});
     } catch (const std::exception& error) { // still one sentence and an exit status
         complain({ErrorCode::Unsupported, reasonOf(error), {}});
     }

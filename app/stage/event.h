@@ -1,7 +1,6 @@
 #pragma once
 
-// What happens to a window, as values, in the order in which it happened. Every host makes them of what it is
-// told.
+// Events of a window as values, in their order. Every host creates them from its own events.
 
 #include "app/stage/surface.h"
 
@@ -11,7 +10,7 @@
 
 namespace texplorer::stage {
 
-/// Which of these keys are held, on either side of the keyboard, once the event that names them has happened.
+/// The modifier keys that are held, on either side of the keyboard, after the event.
 struct Modifiers {
     bool control = false;
     bool shift = false;
@@ -26,7 +25,7 @@ struct PointerMoved {
     float x = 0;
     float y = 0;
 };
-/// Out of the window. While a button is held, what follows it goes on.
+/// The pointer has left the window. While a button is held, events of the pointer continue.
 struct PointerLeft {};
 
 struct ButtonChanged {
@@ -35,7 +34,7 @@ struct ButtonChanged {
     Modifiers modifiers{};
 };
 
-/// In notches: y above 0 away from the hand, x above 0 to the left.
+/// In notches: y above 0 is away from the user, x above 0 is to the left.
 struct WheelTurned {
     float x = 0;
     float y = 0;
@@ -45,7 +44,7 @@ struct WheelTurned {
 struct KeyChanged {
     enum class Kind { Press, Repeat, Release };
     Kind kind = Kind::Press;
-    int code = 0; ///< as in app/ui/widgets/keys.h; others than these are ignored
+    int code = 0; ///< as in app/ui/widgets/keys.h; other keys are ignored
     Modifiers modifiers{};
 };
 
@@ -53,12 +52,12 @@ struct TextEntered {
     char32_t character = 0;
 };
 
-/// Of the keyboard.
+/// The window got or lost the keyboard.
 struct FocusChanged {
     bool focused = false;
 };
 
-/// What the panels are told.
+/// The events that the panels receive.
 using Input = std::variant<PointerMoved, PointerLeft, ButtonChanged, WheelTurned, KeyChanged, TextEntered,
                            FocusChanged>;
 
@@ -73,7 +72,7 @@ struct FilesDropped {
 /// The user wants to close the window.
 struct CloseAsked {};
 
-/// What is shown may be out of date: a worker has news, or the window was covered.
+/// The window may be out of date: a worker has a result, or the window was covered.
 struct Refresh {};
 
 using Event = std::variant<Input, SurfaceChanged, FilesDropped, CloseAsked, Refresh>;

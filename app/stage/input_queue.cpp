@@ -16,18 +16,18 @@ namespace {
 
 namespace key = ui::key;
 
-constexpr PointerMoved nowhere{-FLT_MAX, -FLT_MAX}; // as Dear ImGui says it
+constexpr PointerMoved nowhere{-FLT_MAX, -FLT_MAX}; // Dear ImGui's value for no position
 
 bool isModifier(int code) {
     return code >= key::firstModifier && code <= key::lastModifier;
 }
 
-/// Enter, the arrows, Backspace …: keys that mean something else than a letter to a text field.
+/// Enter, the arrows, Backspace …: keys that a text field uses as commands, not as letters.
 bool isFunction(int code) {
     return code >= key::escape && !isModifier(code);
 }
 
-/// What a frame has been given so far. Each `take` says whether there is room for one more, and then has it.
+/// The input of the current frame. Each `take` returns whether there was room for one more input.
 class FrameInput {
 public:
     explicit FrameInput(const InputState& before)
@@ -62,8 +62,8 @@ public:
 
     bool take(const KeyChanged& event) {
         if (event.kind == KeyChanged::Kind::Repeat)
-            return true; // Dear ImGui repeats by itself; a frame for each, and a slow window lags behind the
-                         // hand
+            return true; // Dear ImGui repeats keys itself; with one frame for each, a slow window would lag
+                         // behind
         if (pressed_ || turned_ || !modify(event.modifiers))
             return false;
         const bool modifier = isModifier(event.code);
@@ -91,12 +91,12 @@ public:
     bool take(const FocusChanged& /*event*/) {
         if (moved_ || pressed_ || turned_ || anyKey_ || anyText_ || modified_)
             return false;
-        focus_ = true; // keys are let go with it: those that follow are another frame's
+        focus_ = true; // it releases the keys: those that follow belong to another frame
         return true;
     }
 
 private:
-    /// A frame has one state of the modifiers: that of everything in it.
+    /// A frame has one state of the modifiers, for all of its events.
     bool modify(const Modifiers& modifiers) {
         if (focus_ || (modifiers != modifiers_ && (pressed_ || turned_ || anyKey_ || anyText_)))
             return false;
@@ -113,9 +113,9 @@ private:
     bool pressed_ = false; ///< a button has changed
     bool turned_ = false;
     bool anyKey_ = false;          ///< other than a modifier
-    bool functionPressed_ = false; ///< one of those that are no letters
+    bool functionPressed_ = false; ///< a key that is not a letter
     bool anyText_ = false;
-    bool modified_ = false; ///< a modifier has changed: what follows is no text
+    bool modified_ = false; ///< a modifier has changed: what follows is not text
     bool focus_ = false;
 };
 
@@ -173,14 +173,14 @@ void InputQueue::add(const Input& input) {
         waiting_.push_back(input);
 }
 
-/// A hidden or slow window may not look for long.
+/// A hidden or slow window may not read its input for a long time.
 bool InputQueue::join(const Input& input) {
     const auto* key = std::get_if<KeyChanged>(&input);
     if (key && key->kind == KeyChanged::Kind::Repeat) // Dear ImGui repeats by itself
         return true;
     if (waiting_.empty() || waiting_.back().index() != input.index())
         return false;
-    if (std::holds_alternative<PointerMoved>(input)) { // where it was on its way is of no interest
+    if (std::holds_alternative<PointerMoved>(input)) { // the places in between do not matter
         waiting_.back() = input;
         return true;
     }
@@ -200,11 +200,11 @@ bool InputQueue::isTooMuch(const Input& input) {
         return false;
     if (press && !isDown(input))
         return std::erase(dropped_, *press) > 0;
-    const auto most = isText || ImGui::GetIO().WantTextInput ? mostTyped : mostPresses;
+    const auto max = isText || ImGui::GetIO().WantTextInput ? maxTyped : maxPresses;
     const auto isLikeIt = [&](const Input& each) {
         return isText ? std::holds_alternative<TextEntered>(each) : pressOf(each) && isDown(each);
     };
-    if (waiting_.size() < most || static_cast<std::size_t>(std::ranges::count_if(waiting_, isLikeIt)) < most)
+    if (waiting_.size() < max || static_cast<std::size_t>(std::ranges::count_if(waiting_, isLikeIt)) < max)
         return false;
     if (press)
         dropped_.push_back(*press);

@@ -8,12 +8,11 @@
 
 namespace texplorer::stage {
 
-/// What Dear ImGui knows of the input when a frame begins.
+/// Dear ImGui's state of the input at the beginning of a frame.
 struct InputState {
     PointerMoved pointer;
     Modifiers modifiers;
-    bool typing =
-        false; ///< a text field has the keyboard and Control is up: letters count as text, not as keys
+    bool typing = false; ///< a text field has the keyboard and Control is up: letters are text, not keys
 };
 
 /// Dear ImGui 1.86 looks at mouse and keyboard once a frame: a key or a button that goes down and up in
@@ -24,7 +23,7 @@ struct InputState {
 ///   - What a click leads to (a text field, a list) is there before keys and text arrive.
 [[nodiscard]] std::size_t inputsForOneFrame(const std::deque<Input>& waiting, const InputState& before);
 
-/// A key or a button.
+/// A change of a key or a button.
 struct Press {
     bool isKey;
     int code;
@@ -32,18 +31,18 @@ struct Press {
     bool operator==(const Press&) const = default;
 };
 
-/// The inputs on their way to Dear ImGui, whose context must be current.
+/// Queues input for Dear ImGui, whose context must be current.
 class InputQueue {
 public:
-    /// What arrives faster than frames are drawn is joined where nothing is lost by it: moves, turns of the
-    /// wheel, the repetitions of a key. More than mostPresses keys and buttons are not remembered, nor more
-    /// than mostTyped while a text is typed: a window that is so far behind the hand must not fall further.
+    /// Input that arrives faster than frames are drawn is joined if nothing is lost: moves, turns of the
+    /// wheel, repeated keys. At most maxPresses keys and buttons are kept, and at most maxTyped while text is
+    /// typed, so that a slow window does not fall further behind.
     void add(const Input& input);
-    static constexpr std::size_t mostPresses = 64;
-    static constexpr std::size_t mostTyped = 4096;
+    static constexpr std::size_t maxPresses = 64;
+    static constexpr std::size_t maxTyped = 4096;
     [[nodiscard]] bool empty() const { return waiting_.empty(); }
 
-    /// Gives Dear ImGui what one frame can take. Right before ImGui::NewFrame.
+    /// Passes to Dear ImGui what one frame can take. Call it right before ImGui::NewFrame.
     void feed();
 
 private:
@@ -52,8 +51,8 @@ private:
     [[nodiscard]] bool isTooMuch(const Input& input);
 
     std::deque<Input> waiting_;
-    std::vector<Press> dropped_; ///< whose ends are dropped as well
-    bool outside_ = false;       ///< the pointer has left while a button was held
+    std::vector<Press> dropped_; ///< their releases are dropped as well
+    bool outside_ = false;       ///< the pointer has left the window while a button was held
 };
 
 } // namespace texplorer::stage

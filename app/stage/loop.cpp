@@ -12,10 +12,11 @@
 namespace texplorer::stage {
 namespace {
 
-constexpr int settlingFrames = 3;    // Dear ImGui needs these after an input until everything has its place
-constexpr double caretSeconds = 0.4; // how often a blinking text cursor is drawn
-constexpr double longestStep = 0.1;  // seconds of animation in one frame, after the window was hidden or busy
-constexpr double firstFrame = 1.0 / 60; // seconds that the first frame is taken to have lasted
+constexpr int settlingFrames = 3;    // frames that Dear ImGui needs after an input until the layout is final
+constexpr double caretSeconds = 0.4; // the interval of drawing a blinking text cursor
+constexpr double maxStep =
+    0.1; // limit of the animation's step in seconds, after the window was hidden or busy
+constexpr double firstFrame = 1.0 / 60; // the assumed time of the first frame in seconds
 
 bool isSeen(const Surface& surface) {
     return surface.visible && surface.pixels.width > 0 && surface.pixels.height > 0;
@@ -39,7 +40,7 @@ Loop::Loop(Graphics& graphics, ui::Session& session, const Surface& surface, Cli
         return loop.pasted_.c_str();
     };
     io.SetClipboardTextFn = [](void* self, const char* text) {
-        // A terminal that it is pasted into obeys no control character from outside.
+        // Control characters are removed: a terminal would obey them when the text is pasted.
         static_cast<Loop*>(self)->clipboard_.write(printable(text, LineBreaks::Keep));
     };
 }
@@ -73,10 +74,10 @@ Step Loop::step(double now, const std::vector<Event>& events) {
 
     if (ui::receiveFiles(session_))
         settling_ = settlingFrames;
-    if (!input_.empty()) // the last of it, too, is followed by frames
+    if (!input_.empty()) // frames follow even the last input
         settling_ = settlingFrames;
     if (!first)
-        ui::advance(session_, std::min(seconds, longestStep));
+        ui::advance(session_, std::min(seconds, maxStep));
     const ui::Requests requests =
         stage_.draw(session_, surface_, static_cast<float>(seconds), [this] { input_.feed(); });
     if (requests.fading || requests.unfinished)

@@ -11,27 +11,27 @@
 
 namespace texplorer::stage {
 
-/// What a host is to do after a step.
+/// The result of a step, for the host.
 struct Step {
-    /// When to call again if nothing happens before, in seconds on the clock of `now`. What is not later than
-    /// `now`: as soon as the display can take another picture. Nothing: when something happens.
+    /// When to call again if no event arrives, in seconds on the clock of `now`. Not later than `now`: as
+    /// soon as the display can take another picture. Nothing: at the next event.
     std::optional<double> wake;
-    bool drawn = false;      ///< there is a new picture in the framebuffer
-    bool unfinished = false; ///< the next frame differs, without anything that happens
+    bool drawn = false;      ///< the framebuffer has a new picture
+    bool unfinished = false; ///< the next frame differs even without an event
     bool quit = false;       ///< the user has closed the window, and decided about unsaved changes
-    std::string title{};     ///< of the window; only where it was drawn
-    ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow; ///< what the pointer should look like; likewise
+    std::string title{};     ///< of the window; only if a picture was drawn
+    ImGuiMouseCursor cursor =
+        ImGuiMouseCursor_Arrow; ///< the shape of the pointer; only if a picture was drawn
 };
 
-/// The text that one program leaves for another. Without functions the window keeps its own.
+/// The clipboard of the system. Without functions the window keeps its own text.
 struct Clipboard {
     std::function<std::string()> read;
     std::function<void(const std::string& text)> write;
 };
 
-/// The whole program but for its host: a host waits for events and for the time, calls `step`, and shows what
-/// was drawn. Whether it is GLFW, OSMesa or a test makes no difference here. All on the thread of the
-/// graphics.
+/// The whole program except its host. A host waits for events and for the time, calls `step`, and shows the
+/// picture; it can be GLFW, OSMesa or a test. Call everything on the thread of the graphics.
 class Loop {
 public:
     /// `graphics` and `session` must outlive it.
@@ -40,11 +40,11 @@ public:
     Loop& operator=(const Loop&) = delete;
     ~Loop();
 
-    /// What has happened since the last call, in that order, and one frame. `now` is in seconds on a clock
-    /// that only goes forwards. Nothing is drawn while nobody sees it.
+    /// Processes the events since the last call, in their order, and draws one frame. `now` is in seconds on
+    /// a monotonic clock. Draws nothing while the window is not visible.
     [[nodiscard]] Step step(double now, const std::vector<Event>& events);
 
-    /// What the renderers said of the last frame's scene.
+    /// The renderers' problems with the scene in the last frame.
     [[nodiscard]] const std::vector<std::string>& problems() const { return stage_.problems(); }
 
 private:
@@ -55,10 +55,10 @@ private:
     Surface surface_;
     Stage stage_;
     Clipboard clipboard_;
-    std::string pasted_; ///< what Dear ImGui was given last
+    std::string pasted_; ///< the text that Dear ImGui got last
     InputQueue input_;
-    int settling_;               ///< frames that are still to be drawn until everything has its place
-    std::optional<double> last_; ///< when the last step was
+    int settling_;               ///< frames to draw until the layout is final
+    std::optional<double> last_; ///< the time of the last step
 };
 
 } // namespace texplorer::stage

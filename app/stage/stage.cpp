@@ -20,9 +20,9 @@
 namespace texplorer::stage {
 namespace {
 
-constexpr float shortestFrame = 1e-4F; // seconds: Dear ImGui wants its time to go on
+constexpr float minFrameSeconds = 1e-4F; // seconds: Dear ImGui requires a positive time step
 
-/// What was asked for as a picture, as it has just been drawn.
+/// Writes the requested picture from the frame that was just drawn.
 void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame& view, view::Size window) {
     const std::optional<ui::Capture> wanted = std::exchange(session.window.wantedCapture, std::nullopt);
     if (!wanted || !session.services.captures)
@@ -32,7 +32,7 @@ void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame&
     if (view.image)
         return session.services.captures->write("texplorer-view", Image(*view.image));
     if (view.renderer == RendererKind::Reference)
-        return ui::say(session, "The reference still draws; the view can be written when it is done.");
+        return ui::say(session, "The reference is still drawing. The view can be written when it is done.");
     Result<Image> image = graphics.read(view.renderer, view.side);
     if (!image)
         return ui::say(session, image.error());
@@ -41,7 +41,7 @@ void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame&
 
 } // namespace
 
-/// Dear ImGui, as the host draws it.
+/// Dear ImGui with the host's graphics.
 class HostedPanels {
 public:
     HostedPanels(Graphics& graphics, float scale)
@@ -60,7 +60,7 @@ public:
     HostedPanels(const HostedPanels&) = delete;
     HostedPanels& operator=(const HostedPanels&) = delete;
 
-    /// Sentences about what can't be had, such as letters that no font has.
+    /// Returns sentences about missing things, such as letters that no font has.
     [[nodiscard]] std::string setLook(float scale, const ui::Settings& settings, ui::Language system) {
         const ui::Language language = settings.language == ui::Language::System ? system : settings.language;
         std::string problem;
@@ -81,7 +81,7 @@ public:
         return problem;
     }
 
-    /// Whether it has letters that the next frame will have.
+    /// Whether it has letters that the next frame will provide.
     [[nodiscard]] bool lacksLetters(const ImDrawData& drawn) {
         lacksLetters_ = letters_.look(drawn);
         return lacksLetters_;
@@ -93,8 +93,8 @@ private:
         ui::useCatalogue(nullptr);
         catalogue_.reset();
         if (!ui::hasLettersOf(language))
-            return "No font with Chinese letters was found that can be read. Install fonts-droid-fallback or fonts-wqy-microhei, "
-                   "and start Texplorer again.";
+            return "No readable font with Chinese characters was found. Install fonts-droid-fallback or "
+                   "fonts-wqy-microhei and restart Texplorer.";
         Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(language);
         if (!catalogue)
             return fmt::format("The window stays in English: {}.", describe(catalogue.error()));
@@ -167,7 +167,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(surface.size.width), static_cast<float>(surface.size.height)};
     io.DisplayFramebufferScale = {density, density};
-    io.DeltaTime = std::max(seconds, shortestFrame);
+    io.DeltaTime = std::max(seconds, minFrameSeconds);
     if (feedInput)
         feedInput();
     ImGui::NewFrame();

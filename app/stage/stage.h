@@ -11,11 +11,11 @@
 
 namespace texplorer::stage {
 
-/// Draws whole frames, the scene first and the panels around it, when its Loop says so. Owns the Dear ImGui
-/// context; one a process, on the thread of the graphics.
+/// Draws whole frames, the scene first and then the panels, for its Loop. Owns the Dear ImGui context: one
+/// per process, on the thread of the graphics.
 class Stage {
 public:
-    /// `graphics` must outlive the stage. `scale` is that of the monitor's content.
+    /// `graphics` must outlive the stage. `scale` is the monitor's content scale.
     Stage(Graphics& graphics, float scale);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
@@ -23,12 +23,12 @@ public:
     Stage& operator=(Stage&&) noexcept;
     ~Stage();
 
-    /// One frame, `seconds` after the last one; between two frames the scale may change. `feedInput` is
-    /// called right before ImGui::NewFrame, with the display size already set.
+    /// Draws a frame, `seconds` after the last one; the scale may change between frames. `feedInput` is
+    /// called right before ImGui::NewFrame, after the display size was set.
     ui::Requests draw(ui::Session& session, const Surface& surface, float seconds,
                       const std::function<void()>& feedInput = {});
 
-    /// What the renderers said of the last frame's scene.
+    /// The renderers' problems with the scene in the last frame.
     [[nodiscard]] const std::vector<std::string>& problems() const;
 
 private:

@@ -7,7 +7,7 @@
 namespace texplorer::stage {
 namespace {
 
-constexpr int looks = 4; // along each side of a pixel of the small picture
+constexpr int looks = 4; // samples along each side of a pixel of the small picture
 
 /// The middle of the n-th of `count` equal parts.
 int middleOf(int part, int count, int length) {

@@ -5,11 +5,11 @@
 
 namespace texplorer::stage {
 
-/// How large the pictures of the history's steps are at most.
+/// The maximum size of the pictures in the history.
 inline constexpr view::Size stepPictureSize{96, 60};
 
-/// A small picture of what the view shows (Rgba8), opaque, its shape kept; it is looked at here and there, so
-/// that a large picture takes no longer than a small one. An empty one stays empty.
+/// A small, opaque picture of the view (Rgba8) with the same shape. It samples some pixels only, so that a
+/// large picture takes no longer than a small one. An empty picture stays empty.
 [[nodiscard]] Image stepPicture(const Image& picture);
 
 } // namespace texplorer::stage

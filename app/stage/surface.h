@@ -4,12 +4,12 @@
 
 namespace texplorer::stage {
 
-/// Where a frame goes: the framebuffer that is bound while it is drawn.
+/// The target of a frame: the framebuffer that is bound while it is drawn.
 struct Surface {
-    view::Size size;     ///< in the units of the mouse, which on some systems are larger than pixels
+    view::Size size;     ///< in the units of the mouse, which are larger than pixels on some systems
     view::Size pixels;   ///< of the framebuffer
-    float scale = 1;     ///< of the monitor's content: how large text should be, in pixels
-    bool visible = true; ///< false: minimised, nobody sees it
+    float scale = 1;     ///< the monitor's content scale: the size of text in pixels
+    bool visible = true; ///< false: minimised or hidden
 
     bool operator==(const Surface&) const = default;
 };

@@ -37,7 +37,7 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     problems_.clear();
     shaders_.clear();
     for (const ui::ViewFrame& view : frames_) {
-        if (view.side == view::Side::Kept) // what is to be said is about what is now
+        if (view.side == view::Side::Kept) // problems are reported only for the current scene
             continue;
         addProblems(view.frame.problems);
         if (view.renderer == RendererKind::Shader)
@@ -47,14 +47,14 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
         std::ranges::find(frames_, RendererKind::Shader, &ui::ViewFrame::renderer) != frames_.end();
     const bool offered = session.window.view.offered.has(RendererKind::Shader);
     if (isShown(session.window.settings.workspace, ui::Tab::Glsl) && offered &&
-        !drawn) { // they are made while they draw
+        !drawn) { // they are made by drawing
         const view::Frame frame = drawLive(RendererKind::Shader, now, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
     }
 }
 
-/// The reference draws its own, on its own thread: where nothing else shows them, they aren't needed here.
+/// The reference draws its own on its thread: they are needed only if something else shows them.
 void ViewFrames::addLightDepths(const ui::Session& session) {
     const Texture* bound = ui::boundTexture(session);
     const auto isLive = [](RendererKind kind) { return kind != RendererKind::Reference; };
@@ -121,8 +121,8 @@ ui::ViewFrame ViewFrames::drawReference(const Subject& subject, ui::Session& ses
             subject.side};
 }
 
-/// Of the step of the history that the view shows, once it is whole and nobody holds a mouse button: a step
-/// that goes on will have another picture.
+/// Keeps the picture of the shown history step, once it is complete and no mouse button is held: while a step
+/// continues, its picture changes.
 void ViewFrames::keepStepPicture(ui::Session& session) {
     History& history = session.document.history;
     const ui::ViewFrame& view = frames_.front();

@@ -15,47 +15,47 @@
 
 namespace texplorer::stage {
 
-/// The pictures that the view shows, by whichever renderers it asks for.
+/// The pictures of the view, by all the renderers that it shows.
 class ViewFrames {
 public:
     /// `graphics` must outlive it.
     explicit ViewFrames(Graphics& graphics)
         : graphics_(graphics) {}
 
-    /// To be called once a frame, before the panels are drawn: the frames are valid until the next call.
+    /// Call once per frame, before the panels are drawn: the frames are valid until the next call.
     void draw(ui::Session& session, view::Size size);
 
-    /// The scene's images as they were drawn, with what the light sees.
+    /// The scene's images as they were drawn, including the light's view.
     [[nodiscard]] const ImageSource& images() const { return images_; }
 
-    /// In the order of ui::shownRenderers; with Arrangement::Kept A's is the last one. Never empty after
+    /// In the order of ui::shownRenderers; with Arrangement::Kept the last one is A's. Never empty after
     /// `draw`.
     [[nodiscard]] const std::vector<ui::ViewFrame>& frames() const { return frames_; }
 
-    /// Of the two that the session compares; nullptr: it doesn't, or one of them isn't whole.
+    /// The difference of the two compared frames; nullptr: none are compared, or one of them is not complete.
     [[nodiscard]] const ui::ViewDifference* difference() const {
         return difference_ ? &*difference_ : nullptr;
     }
 
-    /// Of each pass; empty where nobody looks at them.
+    /// The programs of each pass; empty if no panel shows them.
     [[nodiscard]] const std::vector<std::shared_ptr<const view::PassShader>>& shaders() const {
         return shaders_;
     }
 
-    /// What the renderers said, each sentence once.
+    /// The problems of all renderers, each sentence once.
     [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
-    /// Whether an upload has to go on with the next frame.
+    /// Whether an upload continues in the next frame.
     [[nodiscard]] bool isUnfinished() const;
 
 private:
-    /// Of one of the host's renderers, as they were read last.
+    /// The pixels of a host's renderer, as they were last read.
     struct Pixels {
         std::uint64_t revision = 0;
         std::shared_ptr<const Image> image;
     };
 
-    /// What is drawn for one of the sides.
+    /// The scene of one side.
     struct Subject {
         view::Side side;
         const Scene& scene;
@@ -78,7 +78,7 @@ private:
     std::map<std::pair<view::Side, RendererKind>, Pixels> pixels_;
     std::vector<ui::ViewFrame> frames_;
     std::optional<ui::ViewDifference> difference_;
-    std::array<std::shared_ptr<const Image>, 2> compared_; ///< what the difference was made of
+    std::array<std::shared_ptr<const Image>, 2> compared_; ///< the inputs of the difference
     std::shared_ptr<const Image> heatMap_;
     std::vector<std::string> problems_;
     std::vector<std::shared_ptr<const view::PassShader>> shaders_;

@@ -34,8 +34,8 @@ Result<ContextChoice> ContextChoice::parse(std::string_view text, std::string_vi
             return choice;
     }
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected auto, osmesa, egl, egl:surfaceless or egl: and the number of a device, "
-                            "found \"{}\"",
+                fmt::format("expected auto, osmesa, egl, egl:surfaceless or egl:N with the number of a "
+                            "device, found \"{}\"",
                             text),
                 std::string(where));
 }

@@ -16,25 +16,27 @@ namespace {
 constexpr std::array rows{
     PretenceRow{"no-multitexture", "one texture unit, as before OpenGL 1.3", 0, 0,
                 [](Capabilities& driver, int) { driver.textureUnits = std::min(driver.textureUnits, 1); }},
-    PretenceRow{"units=", "so many texture units", 1, maxUnits,
+    PretenceRow{"units=", "this number of texture units", 1, maxUnits,
                 [](Capabilities& driver, int number) {
                     driver.textureUnits = std::min(driver.textureUnits, number);
                 }},
-    PretenceRow{"max-texture-size=",
-                "1D and 2D textures of so many texels along an axis (GL_MAX_TEXTURE_SIZE)", 1, 16384,
+    PretenceRow{"max-texture-size=", "1D and 2D textures of at most this size (GL_MAX_TEXTURE_SIZE)", 1,
+                16384,
                 [](Capabilities& driver, int number) {
                     driver.maxTextureSize = std::min(driver.maxTextureSize, number);
                 }},
-    PretenceRow{"max-3d-texture-size=", "3D textures likewise (GL_MAX_3D_TEXTURE_SIZE)", 1, 16384,
+    PretenceRow{"max-3d-texture-size=", "3D textures of at most this size (GL_MAX_3D_TEXTURE_SIZE)", 1, 16384,
                 [](Capabilities& driver, int number) {
                     driver.max3DTextureSize = std::min(driver.max3DTextureSize, number);
                 }},
-    PretenceRow{"max-cube-map-size=", "faces of cube maps likewise (GL_MAX_CUBE_MAP_TEXTURE_SIZE)", 1, 16384,
+    PretenceRow{"max-cube-map-size=",
+                "faces of cube maps of at most this size "
+                "(GL_MAX_CUBE_MAP_TEXTURE_SIZE)",
+                1, 16384,
                 [](Capabilities& driver, int number) {
                     driver.maxCubeMapSize = std::min(driver.maxCubeMapSize, number);
                 }},
-    PretenceRow{"no-npot",
-                "widths and heights that are powers of two only (no GL_ARB_texture_non_power_of_two)", 0, 0,
+    PretenceRow{"no-npot", "sizes that are powers of two only (no GL_ARB_texture_non_power_of_two)", 0, 0,
                 [](Capabilities& driver, int) { driver.nonPowerOfTwo = false; }},
     PretenceRow{"no-s3tc", "no DXT1, DXT3 and DXT5 (no GL_EXT_texture_compression_s3tc)", 0, 0,
                 [](Capabilities& driver, int) { driver.s3tc = false; }},
@@ -42,14 +44,14 @@ constexpr std::array rows{
                 [](Capabilities& driver, int) { driver.rgtc = false; }},
     PretenceRow{"no-anisotropy", "no anisotropic filtering (no GL_EXT_texture_filter_anisotropic)", 0, 0,
                 [](Capabilities& driver, int) { driver.maxAnisotropy = 1; }},
-    PretenceRow{"max-anisotropy=", "an anisotropy of so much (GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)", 1, 16,
+    PretenceRow{"max-anisotropy=", "an anisotropy of at most this (GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)", 1, 16,
                 [](Capabilities& driver, int number) {
                     driver.maxAnisotropy = std::min(driver.maxAnisotropy, static_cast<float>(number));
                 }},
     PretenceRow{"no-seamless-cube-maps",
                 "cube maps whose faces end at their edges (no GL_ARB_seamless_cube_map)", 0, 0,
                 [](Capabilities& driver, int) { driver.seamlessCubeMaps = false; }},
-    PretenceRow{"no-shaders", "no GLSL 3.30, and so no shader renderer", 0, 0,
+    PretenceRow{"no-shaders", "no GLSL 3.30, so no shader renderer", 0, 0,
                 [](Capabilities& driver, int) { driver.shaders = false; }},
 };
 
@@ -64,7 +66,7 @@ Result<Pretence> Pretence::parse(const std::vector<std::string>& texts) {
     for (std::string_view text : texts) {
         for (bool more = true; more;) {
             const std::size_t end = std::min(text.find(','), text.size());
-            more = end < text.size(); // a comma at the end asks for one more
+            more = end < text.size(); // a comma at the end requires one more word
             if (const Result<void> added = pretence.add(text.substr(0, end)); !added)
                 return fail(added.error());
             text.remove_prefix(std::min(end + 1, text.size()));
@@ -120,7 +122,7 @@ Result<void> Pretence::add(std::string_view word) {
         return {};
     }
     return fail(ErrorCode::OutOfRange,
-                fmt::format("no driver lacks {}; {}", inQuotes(word), suggestName(name, names)), option);
+                fmt::format("{} cannot be taken away; {}", inQuotes(word), suggestName(name, names)), option);
 }
 
 std::vector<std::string> pretenceWords() {
@@ -136,9 +138,7 @@ std::string pretenceHelp() {
         words +=
             fmt::format("{}{}{}: {}", words.empty() ? "" : "; ", row.word, row.high > 0 ? "N" : "", row.help);
     return fmt::format(
-        "Treat the driver as if it lacked something that it has, as old ones do: {}. Several with commas "
-        "between them.",
-        words);
+        "Treat the driver like an older one that lacks a feature: {}. Separate several with commas.", words);
 }
 
 } // namespace texplorer::view

@@ -1,8 +1,8 @@
 #pragma once
 
-// A driver that is treated as if it lacked something: what --pretend takes. What old hardware could not do is
-// then drawn, said and mended on new hardware as on the old. The reference, which draws as the specification
-// says, asks no driver and pretends nothing.
+// A driver that is treated as if it lacked features: the option --pretend. The window then draws, reports and
+// fixes on new hardware what old hardware could not do. The reference draws as the specification says and
+// ignores it.
 
 #include "app/view/capabilities.h"
 #include "core/base/result.h"
@@ -14,29 +14,29 @@
 
 namespace texplorer::view {
 
-/// Something that a driver can lack.
+/// A feature that a driver can lack.
 struct PretenceRow {
     std::string_view word; ///< "no-s3tc"; "units=" is followed by a number
     std::string_view help;
     int low;  ///< of the number
     int high; ///< 0: there is no number
-    /// Takes it away; never gives what the driver lacks itself.
+    /// Removes the feature; never adds one that the driver lacks.
     void (*limit)(Capabilities& capabilities, int number);
 };
 
 [[nodiscard]] std::span<const PretenceRow> pretenceRows();
 
-/// What is pretended, all of it together.
+/// All pretended limits together.
 class Pretence {
 public:
-    /// Of words with commas between them. The error is about "--pretend": an unknown word, or a number that
-    /// is missing, superfluous or out of range.
+    /// Parses words separated by commas. The error is about "--pretend": an unknown word, or a number that is
+    /// missing, superfluous or out of range.
     [[nodiscard]] static Result<Pretence> parse(const std::vector<std::string>& texts);
 
-    /// The driver as it is treated.
+    /// The driver's capabilities with the limits applied.
     [[nodiscard]] Capabilities of(Capabilities driver) const;
 
-    /// As parse() takes it: "no-s3tc,units=2". Empty: nothing is pretended.
+    /// In the format of parse(): "no-s3tc,units=2". Empty: nothing is pretended.
     [[nodiscard]] std::string text() const;
 
 private:
@@ -51,10 +51,10 @@ private:
     std::vector<Lack> lacks_;
 };
 
-/// The words that parse() takes; what a number follows ends in =.
+/// The words that parse() accepts; those with a number end in =.
 [[nodiscard]] std::vector<std::string> pretenceWords();
 
-/// For --help: what the option does, and its words.
+/// For --help: describes the option and its words.
 [[nodiscard]] std::string pretenceHelp();
 
 } // namespace texplorer::view

@@ -4,7 +4,7 @@
 
 namespace texplorer::view {
 
-/// Of a comparison in time: what the document shows now, or what was kept of it as A.
+/// The sides of a comparison in time: the current document, or the kept state A.
 enum class Side : std::uint8_t { Now, Kept };
 
 } // namespace texplorer::view

@@ -6,7 +6,7 @@
 
 namespace texplorer::view {
 
-/// Of a picture or a window.
+/// The size of a picture or a window.
 struct Size {
     int width = 0;
     int height = 0;
@@ -15,7 +15,7 @@ struct Size {
 
 /// "640 x 480"
 [[nodiscard]] inline std::string asText(Size size) {
-    return fmt::format("{} x {}", size.width, size.height);
+    return fmt::format("{} × {}", size.width, size.height);
 }
 
 } // namespace texplorer::view

@@ -51,7 +51,7 @@ public:
         try {
             return put(opaqueFrame(picture), duration);
         } catch (const std::bad_alloc&) {
-            return fail(ErrorCode::TooLarge, "PNG: there is no memory for the animation");
+            return fail(ErrorCode::TooLarge, "PNG: not enough memory for the animation");
         }
     }
 
@@ -98,10 +98,10 @@ private:
         }
         ++frames_;
         last_ = std::move(frame);
-        if (file_.size() > mostAnimationBytes)
+        if (file_.size() > maxAnimationBytes)
             return fail(ErrorCode::TooLarge,
                         fmt::format("PNG: with {} pictures it would be larger than {} bytes", frames_,
-                                    mostAnimationBytes));
+                                    maxAnimationBytes));
         return {};
     }
 

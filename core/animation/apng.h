@@ -6,8 +6,9 @@
 
 namespace texplorer::animation {
 
-/// An animated PNG (ISO/IEC 15948:2025, section 4.9): the first picture is what a viewer of plain PNG shows.
-/// Of the others what has changed is written, as a rectangle; nothing is lost. Packed as encodePng does.
+/// An encoder for animated PNG (ISO/IEC 15948:2025, section 4.9). Viewers without animation show the first
+/// picture. Of each later picture, only the rectangle that changed is written, without loss. Compressed as by
+/// encodePng.
 [[nodiscard]] std::unique_ptr<Encoder> apngEncoder(const Settings& settings);
 
 } // namespace texplorer::animation

@@ -7,7 +7,7 @@
 namespace texplorer::animation {
 namespace {
 
-constexpr std::size_t mostColors = 256;
+constexpr std::size_t maxEntries = 256;
 
 // How much of the error goes on. With all of it, flat ground between two colours comes out right on average
 // and noisy; with none of it, in bands.
@@ -134,7 +134,7 @@ IndexedPicture indexed(const OpaqueFrame& now, const OpaqueFrame* before) {
         static_cast<std::size_t>(picture.rect.width) * static_cast<std::size_t>(picture.rect.height);
     const std::vector<std::uint32_t> pixels = changedPixels(now, before, picture.rect);
     const bool keeps = pixels.size() < area;
-    picture.palette = paletteFor(pixels, mostColors - (keeps ? 1 : 0));
+    picture.palette = paletteFor(pixels, maxEntries - (keeps ? 1 : 0));
     if (keeps)
         picture.nothing = static_cast<std::uint8_t>(picture.palette.size());
     picture.indices.resize(area);

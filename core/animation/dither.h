@@ -5,11 +5,11 @@
 
 namespace texplorer::animation {
 
-/// A rectangle of a picture by the numbers of its colours, row by row from the top.
+/// A rectangle of a picture as palette indices, row by row from the top.
 struct IndexedPicture {
     FrameRect rect;
-    Palette palette;                     ///< at most 256 with the one that stands for nothing
-    std::optional<std::uint8_t> nothing; ///< its number: what was there before stays
+    Palette palette;                     ///< at most 256 colours, including the transparent one
+    std::optional<std::uint8_t> nothing; ///< the transparent index: the previous pixel stays
     std::vector<std::uint8_t> indices;
 
     [[nodiscard]] const std::uint8_t* row(int y) const {
@@ -17,10 +17,10 @@ struct IndexedPicture {
     }
 };
 
-/// A picture in 256 colours of its own. `before`: the one that is shown then, whose pixels stay where the new
-/// ones are the same; nullptr: none is. What is lost of a pixel goes on to its neighbours, to right and left
-/// by turns (Floyd and Steinberg, 1976), but not all of it: what has gone far is noise. A picture of no more
-/// than 256 colours stays what it is.
+/// Converts a picture to a palette of at most 256 colours, which is made for this picture. `before` is the
+/// picture shown until then, or nullptr; pixels that are equal to it become transparent. The error of a pixel
+/// is spread to its neighbours, with alternating direction per row (Floyd and Steinberg, 1976), but only in
+/// part: error that travels far shows as noise. A picture of at most 256 colours is kept exactly.
 [[nodiscard]] IndexedPicture indexed(const OpaqueFrame& now, const OpaqueFrame* before);
 
 } // namespace texplorer::animation

@@ -10,18 +10,18 @@
 
 namespace texplorer::animation {
 
-/// What an animation is, all but its pictures.
+/// The settings of an animation.
 struct Settings {
     int width = 1;
     int height = 1;
-    int plays = 0;                    ///< how often it is shown; 0: for ever
-    int unitsPerSecond = 1000;        ///< in which durations are
-    std::optional<float> quality{};   ///< WebP: 0 to 100, with losses; none: without any
-    std::vector<PictureText> texts{}; ///< APNG, in front of the pixels
+    int plays = 0;                    ///< number of times that it is shown; 0: endless
+    int unitsPerSecond = 1000;        ///< units of durations, per second
+    std::optional<float> quality{};   ///< WebP: 0 to 100, lossy; empty: lossless
+    std::vector<PictureText> texts{}; ///< APNG: written before the pixels
 };
 
-/// Pictures in, one after the other, the file's bytes out. It keeps a picture or two beside what it has
-/// written. Used on one thread at a time.
+/// Encodes pictures one by one and returns the file's bytes. It stores one or two pictures in addition to the
+/// output. Not thread-safe.
 class Encoder {
 public:
     Encoder() = default;
@@ -29,16 +29,16 @@ public:
     Encoder& operator=(const Encoder&) = delete;
     virtual ~Encoder() = default;
 
-    /// An Rgba8 or Rgb8 image of the animation's size, shown as if it were opaque; `duration` in units, from
-    /// 1 to the format's most. Errors: TooLarge where the file would become larger than the format or memory
-    /// has room for.
+    /// Adds an Rgba8 or Rgb8 image of the animation's size; its alpha is ignored. `duration` is in units,
+    /// from 1 to the format's maximum. Error: TooLarge where the file would exceed the format's limit or the
+    /// memory.
     [[nodiscard]] virtual Result<void> add(const Image& picture, int duration) = 0;
 
-    /// The whole file, once, behind at least one picture.
+    /// Returns the whole file. Call it once, after at least one picture was added.
     [[nodiscard]] virtual Result<Bytes> finish() = 0;
 };
 
-/// The largest file that an encoder makes: all of it is in memory until it is written.
-inline constexpr std::size_t mostAnimationBytes = std::size_t{1} << 30;
+/// The largest file that an encoder makes: the file is in memory until it is written.
+inline constexpr std::size_t maxAnimationBytes = std::size_t{1} << 30;
 
 } // namespace texplorer::animation

@@ -7,18 +7,18 @@ namespace texplorer::animation {
 
 enum class Format { Gif, WebP, Apng };
 
-/// What a format of animations can.
+/// What a format of animations supports.
 struct FormatRow {
     Format format;
     std::string_view name;
     std::string_view extension;
-    int unitsPerSecond; ///< in which its files say how long a picture is shown
-    int mostUnits;      ///< for which one is shown
-    int mostPerSecond;  ///< pictures: what viewers go along with
-    int mostExtent;     ///< pixels, on each axis
+    int unitsPerSecond; ///< units of durations in its files, per second
+    int maxShownUnits;  ///< the longest duration of a picture, in units
+    int maxPerSecond;   ///< pictures per second that viewers can follow
+    int maxExtent;      ///< pixels along each axis
 };
 
-/// APNG's extension is PNG's. GIF: viewers take delays below two hundredths for a tenth.
+/// APNG files have the extension of PNG. GIF: viewers show a delay below two hundredths as a tenth.
 inline constexpr std::array formatRows{
     FormatRow{Format::Gif, "GIF", ".gif", 100, 65535, 50, 65535},
     FormatRow{Format::WebP, "WebP", ".webp", 1000, 0xffffff, 1000, 16383},
@@ -29,7 +29,7 @@ inline constexpr std::array formatRows{
     return formatRows[static_cast<std::size_t>(format)];
 }
 
-/// By the end of a name, in whatever case; nullptr: it names none.
+/// Finds the format by a file name's extension, in any case. Returns nullptr for an unknown one.
 [[nodiscard]] const FormatRow* formatOfName(std::string_view name);
 
 } // namespace texplorer::animation

@@ -5,9 +5,9 @@
 
 namespace texplorer::animation {
 
-/// How long each of `frames` pictures is shown that are `perSecond` apart and last `seconds` together, in
-/// units of which a second has `units`: what is rounded is when each begins, so that errors don't add up and
-/// the whole length is right to half a unit. At least 1 each.
+/// Returns the duration of each of `frames` pictures at `perSecond` pictures per second that last `seconds`
+/// together, in units of 1 / `units` seconds. The start times are rounded, not the durations, so errors do
+/// not add up and the total is exact to half a unit. Each duration is at least 1.
 [[nodiscard]] std::vector<int> durationsOf(std::size_t frames, double perSecond, double seconds, int units);
 
 } // namespace texplorer::animation

@@ -8,7 +8,7 @@
 
 namespace texplorer::animation {
 
-/// A picture as animations have it: without alpha, its top row first.
+/// A picture of an animation: no alpha, top row first.
 struct OpaqueFrame {
     int width = 0;
     int height = 0;
@@ -21,10 +21,10 @@ struct OpaqueFrame {
     }
 };
 
-/// Of an Rgba8 or Rgb8 image, whose alpha is passed over.
+/// Converts an Rgba8 or Rgb8 image; alpha is ignored.
 [[nodiscard]] OpaqueFrame opaqueFrame(const Image& image);
 
-/// Pixels from the top left.
+/// A rectangle of pixels, from the top left.
 struct FrameRect {
     int x = 0;
     int y = 0;
@@ -34,8 +34,8 @@ struct FrameRect {
     bool operator==(const FrameRect&) const = default;
 };
 
-/// The smallest rectangle that holds every pixel in which two pictures of the same size differ; nothing:
-/// there is none.
+/// Returns the smallest rectangle that holds every pixel that differs between two pictures of the same size.
+/// Empty where they are equal.
 [[nodiscard]] std::optional<FrameRect> changedRect(const OpaqueFrame& before, const OpaqueFrame& now);
 
 } // namespace texplorer::animation

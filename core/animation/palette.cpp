@@ -150,10 +150,10 @@ bool cutInTwo(const ColorCube& cube, Box& box, Box& half) {
     return true;
 }
 
-Palette cutPalette(const ColorCube& cube, std::size_t most) {
+Palette cutPalette(const ColorCube& cube, std::size_t maxColors) {
     std::vector<Box> boxes{Box{}};
     std::vector<double> errors{cube.in(boxes[0]).error()};
-    while (boxes.size() < most) {
+    while (boxes.size() < maxColors) {
         const auto worst = std::ranges::max_element(errors);
         if (*worst <= 0)
             break;
@@ -190,7 +190,7 @@ void refine(Palette& palette, const std::vector<Sums>& cells) {
 
 } // namespace
 
-Palette paletteFor(std::span<const std::uint32_t> pixels, std::size_t most) {
+Palette paletteFor(std::span<const std::uint32_t> pixels, std::size_t maxColors) {
     std::unordered_set<std::uint32_t> own;
     std::uint32_t last = 0; // which no pixel is
     for (const std::uint32_t pixel : pixels) {
@@ -198,16 +198,16 @@ Palette paletteFor(std::span<const std::uint32_t> pixels, std::size_t most) {
             continue;
         last = pixel;
         own.insert(pixel);
-        if (own.size() > most)
+        if (own.size() > maxColors)
             break;
     }
-    if (own.size() <= most) {
+    if (own.size() <= maxColors) {
         Palette palette(own.begin(), own.end());
         std::ranges::sort(palette); // the same file from the same pictures
         return palette;
     }
     const ColorCube cube(pixels);
-    Palette palette = cutPalette(cube, most);
+    Palette palette = cutPalette(cube, maxColors);
     refine(palette, cube.filled());
     std::ranges::sort(palette);
     const auto [rest, end] = std::ranges::unique(palette);

@@ -9,14 +9,15 @@ namespace texplorer::animation {
 /// Colours, 0xFFRRGGBB.
 using Palette = std::vector<std::uint32_t>;
 
-/// At most `most` colours for these pixels, 0xFFRRGGBB: their own where there are no more, else those with
-/// small squared errors. First by cutting the colour cube where it pays most (Xiaolin Wu, "Efficient
-/// Statistical Computations for Optimal Color Quantization", Graphics Gems II, 1991), then by moving each to
-/// the middle of those that are nearest to it (Lloyd's algorithm). Empty where there are no pixels.
-[[nodiscard]] Palette paletteFor(std::span<const std::uint32_t> pixels, std::size_t most);
+/// Returns at most `maxColors` colours for these pixels, as 0xFFRRGGBB: exactly the pixels' colours if they
+/// are few enough, else colours with small squared errors. The colour cube is cut where the error falls most
+/// (Xiaolin Wu, "Efficient Statistical Computations for Optimal Color Quantization", Graphics Gems II, 1991),
+/// then each colour is moved to the mean of the pixels nearest to it (Lloyd's algorithm). Empty for no
+/// pixels.
+[[nodiscard]] Palette paletteFor(std::span<const std::uint32_t> pixels, std::size_t maxColors);
 
-/// Which colour of a palette is nearest, quickly: known for cells of 4 x 4 x 4 values, as that of their
-/// middle, once one of them was asked for. A colour that the palette has is found as itself.
+/// Finds the nearest colour of a palette. Results are cached per cell of 4 x 4 x 4 values, for the cell's
+/// centre. Colours of the palette are found exactly.
 class NearestColor {
 public:
     explicit NearestColor(const Palette& palette);
@@ -32,7 +33,7 @@ private:
         int blue;
     };
     std::vector<Color> colors_;
-    std::vector<std::int16_t> cells_; ///< -1: not known yet
+    std::vector<std::int16_t> cells_; ///< -1: not computed yet
 };
 
 } // namespace texplorer::animation

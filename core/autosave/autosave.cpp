@@ -45,10 +45,10 @@ Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std
     state_->delay = std::chrono::duration<double>(delay).count();
     state_->clock = std::move(clock);
     try {
-        // Not by way of `state_`: it may be empty, on its way to the end, before the thread has begun.
+        // Not through `state_`: a move can leave it empty before the thread has started.
         state_->thread =
             std::jthread([state = state_.get()](const std::stop_token& stop) { state->work(stop); });
-    } catch (const std::system_error&) { // no thread to be had: the next call writes what is due
+    } catch (const std::system_error&) { // no thread available: the next call writes what is due
     }
 }
 
@@ -116,7 +116,7 @@ bool Autosave::State::writeAlone(bool& hasProblem) {
     if (!draft) {
         place.remove();
         const std::scoped_lock lock(mutex);
-        failing = false; // nothing is lost that nobody wants
+        failing = false; // the work that could not be written is not needed any more
         return true;
     }
     const Result<void> written = put(*draft);

@@ -10,39 +10,38 @@
 
 namespace texplorer {
 
-/// Keeps unsaved work on the disk, on a thread of its own: no call waits for it but `flush`, or where there
-/// is no thread to be had `keep` and `forget` of what is due. An edit is written at most `delay` after it was
-/// told, and the edits in between with it; what can't be written is tried again. Nobody is woken where
-/// nothing waits. All functions may be called by any thread.
+/// Stores unsaved work on disk, on a thread of its own. Calls do not block, except `flush`; without a thread,
+/// `keep` and `forget` write what is due. An edit is written at most `delay` after `keep` received it,
+/// together with the edits in between. Failed writes are tried again. The thread sleeps while there is
+/// nothing to write. Thread-safe.
 class Autosave {
 public:
-    /// With the time that the disk takes, an edit is safe two seconds after it was made.
+    /// Including the time of the disk, an edit is stored within two seconds.
     static constexpr std::chrono::milliseconds usualDelay{1000};
 
-    /// The draft lies in `folder`, which is made with the first draft. `wake` is called on the thread that
-    /// writes when there is a problem to take. `clock` is what the delay is measured on.
+    /// Drafts are stored in `folder`, which is created with the first draft. `wake` is called on the writing
+    /// thread when takeProblem has a new problem. `clock` measures the delay.
     explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {},
                       std::chrono::milliseconds delay = usualDelay, Clock clock = steadySeconds);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
-    /// Writes nothing more; what was written stays, for the next start.
+    /// Stops writing. Drafts that were written stay for the next start.
     ~Autosave();
 
-    /// This is the work that would be lost. Costs a comparison where it is what was told last.
+    /// Sets the work to store. Cheap if it equals that of the last call.
     void keep(const std::filesystem::path& file, const std::filesystem::path& folder, const Scene& scene,
               const std::string& fileHash = {});
-    /// A draft that is `told` already goes on as this one's own.
+    /// Continues an existing draft, whose content is `told`.
     void adopt(UnsavedPlace place, UnsavedScene told);
-    /// Nothing would be lost any more: the draft goes, at once.
+    /// Removes the draft at once: there is no unsaved work any more.
     void forget();
-    /// Writes what waits, now. False: it can't be written.
+    /// Writes pending work now. Returns false if it cannot be written.
     bool flush();
 
-    /// When `keep` or `forget` has to be called again, because no thread writes what is due. Nothing: it need
-    /// not.
+    /// Returns when `keep` or `forget` must be called again, because no thread writes. Empty: not needed.
     [[nodiscard]] std::optional<double> due() const;
 
-    /// Why the work can't be kept: once, until a draft has been written again.
+    /// Returns why the work cannot be stored. Returned once, until a draft has been written again.
     [[nodiscard]] std::optional<Error> takeProblem();
 
     [[nodiscard]] const std::filesystem::path& folder() const;

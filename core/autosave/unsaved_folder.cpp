@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* draftExtension = ".scene";
 constexpr const char* lockExtension = ".lock";
-constexpr std::size_t mostOrphans = 32;
+constexpr std::size_t maxOrphans = 32;
 
 fs::path lockOf(fs::path draft) {
     return draft.replace_extension(lockExtension);
@@ -69,7 +69,7 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     if (!file.valid())
         return refuse(errno);
     if (const int error = lockFile(file.get()); error != 0) {
-        if (make == Make::New && error != EWOULDBLOCK) // the file system knows no locks: nobody will sweep it
+        if (make == Make::New && error != EWOULDBLOCK) // no locks in this file system: it would stay
             ::unlink(path.c_str());
         return refuse(error);
     }
@@ -83,7 +83,7 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
 
 Result<UnsavedPlace> UnsavedPlace::create(const fs::path& folder) {
     if (folder.empty())
-        return fail(ErrorCode::NotFound, "neither XDG_STATE_HOME nor HOME names a folder for unsaved work");
+        return fail(ErrorCode::NotFound, "neither XDG_STATE_HOME nor HOME gives a folder for unsaved work");
     if (const Result<PrivateDirectory> made = PrivateDirectory::make(folder); !made)
         return fail(made.error());
     // A process that had this number before may have left a draft.
@@ -154,7 +154,7 @@ std::vector<Orphan> claimOrphans(const fs::path& folder) {
     std::ranges::sort(found, std::greater{}, &Found::written);
     std::vector<Orphan> orphans;
     for (const Found& each : found) {
-        if (orphans.size() == mostOrphans)
+        if (orphans.size() == maxOrphans)
             break;
         Result<UnsavedPlace> place = UnsavedPlace::lock(each.draft, UnsavedPlace::Make::Any);
         const bool isTaken = !place && place.error().code == ErrorCode::NotFound;

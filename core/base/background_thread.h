@@ -2,9 +2,9 @@
 
 namespace texplorer {
 
-/// The calling thread, and those that it starts from here on, give way to the others of the machine: where
-/// all processors are busy, they get about a tenth of what another thread gets. For long work beside a window
-/// that has to keep up with the display. Where the system has no such thing, nothing happens.
+/// Lowers the priority of the calling thread and of the threads that it starts afterwards: if all processors
+/// are busy, they get about a tenth of the time of other threads. For long work in a program that must keep
+/// up with the display. Does nothing where the system has no such priority.
 void giveWay();
 
 } // namespace texplorer

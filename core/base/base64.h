@@ -6,7 +6,7 @@
 
 namespace texplorer {
 
-/// RFC 4648, section 4, with '=' at the end.
+/// RFC 4648, section 4, padded with '='.
 [[nodiscard]] std::string base64(ByteView bytes);
 
 } // namespace texplorer

@@ -7,8 +7,8 @@
 
 namespace texplorer {
 
-/// Reads little-endian numbers one after the other. What lies beyond the end reads as 0 and is remembered: a
-/// header is read field by field and checked once, with `truncated`.
+/// Reads little-endian numbers in sequence. Bytes beyond the end read as 0, and `truncated` is then true:
+/// read all fields of a header, then check once.
 class ByteReader {
 public:
     explicit ByteReader(ByteView bytes)
@@ -23,7 +23,7 @@ public:
     std::int32_t i32() { return static_cast<std::int32_t>(u32()); }
     void skip(std::size_t count) { take(count); }
 
-    /// The next `count` bytes, or none at all where there are fewer.
+    /// Returns the next `count` bytes, or no bytes if there are fewer.
     ByteView take(std::size_t count) {
         if (count > bytes_.size() - position_) {
             truncated_ = true;

@@ -9,8 +9,8 @@
 
 namespace texplorer {
 
-/// An allocator whose `resize` leaves new elements uninitialised: a buffer that is about to be filled must
-/// not be filled with zeros first (touching fresh pages costs more than the copy).
+/// An allocator whose `resize` leaves new elements uninitialised: a buffer that is about to be filled need
+/// not be zeroed first (touching new pages costs more than the copy).
 template<class T>
 struct DefaultInitAllocator : std::allocator<T> {
     template<class U>
@@ -32,9 +32,9 @@ struct DefaultInitAllocator : std::allocator<T> {
 using Bytes = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
 using ByteView = std::span<const std::byte>;
 
-// What a file says of its sizes has 64 bits, whatever a pointer has: a product of them can exceed all memory.
+// Sizes that a file states are 64 bits, even where pointers are 32 bits: their product may exceed all memory.
 
-/// The bytes of that part which exist in the file.
+/// Returns the bytes of that part that exist in the file.
 [[nodiscard]] inline ByteView partOf(ByteView file, std::uint64_t offset, std::uint64_t size) {
     const auto begin = static_cast<std::size_t>(std::min<std::uint64_t>(offset, file.size()));
     return file.subspan(begin, static_cast<std::size_t>(std::min<std::uint64_t>(size, file.size() - begin)));

@@ -5,11 +5,11 @@
 
 namespace texplorer {
 
-/// Seconds on a clock that only goes forwards. Whoever waits for a time is lent one, so that a test can say
-/// what time it is.
+/// Returns the seconds of a clock that never goes backwards. Code that waits takes a Clock as an argument, so
+/// that tests can set the time.
 using Clock = std::function<double()>;
 
-/// The system's.
+/// The system's steady clock.
 [[nodiscard]] inline double steadySeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

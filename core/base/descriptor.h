@@ -5,7 +5,7 @@
 
 namespace texplorer {
 
-/// A file descriptor that is closed at the end, whatever the end is. Empty where the opening failed.
+/// A file descriptor that its destructor closes. Empty if the file could not be opened.
 class Descriptor {
 public:
     Descriptor() = default;

@@ -7,7 +7,8 @@
 
 namespace texplorer {
 
-/// Calls `visit` with every name in an open directory; with none where it can't be listed.
+/// Calls `visit` with the name of each entry of an open directory. Does nothing if the directory cannot be
+/// listed.
 template<class Visit>
 void forEachName(int directory, const Visit& visit) {
     const int listing = ::openat(directory, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -18,7 +19,8 @@ void forEachName(int directory, const Visit& visit) {
         ::close(listing);
         return;
     }
-    while (const dirent* entry = ::readdir(names.get())) // NOLINT(concurrency-mt-unsafe): a listing of ours
+    while (const dirent* entry =
+               ::readdir(names.get())) // NOLINT(concurrency-mt-unsafe): only this function uses this listing
         visit(static_cast<const char*>(entry->d_name));
 }
 

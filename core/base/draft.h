@@ -8,11 +8,11 @@
 
 namespace texplorer {
 
-/// A new file that is not in its place yet, and goes away unless it takes it. Functions that fail return
-/// false and leave errno.
+/// A new file that is not in its place yet. The destructor removes it unless `place` succeeded. Functions
+/// that fail return false and leave errno.
 class Draft {
 public:
-    /// In a directory that stays open longer than the draft.
+    /// Creates the file in an open directory, which must outlive the draft.
     explicit Draft(int directory, mode_t mode = 0666);
     Draft(Draft&&) = default;
     Draft& operator=(Draft&&) = delete;
@@ -22,11 +22,11 @@ public:
 
     [[nodiscard]] bool valid() const { return file_.valid(); }
 
-    /// The whole content, down to the disk, with the owner and permissions of the file that it will replace.
-    /// `bytes` must live as long as the draft.
+    /// Writes the whole content and flushes it to disk, with the owner and permissions of the file that it
+    /// will replace. `bytes` must outlive the draft.
     [[nodiscard]] bool write(ByteView bytes, const struct stat* replaced = nullptr);
 
-    /// Under this name, in place of whatever file or link has it, in the same file system.
+    /// Gives the file this name, replacing any file or link of that name, in the same file system.
     [[nodiscard]] bool place(int directory, const std::string& name);
 
 private:
@@ -39,11 +39,11 @@ private:
     Descriptor file_;
     ByteView bytes_;
     const struct stat* replaced_ = nullptr;
-    std::string temporary_; ///< its name for the time being; empty: none
+    std::string temporary_; ///< its temporary name; empty: none
 };
 
-/// Removes the drafts that programs which were killed left in a directory: regular files of this user, under
-/// a draft's name, that nobody holds a lock on.
+/// Removes the drafts of killed programs from a directory: regular files of this user, with the name of a
+/// draft, without a lock.
 void sweepDrafts(int directory);
 
 } // namespace texplorer

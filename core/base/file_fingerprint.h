@@ -7,8 +7,8 @@
 
 namespace texplorer {
 
-/// What tells one content of a file from another without reading it, and one file from another whatever it is
-/// called: links and different spellings have the same.
+/// Identifies a file and a version of its content without reading it. Links and other spellings of a path
+/// have the same fingerprint.
 struct FileFingerprint {
     std::uint64_t device = 0;
     std::uint64_t inode = 0;
@@ -16,10 +16,10 @@ struct FileFingerprint {
     std::int64_t modifiedSeconds = 0;
     std::int64_t modifiedNanoseconds = 0;
 
-    auto operator<=>(const FileFingerprint&) const = default; // NOLINT(modernize-use-nullptr): there is none
+    auto operator<=>(const FileFingerprint&) const = default; // NOLINT(modernize-use-nullptr): false positive
 };
 
-/// Nothing where there is no such file, or what is there is no regular one.
+/// Empty where the file does not exist or is not regular.
 [[nodiscard]] std::optional<FileFingerprint> fingerprintOf(const std::filesystem::path& file);
 
 } // namespace texplorer

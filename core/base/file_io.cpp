@@ -60,7 +60,7 @@ Result<std::uint64_t> sizeOf(int file, const std::string& where) {
     return static_cast<std::uint64_t>(info.st_size);
 }
 
-// readFully in parts, between which somebody is asked whether to go on. `stopped` says that it was not.
+// Like readFully, in parts; between them the observer decides whether to continue. `stopped`: it did not.
 std::optional<std::size_t> readObserved(int file, std::byte* to, std::size_t count,
                                         const ReadObserver& observer, bool& stopped) {
     constexpr std::size_t part = std::size_t{4} << 20;
@@ -79,8 +79,8 @@ std::optional<std::size_t> readObserved(int file, std::byte* to, std::size_t cou
     }
 }
 
-// `Buffer` is Bytes or std::string. The file's stated size is one read; whatever it has beyond that (it grew,
-// or it is one of /proc, whose files say 0) follows in blocks.
+// `Buffer` is Bytes or std::string. The stated size is one read; anything beyond it (the file has grown, or
+// is in /proc, where sizes are 0) is read in blocks.
 template<class Buffer>
 Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::size_t maxBytes,
                         const ReadObserver& observer = {}) {
@@ -95,7 +95,7 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
 
     Buffer buffer;
     const auto noMemory = [&] {
-        return fail(ErrorCode::TooLarge, fmt::format("there is no memory for its {} bytes", size), where);
+        return fail(ErrorCode::TooLarge, fmt::format("not enough memory for its {} bytes", size), where);
     };
     if (size > buffer.max_size()) // where an address has 32 bits
         return noMemory();

@@ -13,72 +13,74 @@ namespace texplorer {
 
 inline constexpr std::size_t defaultMaxFileBytes = std::size_t{2} << 30;
 
-/// Follows a long reading, on the thread that reads: asked before the first byte and after every few
-/// megabytes. false stops it, with ErrorCode::Cancelled. `total` is the size that the file system states.
+/// Progress of a long read, called on the reading thread: before the first byte and after every few
+/// megabytes. Returning false stops the read with ErrorCode::Cancelled. `total` is the size that the file
+/// system reports.
 using ReadObserver = std::function<bool(std::size_t done, std::size_t total)>;
 
-/// The whole file, in one read into an uninitialised buffer. Errors name the path: not found, a directory,
-/// not readable, not a regular file, larger than `maxBytes` (then nothing is read).
+/// Reads the whole file in one read into an uninitialised buffer. Errors name the path: not found, a
+/// directory, not readable, not a regular file, larger than `maxBytes` (then nothing is read).
 [[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path,
                                      std::size_t maxBytes = defaultMaxFileBytes,
                                      const ReadObserver& observer = {});
 
-/// The first bytes of a file, at most `count`: enough to see what it is. Errors as those of readFile.
+/// Reads the first bytes of a file, at most `count`. Errors as of readFile.
 [[nodiscard]] Result<Bytes> readFileStart(const std::filesystem::path& path, std::size_t count);
 
-/// The same as text.
+/// Like readFile, as text.
 [[nodiscard]] Result<std::string> readText(const std::filesystem::path& path,
                                            std::size_t maxBytes = defaultMaxFileBytes);
 
-/// The same of a file that is open. `file` may be empty after a failed opening: errno is still its reason.
+/// Like readFile, for an open file. `file` may be empty after a failed open: errno must still hold the
+/// reason.
 [[nodiscard]] Result<Bytes> readOpened(const Descriptor& file, const std::string& where,
                                        std::size_t maxBytes = defaultMaxFileBytes);
 
-/// Called when all bytes are on the disk and nothing has taken its place yet: a program that ends between
-/// this call and the return may leave a file under a temporary name, until the next writing there.
+/// Called when all bytes are on disk and no file has been replaced yet. If the program ends between this call
+/// and the return, a temporary file may stay until the next write to that folder.
 using BeforePlacing = std::function<void()>;
 
-/// Whether what killed programs have left in a folder is looked for: of many files that are written into one,
-/// with the first is enough.
+/// Whether to remove temporary files of killed programs from the folder. When many files are written into one
+/// folder, once is enough.
 enum class Leftovers : bool { Keep, Remove };
 
-/// Replaces the file as a whole or leaves it as it was: writes a file without a name, flushes, puts it in its
-/// place. Where the file system has no nameless files, a temporary name beside it does instead. A symbolic
-/// link is followed, the permissions of an existing file are kept, and no partial file stays behind after a
-/// failure. What programs that were killed have left in the directory is removed.
+/// Replaces the whole file or leaves it unchanged: writes a nameless file, flushes it, and puts it in place.
+/// Where the file system has no nameless files, a temporary name next to it is used. Follows symbolic links
+/// and keeps the permissions of an existing file. No partial file stays after a failure. Temporary files of
+/// killed programs are removed from the directory.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& path, ByteView bytes,
                                                const BeforePlacing& beforePlacing = {},
                                                Leftovers leftovers = Leftovers::Remove);
 
-/// Asked when all bytes are on the disk, right before they take their place: whether they may. What other
-/// programs write by `writeFileIf` isn't placed in that folder between the answer and the placing.
+/// Called when all bytes are on disk, right before the file is replaced; returns whether it may be. Between
+/// the call and the replacement, other programs' `writeFileIf` does not replace files in that folder.
 using MayReplace = std::function<bool()>;
 
-/// As `writeFileAtomically`. false: it may not replace what is there now, which stays.
+/// Like `writeFileAtomically`. Returns false if the file may not be replaced; it is then unchanged.
 [[nodiscard]] Result<bool> writeFileIf(const std::filesystem::path& path, ByteView bytes,
                                        const MayReplace& mayReplace);
 
-/// The same within a directory that is open: `name` is no path, a link of that name is replaced and never
+/// Like the above, in an open directory: `name` is not a path; a link of that name is replaced, never
 /// followed. The permissions are 0600. Errors name `where`.
 [[nodiscard]] Result<void> writeFileAtomically(const Descriptor& directory, const std::string& name,
                                                ByteView bytes, const std::string& where);
 
 struct FileContent {
-    std::string name; ///< within the folder, or in one of its own: "programs/demo.c"
+    std::string name; ///< in the folder or in a subfolder: "programs/demo.c"
     ByteView bytes;
 };
 
-/// Writes all of them, or none: every byte is on the disk before the first file appears. The folder is made
-/// where it is missing, with what is above it and what the names lead to below it.
+/// Writes all files or none: every byte is on disk before the first file appears. Creates the folder, its
+/// parents and the subfolders that the names need.
 [[nodiscard]] Result<void> writeFolderAtomically(const std::filesystem::path& folder,
                                                  std::span<const FileContent> files,
                                                  const BeforePlacing& beforePlacing = {});
 
-/// Whether the file could be written now, to know it before long work. Errors as those of the writing.
+/// Checks whether the file can be written, for use before long work. Errors as of writing.
 [[nodiscard]] Result<void> checkFileWritable(const std::filesystem::path& path);
 [[nodiscard]] Result<void> checkFolderWritable(const std::filesystem::path& folder);
 
-/// All the bytes into something that is open; false leaves errno.
+/// Writes all bytes to an open file. Returns false and leaves errno on failure.
 [[nodiscard]] bool writeFully(int file, ByteView bytes);
 
 [[nodiscard]] inline ByteView viewBytes(std::string_view text) {

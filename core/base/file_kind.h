@@ -8,7 +8,7 @@
 
 namespace texplorer {
 
-/// What something is that is no file, as the rest of a sentence: "is a directory".
+/// The kind of something that is not a regular file, as the end of a sentence: "is a directory".
 [[nodiscard]] inline std::string_view kindName(mode_t mode) {
     if (S_ISDIR(mode))
         return "a directory";
@@ -21,9 +21,9 @@ namespace texplorer {
     return S_ISREG(mode) ? "a file" : "a device";
 }
 
-/// The system's words for an errno: "No such file or directory".
+/// The system's message for an errno: "No such file or directory".
 [[nodiscard]] inline std::string systemText(int error) {
-    return std::strerror(error); // NOLINT: glibc's is safe for known numbers
+    return std::strerror(error); // NOLINT: thread-safe in glibc for known numbers
 }
 
 } // namespace texplorer

@@ -2,8 +2,9 @@
 
 namespace texplorer {
 
-/// An advisory lock on an open file, held until the last descriptor of this opening is closed: by the end of
-/// the process at the latest. Waits for nobody. 0, or an errno: EWOULDBLOCK where somebody else holds it.
+/// Takes an advisory lock on an open file. The lock is held until the last descriptor of this open file is
+/// closed, at the latest when the process ends. Does not block. Returns 0 or an errno: EWOULDBLOCK if another
+/// process or descriptor holds it.
 [[nodiscard]] int lockFile(int file);
 
 } // namespace texplorer

@@ -4,14 +4,14 @@
 
 namespace texplorer {
 
-/// Whose files this program makes; 0 where there are no users.
+/// Returns the user id of new files; 0 where the system has no users.
 [[nodiscard]] unsigned thisUser();
 
-/// Gives an open file to the owner and the group that `like` has, where this user may, and its permissions:
-/// all of them where the owner is the same, else those without set-user-ID. False leaves errno.
+/// Gives an open file the owner and group of `like`, as far as this user may, and its permissions: all of
+/// them if the owner is the same, else without set-user-ID. Returns false and leaves errno on failure.
 [[nodiscard]] bool takeOwnerAndMode(int file, const struct stat& like);
 
-/// Only the user may read, write and enter it. False leaves errno.
+/// Restricts reading, writing and entering to the owner. Returns false and leaves errno on failure.
 [[nodiscard]] bool makeOwnersAlone(int directory);
 
 } // namespace texplorer

@@ -127,7 +127,7 @@ void FileWatch::watch(std::vector<fs::path> files) {
         state_->thread =
             std::jthread([state = state_.get()](const std::stop_token& stop) { state->run(stop); });
     } catch (const std::system_error&) {
-        // No thread to be had: nothing is noticed, everything else works.
+        // No thread available: changes are not noticed, everything else works.
     }
 }
 

@@ -7,25 +7,25 @@
 
 namespace texplorer {
 
-/// Notices that files have changed: were written to, replaced by another file (as editors save), or have come
-/// back. A file that vanishes has not changed until it is there again. Sleeps in a thread of its own until
-/// the system reports something (inotify on Linux); where that can't be had it looks once a second.
+/// Reports changes of files: written, replaced by another file (as editors save), or created again. A deleted
+/// file counts as changed only when it exists again. The watching thread sleeps until the system reports an
+/// event (inotify on Linux); where there is no inotify, it checks once a second.
 ///
-/// A series of writes is reported once, when it has been quiet for a moment. Somebody who writes slowly is
-/// reported more than once: the content may be half of a file.
+/// Several writes in a row are reported once, after a short pause. A slow writer is reported more than once,
+/// so the content may be incomplete.
 class FileWatch {
 public:
-    /// `wake` is called on the watching thread whenever `changed` has something to say.
+    /// `wake` is called on the watching thread whenever `changed` has something new.
     explicit FileWatch(std::function<void()> wake = {});
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
     ~FileWatch();
 
-    /// Watches exactly these files from now on. A file that was watched already stays as it was: what has
-    /// happened to it is not forgotten. Cheap where nothing changed.
+    /// Watches exactly these files from now on. Files that were watched before keep their pending changes.
+    /// Cheap if the list is unchanged.
     void watch(std::vector<std::filesystem::path> files);
 
-    /// The files that have changed since the last call, spelled as they were given.
+    /// Returns the files that have changed since the last call, spelled as given to `watch`.
     [[nodiscard]] std::vector<std::filesystem::path> changed();
 
 private:

@@ -1,6 +1,6 @@
-// Files that appear as a whole. A draft has no name while it is written, so that nothing stays behind however
-// the program ends; where that can't be had its name is temporary. Who writes a draft holds a lock on it: a
-// temporary file that nobody has locked was left by a program that was killed, wherever that ran.
+// Files that appear as a whole. A draft has no name while it is written, so that nothing stays if the program
+// ends; where the file system has no nameless files, it has a temporary name. The writer of a draft locks it:
+// a temporary file without a lock was left by a killed program, on this or another machine.
 
 #include "core/base/draft.h"
 #include "core/base/file_io.h"
@@ -56,7 +56,7 @@ struct Place {
 
 Result<Place> findPlace(const fs::path& path) {
     const std::string where = path.string();
-    // Before its links are followed by name: /dev/stdout leads to "pipe:[4711]", which is nobody's file.
+    // Before links are followed by name: /dev/stdout leads to "pipe:[4711]", which is not a file name.
     struct stat info = {};
     const bool exists = ::stat(path.c_str(), &info) == 0;
     if (exists && !S_ISREG(info.st_mode))
@@ -86,8 +86,8 @@ Result<fs::path> existingFolder(const fs::path& folder) {
         above = above.parent_path();
     if (fs::is_directory(above, error))
         return above;
-    return fail(ErrorCode::Unwritable, fmt::format("can't make the folder: {} is no folder", above.string()),
-                folder.string());
+    return fail(ErrorCode::Unwritable,
+                fmt::format("can't create the folder: {} is not a folder", above.string()), folder.string());
 }
 
 } // namespace
@@ -165,11 +165,11 @@ Result<void> writeFolderAtomically(const fs::path& folder, std::span<const FileC
 
     NewFolders made;
     if (!made.make(fs::absolute(folder)))
-        return unwritable("can't make the folder", errno, folder.string());
+        return unwritable("can't create the folder", errno, folder.string());
     for (const FileContent& file : files) {
         const fs::path below = fs::path(file.name).parent_path();
         if (!below.empty() && !made.make(fs::absolute(folder / below)))
-            return unwritable("can't make the folder", errno, (folder / below).string());
+            return unwritable("can't create the folder", errno, (folder / below).string());
     }
     const Descriptor directory = openDirectory(folder);
     if (!directory.valid())

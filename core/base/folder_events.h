@@ -6,8 +6,7 @@
 
 namespace texplorer {
 
-/// Sleeps until something happens in folders. Linux reports it (inotify); where nothing does, one has to
-/// look.
+/// Waits for events in folders. Linux reports them (inotify); on other systems the caller must poll.
 class FolderEvents {
 public:
     FolderEvents();
@@ -15,19 +14,19 @@ public:
     FolderEvents& operator=(const FolderEvents&) = delete;
     ~FolderEvents();
 
-    /// From now on these. False: of some of them nothing will be reported.
+    /// Watches these folders from now on. Returns false if some of them cannot be watched.
     [[nodiscard]] bool watch(const std::set<std::filesystem::path>& folders);
 
     enum class Reason {
-        Happened, ///< something did in a folder
-        Rang,     ///< somebody called `ring`
-        Quiet,    ///< neither, all the time
-        Failed,   ///< there is no sleeping any more
+        Happened, ///< something happened in a folder
+        Rang,     ///< `ring` was called
+        Quiet,    ///< neither, until the timeout
+        Failed,   ///< waiting is no longer possible
     };
     static constexpr int forever = -1;
-    /// On a thread of its own, while others call the other functions.
+    /// Called on a thread of its own; the other functions may be called meanwhile.
     [[nodiscard]] Reason wait(int milliseconds);
-    /// Ends a sleep, or the next one.
+    /// Ends the current wait, or the next one.
     void ring() noexcept;
 
 private:

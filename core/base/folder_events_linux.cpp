@@ -14,7 +14,7 @@ namespace texplorer {
 
 namespace {
 
-/// Takes whatever waits, so that the next poll sleeps.
+/// Reads all waiting events, so that the next poll blocks.
 void drain(const Descriptor& from) {
     std::array<char, 4096> rubbish{};
     while (::read(from.get(), rubbish.data(), rubbish.size()) > 0) {

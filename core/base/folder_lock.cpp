@@ -8,7 +8,7 @@
 
 namespace texplorer {
 
-FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds most)
+FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds timeout)
     : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (!folder_.valid())
         return;
@@ -16,7 +16,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::millise
     for (auto waited = std::chrono::milliseconds(0);; waited += pause) {
         const int error = lockFile(folder_.get());
         isHeld_ = error == 0;
-        if (error != EWOULDBLOCK || waited >= most)
+        if (error != EWOULDBLOCK || waited >= timeout)
             return;
         std::this_thread::sleep_for(pause);
     }

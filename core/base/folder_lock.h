@@ -7,16 +7,16 @@
 
 namespace texplorer {
 
-/// Keeps other processes, and other threads, that do the same out of a folder while it lives: who reads a
-/// file there and writes it anew misses nobody's change. It is the folder itself that is locked: nothing is
-/// left behind.
+/// Locks a folder against other processes and threads that use the same lock: a file that is read, changed
+/// and written under the lock loses no concurrent change. The folder itself is locked, so no lock file is
+/// left.
 class FolderLock {
 public:
-    /// Waits until it is free, but no longer than `most`. Who must go on then does so without it.
+    /// Waits until the lock is free, at most `timeout`. After that, the caller continues without the lock.
     explicit FolderLock(const std::filesystem::path& folder,
-                        std::chrono::milliseconds most = std::chrono::seconds(2));
+                        std::chrono::milliseconds timeout = std::chrono::seconds(2));
 
-    /// Not where the folder or the file system knows of no locks, or the wait was too long.
+    /// False if the folder or the file system does not support locks, or after the timeout.
     [[nodiscard]] bool isHeld() const { return isHeld_; }
 
 private:

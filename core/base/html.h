@@ -5,8 +5,8 @@
 
 namespace texplorer {
 
-/// A text as it stands in HTML, between tags or as an attribute in double quotes. Make what comes from
-/// outside printable before.
+/// Escapes a text for HTML, between tags or in an attribute in double quotes. Pass untrusted text through
+/// printable first.
 [[nodiscard]] inline std::string escapedHtml(std::string_view text) {
     std::string html;
     for (const char each : text) {

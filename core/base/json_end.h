@@ -8,7 +8,8 @@
 
 namespace texplorer {
 
-/// nlohmann-json takes a NUL for the end of the text, whatever follows it. No JSON has one (RFC 8259, 2).
+/// Refuses NUL: nlohmann-json takes it for the end of the text and ignores the rest. JSON contains none (RFC
+/// 8259, 2).
 [[nodiscard]] inline Result<void> checkNoNul(std::string_view json) {
     const std::size_t at = json.find('\0');
     if (at == std::string_view::npos)

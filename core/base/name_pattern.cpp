@@ -11,7 +11,7 @@ namespace texplorer {
 
 namespace {
 
-constexpr std::size_t longestPart = 100; // of the 255 bytes that file systems give a name
+constexpr std::size_t maxPartBytes = 100; // of the 255 bytes that file systems give a name
 
 bool isPlain(std::string_view character) {
     constexpr std::string_view plain =
@@ -28,7 +28,7 @@ std::string fileNamePart(std::string_view value) {
         const std::size_t bytes = std::max<std::size_t>(1, firstCharacter(value).bytes);
         const std::string_view character = value.substr(0, bytes);
         const bool kept = isPlain(character) && !(part.empty() && character == ".");
-        if (part.size() + (kept ? bytes : 1) > longestPart)
+        if (part.size() + (kept ? bytes : 1) > maxPartBytes)
             break;
         part += kept ? character : "_";
         value.remove_prefix(bytes);
@@ -55,7 +55,7 @@ Result<NamePattern> NamePattern::parse(std::string_view text) {
         if (end == std::string_view::npos || end == 1)
             return fail(
                 ErrorCode::Malformed,
-                fmt::format("expected a name and }} behind each {{, found \"{}\"; {{{{ is a brace", whole));
+                fmt::format("expected a name and }} after each {{, found \"{}\"; {{{{ is a brace", whole));
         if (!plain.empty())
             pattern.pieces_.push_back({std::exchange(plain, {}), false});
         pattern.pieces_.push_back({std::string(text.substr(1, end - 1)), true});

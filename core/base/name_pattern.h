@@ -1,6 +1,6 @@
 #pragma once
 
-// Names of many files, written as one: "{scene}-{minFilter}.png".
+// Patterns for the names of several files: "{scene}-{minFilter}.png".
 
 #include "core/base/result.h"
 
@@ -11,21 +11,21 @@
 
 namespace texplorer {
 
-/// The same as a part of a file's name that leads nowhere else: what is neither a letter, a digit, one of
-/// "+-.,=@[]_" nor printable beyond ASCII becomes "_", and so does a dot at the beginning. Never empty, and
-/// at most 100 bytes.
+/// Converts a text to a part of a file name, without separators: everything except letters, digits,
+/// "+-.,=@[]_" and printable characters beyond ASCII becomes "_", as does a leading dot. Never empty; at most
+/// 100 bytes.
 [[nodiscard]] std::string fileNamePart(std::string_view value);
 
-/// A name with places in braces that are filled in for each file; "{{" and "}}" are braces themselves.
+/// A name with places in braces, which are filled in for each file; "{{" and "}}" stand for single braces.
 class NamePattern {
 public:
-    /// Refused: a place that isn't closed, or has no name.
+    /// Errors: a place without closing brace or name.
     [[nodiscard]] static Result<NamePattern> parse(std::string_view text);
 
-    /// The names of the places, each once, in the order of the pattern.
+    /// Returns the names of the places, each once, in the order of the pattern.
     [[nodiscard]] std::vector<std::string> places() const;
 
-    /// With `valueOf(place)` in each place, as fileNamePart has it.
+    /// Fills each place with `valueOf(place)`, converted by fileNamePart.
     [[nodiscard]] std::string fill(const std::function<std::string(const std::string& place)>& valueOf) const;
 
 private:

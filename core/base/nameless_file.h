@@ -7,10 +7,12 @@
 
 namespace texplorer {
 
-/// A new file in a directory that goes away by itself, unless it is given a name; empty where there are none.
+/// Creates a nameless file in a directory. The system removes it unless it is named. Empty where nameless
+/// files are not supported.
 [[nodiscard]] Descriptor openNameless(int directory, mode_t mode);
 
-/// Under this name, which must be free, in the same file system. False leaves errno.
+/// Names the file. The name must be free and in the same file system. Returns false and leaves errno on
+/// failure.
 [[nodiscard]] bool nameFile(int file, int directory, const std::string& name);
 
 } // namespace texplorer

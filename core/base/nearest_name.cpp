@@ -8,8 +8,8 @@
 namespace texplorer {
 namespace {
 
-constexpr std::size_t longestName = 64;
-constexpr std::size_t fewestLetters = 3; ///< of a beginning
+constexpr std::size_t maxNameBytes = 64;
+constexpr std::size_t minLetters = 3; ///< of a beginning
 
 char smallLetter(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -46,9 +46,9 @@ bool beginsWith(std::string_view name, std::string_view text) {
 std::vector<std::string_view> nearestNames(std::string_view text,
                                            const std::vector<std::string_view>& names) {
     std::vector<std::string_view> nearest;
-    if (text.size() > longestName)
+    if (text.size() > maxNameBytes)
         return nearest;
-    if (text.size() >= fewestLetters)
+    if (text.size() >= minLetters)
         std::ranges::copy_if(names, std::back_inserter(nearest),
                              [&](std::string_view name) { return beginsWith(name, text); });
     if (!nearest.empty())

@@ -5,13 +5,13 @@
 
 namespace texplorer {
 
-/// Folders that are made for what will be put into them: at its end those that are still empty go again.
+/// Creates folders for files. The destructor removes those that are still empty.
 class NewFolders {
 public:
-    /// With those above it. false: it can't be made, and errno says why; what is there already is fine.
+    /// Creates the folder and its parents; existing ones are fine. Returns false and leaves errno on failure.
     [[nodiscard]] bool make(const std::filesystem::path& folder);
 
-    /// Empty ones stay, too.
+    /// Keeps empty folders, too.
     void keep() { made_.clear(); }
 
     NewFolders() = default;
@@ -20,7 +20,7 @@ public:
     ~NewFolders();
 
 private:
-    std::vector<std::filesystem::path> made_; ///< those above others first
+    std::vector<std::filesystem::path> made_; ///< parents first
 };
 
 } // namespace texplorer

@@ -6,8 +6,8 @@
 
 namespace texplorer {
 
-/// A directory to make and name files in, held open: it stays the same, whatever becomes of its name. An
-/// empty path is the current one. Empty after a failure, whose errno stays.
+/// Opens a directory to create and rename files in. It stays the same directory even if its name changes. An
+/// empty path is the current directory. Returns an empty descriptor and leaves errno on failure.
 [[nodiscard]] Descriptor openDirectory(const std::filesystem::path& path);
 
 } // namespace texplorer

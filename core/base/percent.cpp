@@ -9,7 +9,7 @@ namespace texplorer {
 namespace {
 
 constexpr int digits = 3;
-constexpr int mostDecimals = 12;
+constexpr int maxDecimals = 12;
 
 std::string withDecimals(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -25,9 +25,9 @@ std::string withDecimals(double value, int decimals) {
 std::string percentText(double share) {
     const double value = share * 100;
     const int before = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
-    int decimals = std::clamp(digits - before, 0, mostDecimals);
+    int decimals = std::clamp(digits - before, 0, maxDecimals);
     std::string text = withDecimals(value, decimals);
-    while (value < 100 && text == "100" && decimals < mostDecimals)
+    while (value < 100 && text == "100" && decimals < maxDecimals)
         text = withDecimals(value, ++decimals);
     return text + " %";
 }

@@ -4,8 +4,8 @@
 
 namespace texplorer {
 
-/// A share, 0 to 1, as "12.3 %": three digits, and as many more as it takes for what isn't all not to read
-/// "100 %". What isn't nothing is never "0 %", and there are no exponents.
+/// Formats a share of 0 to 1 as "12.3 %": three digits, or more where it would otherwise read "100 %" below
+/// 1. A share above 0 never reads "0 %". No exponents.
 [[nodiscard]] std::string percentText(double share);
 
 } // namespace texplorer

@@ -46,9 +46,9 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
     if (info.st_uid != thisUser())
         return refuse(fmt::format("belongs to user {}, not to this one, {}", info.st_uid, thisUser()), path);
     if ((info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-        return refuse(fmt::format("may be written to by others: expected mode 0700, found {:04o}",
-                                  info.st_mode & 07777U),
-                      path);
+        return refuse(
+            fmt::format("is writable by others: expected mode 0700, found {:04o}", info.st_mode & 07777U),
+            path);
     if ((info.st_mode & 07777U) != 0700 && !makeOwnersAlone(directory.get()))
         return refuse(fmt::format("can't be made private: {}", systemText(errno)), path);
     return PrivateDirectory(std::move(directory));

@@ -8,20 +8,20 @@
 
 namespace texplorer {
 
-/// A directory that only its user may look into or change (mode 0700), held open: what it was found to be, it
-/// stays, whatever becomes of its name.
+/// A directory that only its user may read or change (mode 0700), held open: it stays the checked directory
+/// even if its name changes.
 class PrivateDirectory {
 public:
-    /// Errors: NotFound; it is a link or no directory, belongs to another user, or others may write to it, so
-    /// that anybody's files may lie there. Others' right to read is taken away.
+    /// Errors: NotFound; it is a link or not a directory, belongs to another user, or is writable by others,
+    /// who may have put files into it. Other users' read permission is removed.
     [[nodiscard]] static Result<PrivateDirectory> open(const std::filesystem::path& path);
 
-    /// The same, made where it is missing, with what is above it.
+    /// Like `open`; creates the directory and its parents if needed.
     [[nodiscard]] static Result<PrivateDirectory> make(const std::filesystem::path& path);
 
     [[nodiscard]] const Descriptor& descriptor() const { return directory_; }
 
-    /// A file of this user for reading, no link; empty where there is none.
+    /// Opens a file of this user for reading; links are refused. Empty if there is none.
     [[nodiscard]] Descriptor openFile(const std::string& name) const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t startBytes = std::size_t{1} << 20;
 
-/// As read(2), but waits also where whoever opened the file didn't want to; -1 leaves errno.
+/// Like read(2), but also blocks if the file was opened as non-blocking; -1 leaves errno.
 ssize_t readSome(int file, std::byte* to, std::size_t count) {
     for (;;) {
         const ssize_t got = ::read(file, to, count);
@@ -46,7 +46,7 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
             filled += static_cast<std::size_t>(got);
             if (filled > maxBytes)
                 return fail(ErrorCode::TooLarge,
-                            fmt::format("at most {} bytes are read, there are more", maxBytes), where);
+                            fmt::format("at most {} bytes are read, but there are more", maxBytes), where);
             const bool isAsked = filled >= asked;
             if (isAsked)
                 asked = 2 * filled;
@@ -56,7 +56,7 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
             }
         }
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, fmt::format("there is no memory for more than {} bytes", filled),
+        return fail(ErrorCode::TooLarge, fmt::format("not enough memory for more than {} bytes", filled),
                     where);
     }
 }

@@ -8,13 +8,13 @@
 
 namespace texplorer {
 
-/// Asked with the first megabyte of what is longer, and each time that it has doubled: whether it is worth
-/// reading on.
+/// Called with the first megabyte of a longer stream, and again each time that the size has doubled. Returns
+/// whether to read on.
 using IsWorthReading = std::function<bool(ByteView start)>;
 
-/// All that comes from something that is open and has no size of its own: a pipe, a terminal, standard input.
-/// Waits for who writes into it. Where the rest isn't worth reading, its start is what is given. `where` is
-/// named in errors: Unreadable; TooLarge as soon as more than `maxBytes` have come, or without memory.
+/// Reads everything from an open file without a size: a pipe, a terminal, standard input. Blocks until the
+/// writer closes it. If `isWorthReading` returns false, the start that was read is returned. Errors name
+/// `where`: Unreadable; TooLarge once more than `maxBytes` have arrived, or without memory.
 [[nodiscard]] Result<Bytes> readStream(int file, const std::string& where, std::size_t maxBytes,
                                        const IsWorthReading& isWorthReading = {});
 

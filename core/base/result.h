@@ -1,7 +1,7 @@
 #pragma once
 
-// A function that can fail returns Result<T>; programming mistakes are asserts. No exception leaves a public
-// function but std::bad_alloc, and not even that one where TooLarge is among the errors that it names.
+// Functions that can fail return Result<T>; programming errors are asserts. No public function throws
+// anything but std::bad_alloc, and not even that if TooLarge is among its documented errors.
 
 #include <tl/expected.hpp>
 
@@ -12,14 +12,14 @@ namespace texplorer {
 
 enum class ErrorCode {
     NotFound,    ///< no such file
-    Unreadable,  ///< it exists and can't be read (permission, directory, device)
-    Unwritable,  ///< the target can't be written
-    Malformed,   ///< the content contradicts its format
-    Unsupported, ///< valid, but a variant that we or the driver don't have
-    OutOfRange,  ///< a number or name outside of what is accepted
-    TooLarge,    ///< it would exceed a stated limit
-    Driver,      ///< OpenGL refused
-    Cancelled,   ///< a stop was requested
+    Unreadable,  ///< exists but cannot be read (permission, directory, device)
+    Unwritable,  ///< the target cannot be written
+    Malformed,   ///< the content violates its format
+    Unsupported, ///< valid, but not supported by Texplorer or the driver
+    OutOfRange,  ///< a number or name outside the accepted range
+    TooLarge,    ///< exceeds a stated limit
+    Driver,      ///< an error of OpenGL
+    Cancelled,   ///< stopped on request
 };
 
 struct Error {
@@ -30,7 +30,7 @@ struct Error {
     bool operator==(const Error&) const = default;
 };
 
-/// "where: message", or the message alone where there is no place to name.
+/// Returns "where: message", or the message alone if `where` is empty.
 [[nodiscard]] inline std::string describe(const Error& error) {
     return error.where.empty() ? error.message : error.where + ": " + error.message;
 }

@@ -7,14 +7,14 @@
 
 namespace texplorer {
 
-/// A word as sh, bash, zsh and fish read it back: in single quotes where anything in it could mean something.
-/// A backslash within them is one for all but fish, so that quotes and backslashes stand outside. zsh takes =
-/// at a word's start for a program's place, fish % for a process.
+/// Quotes a word for sh, bash, zsh and fish: in single quotes if any character is special. In fish, a
+/// backslash in single quotes escapes; so quotes and backslashes are put outside. A leading = (zsh) or %
+/// (fish) is quoted, too.
 ///
-/// It may be copied and pasted: characters that would steer a terminal, and bytes that are no UTF-8, are
-/// printed by the shell, "$(printf '\033')", which fish reads from 3.4 on. $'\033' is for bash and zsh alone.
-/// A shell drops line breaks at the end of what is printed, so that the character behind one is printed too,
-/// and those at the word's end stay as they are.
+/// The result is safe to copy and paste: control characters and invalid UTF-8 are printed by the shell,
+/// "$(printf '\033')", which fish supports from 3.4 on ($'\033' works only in bash and zsh). Shells drop line
+/// breaks at the end of printed text, so the character after a line break is printed with it; line breaks at
+/// the end of the word are kept as they are.
 [[nodiscard]] inline std::string shellWord(std::string_view word) {
     constexpr std::string_view plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
@@ -22,7 +22,7 @@ namespace texplorer {
         !word.starts_with('%'))
         return std::string(word);
     constexpr std::string_view beginPrinted =
-        "'\"$(printf\x20'"; // a space in it would make it a text to translate
+        "'\"$(printf\x20'"; // \x20: with a plain space, this would count as a text to translate
     constexpr std::string_view endPrinted = "')\"'";
     const std::string_view body = word.substr(0, word.find_last_not_of('\n') + 1);
     const bool isPrintable = printable(body) == body;

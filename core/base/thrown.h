@@ -6,16 +6,16 @@
 
 namespace texplorer {
 
-/// What is said of an exception that nothing expected.
+/// The message for an unexpected exception.
 inline constexpr std::string_view ownMistake =
-    "this is a mistake in Texplorer; please report it with what led to it";
+    "this is a bug in Texplorer; please report it and how it happened";
 
-/// Why work threw, as the end of a sentence: the system's own words where it was the system ("No space left
-/// on device"), else `ownMistake`. What a library says of its own insides tells a user nothing.
+/// Describes an exception, as the end of a sentence: the system's message for a system error ("No space left
+/// on device"), else `ownMistake`. Messages of libraries mean nothing to users.
 [[nodiscard]] std::string reasonOf(const std::exception& thrown);
 
-/// Called first by a program: what no thread of it catches ends it by SIGABRT, as without this, with the
-/// sentence "PROGRAM: this is a mistake in Texplorer …" on standard error instead of the library's.
+/// Called first by a program: for an uncaught exception on any thread, prints "PROGRAM: this is a mistake in
+/// Texplorer …" to standard error instead of the library's message. The program still ends with SIGABRT.
 void sayWhatNothingCatches(const char* program);
 
 } // namespace texplorer

@@ -10,9 +10,9 @@
 
 namespace texplorer {
 
-/// What to say where work throws instead of returning an error.
+/// The messages for work that throws.
 struct FailureWords {
-    std::string_view noMemory; ///< the whole sentence: "there is no memory for the picture"
+    std::string_view noMemory; ///< the whole sentence: "not enough memory for the picture"
     std::string_view other;    ///< its beginning, with a colon: "the picture can't be drawn"
 };
 
@@ -27,8 +27,8 @@ struct AsResult<Result<T>> {
 };
 } // namespace detail
 
-/// What `work` returns, a Result or what becomes one. Errors: its own; TooLarge where there is no memory;
-/// Unsupported, with reasonOf, where it throws anything else.
+/// Returns the result of `work`. Errors: those of `work`; TooLarge on std::bad_alloc; Unsupported, with
+/// reasonOf, for any other exception.
 template<class Work>
 [[nodiscard]] auto tried(const FailureWords& words, const Work& work) ->
     typename detail::AsResult<std::invoke_result_t<const Work&>>::Type {

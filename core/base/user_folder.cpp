@@ -7,7 +7,7 @@ namespace {
 
 /// Relative paths are to be ignored, says the specification.
 std::filesystem::path absoluteIn(const char* variable) {
-    const char* value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody changes it
+    const char* value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): it is not changed
     std::filesystem::path path = value == nullptr ? "" : value;
     return path.is_absolute() ? path : std::filesystem::path();
 }

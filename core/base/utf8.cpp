@@ -26,9 +26,9 @@ Utf8Character firstCharacter(std::string_view text) {
             return {};
         character = character << 6 | (byte(i) & 0x3F);
     }
-    constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::array<char32_t, 5> min{0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = character >= 0xD800 && character <= 0xDFFF;
-    if (character < least[size] || character > 0x10FFFF || surrogate)
+    if (character < min[size] || character > 0x10FFFF || surrogate)
         return {};
     return {character, size};
 }

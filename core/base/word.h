@@ -2,8 +2,8 @@
 
 namespace texplorer {
 
-/// A single word that readers see, where it stands in the sources as a name or a key could. The window's
-/// translations are collected from the sources, which tell a text by its spaces or its capital letter.
+/// Marks a single word that users read. Texts for translation are collected from the sources and are
+/// recognised by a space or a capital letter; a single lower-case word is not, so it is marked.
 [[nodiscard]] constexpr const char* word(const char* english) {
     return english;
 }

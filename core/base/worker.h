@@ -18,30 +18,30 @@
 
 namespace texplorer {
 
-/// Where long work is done.
+/// Where long work runs.
 enum class When : std::uint8_t {
-    AtOnce,    ///< the caller, who waits: for programs without a user
-    WhenReady, ///< a thread of its own; the caller looks again when `wake` was called
+    AtOnce,    ///< on the calling thread, which blocks: for programs without a window
+    WhenReady, ///< on a thread of its own; the caller looks again after `wake`
 };
 
 /// Which jobs are done.
 enum class JobOrder : std::uint8_t {
-    Queue,      ///< all, in the order in which they were asked for
-    NewestWins, ///< the newest: what waits is replaced, and of the answers the last one is kept
+    Queue,      ///< all, in the order of the calls
+    NewestWins, ///< only the newest: it replaces the waiting job, and only the last answer is kept
 };
 
 struct WorkerSetup {
     When when = When::WhenReady;
     JobOrder order = JobOrder::Queue;
-    FailureWords words{"there is no memory for it", "it can't be done"};
-    /// Called by the thread that works, whenever `take` or `progress` has something new; must not throw.
+    FailureWords words{"not enough memory for it", "it failed"};
+    /// Called on the working thread whenever `take` or `progress` has something new; must not throw.
     std::function<void()> wake{};
-    std::stop_token stop{}; ///< ends what is done at once
+    std::stop_token stop{}; ///< stops the current job
 };
 
-/// Does jobs on a thread of its own, one after the other. Where there is no thread to be had, or none is
-/// wanted, `ask` does them. All functions are to be called from one thread; the first `ask` starts the other
-/// one. What the work throws becomes an answer.
+/// Runs jobs on a thread of its own, one after the other. If there is no thread or none is wanted, `ask` runs
+/// them. All functions must be called from one thread; the first `ask` starts the other. An exception of the
+/// work becomes an answer.
 template<class Job, class Answer, class Progress = std::monostate>
 class Worker {
     struct Current {
@@ -55,18 +55,18 @@ class Worker {
     };
 
 public:
-    /// A job that is being done, for those who do it.
+    /// The current job, as its work sees it.
     class Task {
     public:
         [[nodiscard]] const Job& job() const { return current_.job; }
-        /// Somebody waits for the answer, and does nothing else.
+        /// Whether the caller is blocked until the answer.
         [[nodiscard]] bool atOnce() const { return current_.atOnce; }
-        /// Requested when the answer would be lost.
+        /// Requested when the answer is no longer wanted.
         [[nodiscard]] std::stop_token stop() const { return tokenOf(current_.stop); }
-        /// Requested then, too, and where the newest wins as soon as there is a newer job.
+        /// Requested in the same case; with NewestWins, also as soon as there is a newer job.
         [[nodiscard]] std::stop_token superseded() const { return tokenOf(current_.superseded); }
 
-        /// An answer before the last one.
+        /// Delivers an answer before the last one.
         void give(Answer answer) const {
             if (worker_.keep(current_, std::move(answer)))
                 worker_.tell();
@@ -92,9 +92,9 @@ public:
         Current& current_;
     };
 
-    /// The last answer; nothing where there is none.
+    /// Returns the last answer; empty if there is none.
     using Work = std::function<std::optional<Answer>(const Task&)>;
-    /// The answer where the work threw.
+    /// Makes the answer for work that threw.
     using Failed = std::function<Answer(const Job&, Error)>;
 
     Worker(WorkerSetup setup, Work work, Failed failed)
@@ -103,7 +103,7 @@ public:
         , failed_(std::move(failed)) {}
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
-    /// Drops everything, and waits for what is being done.
+    /// Drops everything and waits for the current job.
     ~Worker() {
         {
             const std::scoped_lock lock(mutex_);
@@ -115,7 +115,7 @@ public:
         arrived_.notify_one();
     }
 
-    /// `progress` is what there is to say until the work reports more; a job without is not mentioned.
+    /// `progress` is reported until the work reports more; without it the job has no progress.
     void ask(Job job, std::optional<Progress> progress = {}) {
         {
             const std::scoped_lock lock(mutex_);
@@ -133,7 +133,7 @@ public:
             doNext(lock, true);
     }
 
-    /// Gives up what waits and is being done, where `matches(job)`.
+    /// Cancels waiting and current jobs for which `matches(job)` is true.
     template<class Matches>
     void drop(const Matches& matches) {
         {
@@ -144,31 +144,31 @@ public:
         }
         finished_.notify_all();
     }
-    /// Gives up answers that nobody has taken, where `matches(answer)`.
+    /// Drops answers that were not taken, for which `matches(answer)` is true.
     template<class Matches>
     void discard(const Matches& matches) {
         const std::scoped_lock lock(mutex_);
         std::erase_if(answers_, matches);
     }
-    /// Both, of everything.
+    /// Cancels all jobs and drops all answers.
     void clear() {
         drop([](const Job&) { return true; });
         discard([](const Answer&) { return true; });
     }
 
-    /// What is answered, in that order.
+    /// Returns the new answers, in order.
     [[nodiscard]] std::vector<Answer> take() {
         const std::scoped_lock lock(mutex_);
         return std::exchange(answers_, {});
     }
-    /// Calls `look` with every answer that nobody has taken. Any thread may.
+    /// Calls `look` with every answer that was not taken. Thread-safe.
     template<class Look>
     void look(const Look& look) const {
         const std::scoped_lock lock(mutex_);
         std::ranges::for_each(answers_, look);
     }
 
-    /// Of what is being done, or of the next that waits; nothing: there is nothing to mention.
+    /// The progress of the current job, or of the next one; empty if it has none.
     [[nodiscard]] std::optional<Progress> progress() const {
         const std::scoped_lock lock(mutex_);
         if (current_ && !current_->dropped && current_->progress)
@@ -178,12 +178,12 @@ public:
         return next == waiting_.end() ? std::nullopt : next->progress;
     }
 
-    /// Whether an answer is still to come.
+    /// Whether an answer is pending.
     [[nodiscard]] bool isWorking() const {
         const std::scoped_lock lock(mutex_);
         return isBusy(current_ && !current_->dropped);
     }
-    /// Sleeps until none is, and `wake` was called for the last.
+    /// Blocks until no answer is pending and `wake` was called for the last one.
     void wait() const {
         std::unique_lock lock(mutex_);
         finished_.wait(lock, [this] { return !isBusy(busy_ && !(current_ && current_->dropped)); });
@@ -196,7 +196,7 @@ private:
         if (setup_.when == When::WhenReady && !thread_.joinable()) {
             try {
                 thread_ = std::jthread([this] { run(); });
-            } catch (const std::system_error&) { // no thread to be had: slower, but it works
+            } catch (const std::system_error&) { // no thread available: slower, but it works
             }
         }
         return thread_.joinable();
@@ -212,7 +212,7 @@ private:
         }
     }
 
-    /// `lock` is held before and after, not while something is done.
+    /// `lock` is held before and after, but not during the work.
     void doNext(std::unique_lock<std::mutex>& lock, bool atOnce) {
         current_ = std::move(waiting_.front());
         current_->atOnce = atOnce;
@@ -225,7 +225,7 @@ private:
         lock.lock();
         std::optional<Current> done = std::exchange(current_, std::nullopt);
         lock.unlock();
-        done.reset(); // to free a large image takes its time
+        done.reset(); // freeing a large image takes time
         if (news)
             tell();
         lock.lock();
@@ -238,12 +238,12 @@ private:
             const Task task(*this, current);
             Result<std::optional<Answer>> answer = tried(setup_.words, [&] { return work_(task); });
             return answer ? std::move(*answer) : failed_(current.job, std::move(answer.error()));
-        } catch (const std::bad_alloc&) { // not even for a sentence
+        } catch (const std::bad_alloc&) { // no memory even for the message
             return std::nullopt;
         }
     }
 
-    /// Whether anybody wants it.
+    /// Whether the answer is wanted.
     bool keep(const Current& of, Answer answer) {
         const std::scoped_lock lock(mutex_);
         if (of.dropped)
@@ -269,16 +269,16 @@ private:
     const Work work_;
     const Failed failed_;
 
-    mutable std::mutex mutex_; // guards what follows
+    mutable std::mutex mutex_; // guards the members below
     std::condition_variable arrived_;
     mutable std::condition_variable finished_;
     std::deque<Current> waiting_;
-    std::optional<Current> current_; ///< whose job the thread that works reads without the lock
-    bool busy_ = false;              ///< with `current_`, or with what comes after it
+    std::optional<Current> current_; ///< the working thread reads its job without the lock
+    bool busy_ = false;              ///< with `current_` or what follows it
     bool ends_ = false;
     std::vector<Answer> answers_;
 
-    std::jthread thread_; // last: it ends before the rest does
+    std::jthread thread_; // last: it ends before the other members
 };
 
 } // namespace texplorer

@@ -4,11 +4,11 @@
 
 namespace texplorer {
 
-/// So many bytes tell what a file is.
+/// The number of bytes that identify a file's format.
 inline constexpr std::size_t recognisedBytes = 4096;
 
-/// The bytes of an image file, of which the first are looked at before the others are read: of what is no
-/// image Unsupported, however large it is. Errors name the path: those of readFile.
+/// Reads the bytes of an image file. Its first bytes are checked before the rest is read: any other file is
+/// Unsupported, regardless of its size. Errors name the path: those of readFile.
 [[nodiscard]] Result<Bytes> readImageFile(const std::filesystem::path& path,
                                           std::size_t maxBytes = defaultMaxFileBytes,
                                           const ReadObserver& observer = {});

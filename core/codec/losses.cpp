@@ -12,7 +12,7 @@
 namespace texplorer {
 namespace {
 
-/// Of what only DDS holds beside level 0 of face 0.
+/// The data other than level 0 of face 0, which only DDS can store.
 void addParts(const TextureImage& texture, std::vector<Loss>& losses) {
     const int slices = depthOf(texture.surfaces.front());
     if (texture.layers > 1)
@@ -31,9 +31,9 @@ void addParts(const TextureImage& texture, std::vector<Loss>& losses) {
 void addAlpha(const TextureImage& texture, std::string_view format, std::vector<Loss>& losses) {
     const Image* image = std::get_if<Image>(&texture.surfaces.front());
     if (format != "BMP" && image != nullptr && image->format == PixelFormat::Alpha8)
-        losses.push_back({"alpha", "alpha alone becomes grey", false});
+        losses.push_back({"alpha", "alpha without colour becomes grey", false});
     if (format != "TGA" && texture.alpha == AlphaMeaning::Premultiplied)
-        losses.push_back({"alpha", "that colours are multiplied by alpha", false});
+        losses.push_back({"alpha", "the mark that colours are multiplied by alpha", false});
 }
 
 void addFileParts(const TextureImage& texture, std::vector<Loss>& losses) {
@@ -43,11 +43,11 @@ void addFileParts(const TextureImage& texture, std::vector<Loss>& losses) {
     if (has("iCCP"))
         losses.push_back({"colorProfile", "the ICC profile", false});
     else if (!has("sRGB") && (has("gAMA") || has("cHRM")))
-        losses.push_back({"colorProfile", "what its numbers mean as colours (gAMA, cHRM)", false});
+        losses.push_back({"colorProfile", "its colour space (gAMA, cHRM)", false});
     if (has("tEXt") || has("zTXt") || has("iTXt"))
         losses.push_back({"metadata", "its texts", false});
     if (has("eXIf"))
-        losses.push_back({"metadata", "what the camera or a program noted (Exif)", false});
+        losses.push_back({"metadata", "metadata (Exif)", false});
 }
 
 /// "red, green and blue"
@@ -95,7 +95,7 @@ std::vector<Loss> lossesIn(const MipChain& pictures, BlockFormat format) {
             lost.push_back(names[c]);
     if (lost.empty())
         return {};
-    return {{"components", fmt::format("{} ({} keeps {} alone)", listed(lost), rowOf(format).label,
+    return {{"components", fmt::format("{} ({} keeps only {})", listed(lost), rowOf(format).label,
                                        listed(std::span(names).first(kept)))}};
 }
 

@@ -7,16 +7,16 @@
 
 namespace texplorer {
 
-/// What a texture's file had and a file of another format, or of the same, won't have: what decoding has lost
-/// already, and what the format can't hold. Formats of one picture take face 0, level 0 and slice 0.
+/// Returns what is in a texture's source file and would be missing in a file of the given format: what
+/// decoding has lost, and what the format cannot store. Formats of one picture store face 0, level 0 and
+/// slice 0.
 [[nodiscard]] std::vector<Loss> lossesIn(const TextureImage& texture, std::string_view format);
 
-/// What blocks of a format keep nothing of: the components that say something in one of the pictures. Of
-/// greys red says what green and blue say, too.
+/// Returns what a block format would not store: the components that matter in one of the pictures. In greys,
+/// red stands for green and blue, too.
 [[nodiscard]] std::vector<Loss> lossesIn(const MipChain& pictures, BlockFormat format);
 
-/// "16 bits a component become 8; 2 of the array's 3 layers": the sentences of all, and of the losses of
-/// pixels.
+/// "16 bits a component become 8; 2 of the array's 3 layers": all sentences in one, and those about pixels.
 [[nodiscard]] std::string allLost(const std::vector<Loss>& losses);
 [[nodiscard]] std::string pixelsLost(const std::vector<Loss>& losses);
 

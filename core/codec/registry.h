@@ -19,11 +19,11 @@ namespace texplorer {
 struct CodecRow {
     std::string_view name;            ///< "BMP"
     std::string_view extensions;      ///< ".jpg .jpeg", lower case, the usual one first
-    bool (*recognise)(ByteView file); ///< by its content, never by its name
+    bool (*recognise)(ByteView file); ///< checks the content, never the name
     Result<TextureImage> (*decode)(ByteView file, const DecodeLimits& limits);
     Anatomy (*dissect)(ByteView file); ///< nullptr: no anatomy
-    /// nullptr: not written. Formats of one picture take face 0, level 0, decompressed; top and bottom are
-    /// right.
+    /// nullptr: the format is not written. Formats of one picture store face 0, level 0, decompressed and
+    /// upright.
     Result<Bytes> (*encode)(const TextureImage& texture, const WriteOptions& options);
 };
 
@@ -35,20 +35,20 @@ struct CodecRow {
 /// The format of a file by its content, or nullptr.
 [[nodiscard]] const CodecRow* recogniseImage(ByteView file);
 
-/// The format that a file name's extension asks for (in any case), or nullptr.
+/// Returns the format of a file name's extension (in any case), or nullptr.
 [[nodiscard]] const CodecRow* codecForExtension(std::string_view fileName);
 
-/// ".bmp, .dds, .png or .tga", with " or " for `last`: the usual extension of each format that is written; of
-/// `only`, where one is named.
+/// ".bmp, .dds, .png or .tga", with `last` as " or ": the usual extension of each format that is written, or
+/// of `only`.
 [[nodiscard]] std::string writtenExtensions(std::string_view last, std::string_view only = {});
 
-/// Decodes whichever format it is. An unknown one is refused with the list of those that are known. Decoders,
-/// like encoders, keep no state: any number of threads may use them at once.
+/// Decodes a file of any known format. Unknown ones are refused with the list of the known. Decoders and
+/// encoders keep no state, so they are thread-safe.
 [[nodiscard]] Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits = {});
 
-/// What a file holds but for its pixels (DecodeLimits::pixels). They are decoded, and forgotten, only where
-/// `anatomy`, that of the file, finds something wrong: an outline that is given is that of a file that
-/// decodeTexture reads, unless its pixels are damaged where no anatomy sees it.
+/// Returns the content of a file without pixels (DecodeLimits::pixels). The pixels are decoded, and
+/// discarded, only if `anatomy`, that of the file, contains an error. So a returned outline means that
+/// decodeTexture can read the file, unless its pixels have damage that the anatomy does not detect.
 [[nodiscard]] Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy,
                                                   DecodeLimits limits = {});
 

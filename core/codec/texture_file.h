@@ -1,6 +1,6 @@
 #pragma once
 
-// From a file to a texture and back, whichever format it is.
+// Loads and saves textures in any known format.
 
 #include "core/base/result.h"
 #include "core/codec/common/decode_limits.h"
@@ -11,18 +11,18 @@
 
 namespace texplorer {
 
-/// Reads a file of any format that codecRows() names, recognised by its content: all faces, levels and
-/// slices, compressed blocks as they are. Of a picture the rows are bottom first, of a DDS file as it has
-/// them (TextureImage::topFirst). Errors name the path: those of the reading (NotFound, Unreadable), TooLarge
-/// above `limits` or without memory, Unsupported for a format or a variant that is not read, Malformed for a
-/// damaged file.
+/// Reads a file of any format in codecRows(), recognised by its content: all faces, levels and slices;
+/// compressed blocks stay compressed. Pictures have the bottom row first; DDS files keep their order
+/// (TextureImage::topFirst). Errors name the path: those of reading (NotFound, Unreadable), TooLarge above
+/// `limits` or without memory, Unsupported for an unsupported format or variant, Malformed for a damaged
+/// file.
 [[nodiscard]] Result<TextureImage> loadTexture(const std::filesystem::path& path,
                                                const DecodeLimits& limits = {});
 
-/// Writes a file of the format that its extension names (.bmp, .dds, .png, .tga), as a whole or not at all:
-/// what was there before stays after an error. DDS takes everything, the others face 0, level 0,
-/// decompressed, upright. Errors name the path: Unsupported for another extension or what the format can't
-/// hold, Unwritable, TooLarge without memory.
+/// Writes a file of the format of its extension (.bmp, .dds, .png, .tga), completely or not at all: after an
+/// error, an existing file is unchanged. DDS stores everything; other formats store face 0, level 0,
+/// decompressed and upright. Errors name the path: Unsupported for another extension or what the format
+/// cannot store, Unwritable, TooLarge without memory.
 [[nodiscard]] Result<void> saveTexture(const TextureImage& texture, const std::filesystem::path& path,
                                        const WriteOptions& options = {});
 

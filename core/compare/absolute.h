@@ -4,7 +4,7 @@
 
 namespace texplorer {
 
-/// The absolute difference of a pixel's worst component, in 255ths.
+/// The absolute difference of a pixel's worst component, in units of 1/255.
 [[nodiscard]] std::unique_ptr<PixelMetric> makeAbsolute(Compared compared);
 
 } // namespace texplorer

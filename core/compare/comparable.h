@@ -5,7 +5,7 @@
 
 namespace texplorer {
 
-/// Two Rgba8 pictures of the same size, or an error that says what they are.
+/// Checks that both are Rgba8 pictures of the same size; the error says what they are.
 [[nodiscard]] Result<void> checkComparable(const Image& a, const Image& b);
 
 } // namespace texplorer

@@ -26,7 +26,7 @@ namespace {
 constexpr int tileWidth = 256; // a multiple of 64, see PixelBits
 constexpr int tileHeight = 128;
 constexpr std::size_t keptRegions = 8;
-constexpr Rgba maskedColor{72, 72, 72, 255};
+constexpr PixelBytes maskedColor{72, 72, 72, 255};
 
 Result<void> checkPicture(const Image& image, std::string_view name) {
     if (image.depth == 1 && image.format != PixelFormat::Depth32)
@@ -44,7 +44,7 @@ Result<void> checkMask(const Image& expected, const Image& mask) {
         return {};
     return fail(
         ErrorCode::OutOfRange,
-        fmt::format("the mask must be as large as the pictures: expected {} x {} pixels, found {} x {}",
+        fmt::format("the mask must be as large as the pictures: expected {} × {} pixels, found {} × {}",
                     expected.width, expected.height, mask.width, mask.height));
 }
 
@@ -66,7 +66,7 @@ public:
             colors_[i] = heatColor(static_cast<float>(i) / steps, heat);
     }
 
-    [[nodiscard]] const Rgba& of(float value) const {
+    [[nodiscard]] const PixelBytes& of(float value) const {
         if (value == 0)
             return colors_[0];
         const int step = static_cast<int>(std::lround(std::min(value * scale_, 255.0F) * steps));
@@ -82,7 +82,7 @@ private:
     double limit_;
     int within_ = 0;
     int above_ = 0;
-    std::array<Rgba, std::size_t{256} * steps + 1> colors_{};
+    std::array<PixelBytes, std::size_t{256} * steps + 1> colors_{};
 };
 
 /// What a thread has found in its tiles. Joined to another, the order doesn't matter.
@@ -225,7 +225,7 @@ private:
             pair_.read(tile, metric->reach(), pixels);
             values.assign(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height), 0);
             if (std::memcmp(pixels.expected.data(), pixels.actual.data(),
-                            pixels.expected.size() * sizeof(Rgba)) != 0)
+                            pixels.expected.size() * sizeof(PixelBytes)) != 0)
                 metric->measure(pixels, values);
             sums_[i] = take(pixels, values, findings);
             if (work_.report)
@@ -253,7 +253,7 @@ private:
         return sum;
     }
 
-    void paint(glm::ivec2 at, const Rgba& color) {
+    void paint(glm::ivec2 at, const PixelBytes& color) {
         const std::span<std::byte> to = comparison_.map.at(at.x, pair_.height() - 1 - at.y);
         std::ranges::copy(std::as_bytes(std::span(color)), to.begin());
     }
@@ -298,7 +298,7 @@ private:
     Comparison& comparison_;
     int across_;
     int down_;
-    std::vector<double> sums_; ///< of each tile: added up in their order, whoever was first
+    std::vector<double> sums_; ///< of each tile: added up in the order of tiles, not of threads
     MapColors colors_;
     PixelBits over_;
     std::atomic<std::size_t> next_ = 0;
@@ -332,9 +332,9 @@ std::uint64_t comparisonBytes(glm::ivec2 size, const Criterion& criterion, const
     const std::uint64_t threads =
         std::clamp<std::uint64_t>(tiles, 1, work.threads == 0 ? processorThreads() : work.threads);
     const std::uint64_t perThread = planes * area(width + 16, height + 1) * sizeof(float) + // planes
-                                    area(width, height) * (2 * sizeof(Rgba) + sizeof(float) + 1);
+                                    area(width, height) * (2 * sizeof(PixelBytes) + sizeof(float) + 1);
     const std::uint64_t regions = static_cast<std::uint64_t>(size.x) * 128; // every other pixel of two rows
-    return (work.map ? area(size.x, size.y) * sizeof(Rgba) : 0) + area((size.x + 63) / 64, size.y) * 8 +
+    return (work.map ? area(size.x, size.y) * sizeof(PixelBytes) : 0) + area((size.x + 63) / 64, size.y) * 8 +
            threads * (perThread + sizeof(Findings)) + tiles * sizeof(double) + regions;
 }
 
@@ -358,9 +358,8 @@ Result<Comparison> comparePictures(const Image& expected, const Image& actual, c
         return comparison;
     }
     const std::string noMemory = fmt::format(
-        "comparing {} x {} pixels takes up to {} MiB beside the pictures, and there is no such memory",
-        expected.width, expected.height,
-        comparisonBytes(comparison.expectedSize, criterion, work) / (1U << 20U) + 1);
+        "not enough memory to compare {} × {} pixels, which needs up to {} MiB", expected.width,
+        expected.height, comparisonBytes(comparison.expectedSize, criterion, work) / (1U << 20U) + 1);
     return tried({noMemory, "the pictures can't be compared"}, [&]() -> Result<Comparison> {
         const PicturePair pair(expected, actual, mask);
         if (!expected.empty())

@@ -36,13 +36,12 @@ Criterion criterionOf(Metric metric) {
 
 Result<void> checkCriterion(const Criterion& criterion) {
     if (Result<void> good =
-            checkRange("tolerance", criterion.tolerance, 0, factsOf(criterion.metric).largest);
+            checkRange("tolerance", criterion.tolerance, 0, factsOf(criterion.metric).maxValue);
         !good)
         return good;
     if (Result<void> good = checkRange("share", criterion.share, 0, 1); !good)
         return good;
-    return checkRange("pixelsPerDegree", criterion.pixelsPerDegree, lowestPixelsPerDegree,
-                      highestPixelsPerDegree);
+    return checkRange("pixelsPerDegree", criterion.pixelsPerDegree, minPixelsPerDegree, maxPixelsPerDegree);
 }
 
 Result<double> parseShare(std::string_view text) {
@@ -61,12 +60,12 @@ Result<double> parseShare(std::string_view text) {
 }
 
 Result<double> parseTolerance(std::string_view text, Metric metric) {
-    const double largest = factsOf(metric).largest;
+    const double max = factsOf(metric).maxValue;
     const std::optional<double> number = numberOf(text);
-    if (number && *number >= 0 && *number <= largest)
+    if (number && *number >= 0 && *number <= max)
         return *number;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a number from 0 to {} for the metric {}, found \"{}\"", largest,
+                fmt::format("expected a number from 0 to {} for the metric {}, found \"{}\"", max,
                             rowOf(metric).name, text));
 }
 

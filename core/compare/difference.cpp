@@ -13,8 +13,8 @@ namespace {
 
 std::string extentsOf(const Image& image) {
     const std::string extents = image.depth == 1
-                                    ? fmt::format("{} x {}", image.width, image.height)
-                                    : fmt::format("{} x {} x {}", image.width, image.height, image.depth);
+                                    ? fmt::format("{} × {}", image.width, image.height)
+                                    : fmt::format("{} × {} × {}", image.width, image.height, image.depth);
     return fmt::format("{} pixels ({})", extents, rowOf(image.format).name);
 }
 

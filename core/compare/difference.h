@@ -1,6 +1,6 @@
 #pragma once
 
-// How far two pictures are apart, in numbers.
+// The difference of two pictures in numbers.
 
 #include "core/base/result.h"
 #include "core/image/image.h"
@@ -13,31 +13,32 @@
 
 namespace texplorer {
 
-/// Which components of a pixel are compared.
+/// The components that are compared.
 enum class Compared : std::uint8_t {
-    Rgba, ///< alpha counts as the others do: what a renderer leaves in the framebuffer
-    Rgb,  ///< what one sees of a picture that is shown opaque
+    Rgba, ///< alpha like the others: the content of a framebuffer
+    Rgb,  ///< the visible colours of a picture that is shown opaque
 };
 
-/// All differences are absolute ones of a component, in 255ths. A pixel's difference is that of its worst
-/// component.
+/// All values are absolute differences of a component, in units of 1/255. A pixel's difference is that of its
+/// worst component.
 struct Difference {
     int max = 0;
-    double mean = 0;      ///< over all components that are compared, of all pixels
+    double mean = 0;      ///< over all compared components of all pixels
     std::size_t over = 0; ///< pixels that differ by more than the tolerance
     std::size_t pixels = 0;
     glm::ivec2 worst{0};                      ///< the first pixel that differs by `max`; row 0 is the bottom
-    std::array<std::size_t, 256> histogram{}; ///< pixels by their difference
+    std::array<std::size_t, 256> histogram{}; ///< number of pixels by difference
 
-    /// Of the pixels, 0 to 1; 0 where there is none.
+    /// The share of pixels, 0 to 1; 0 if there are none.
     [[nodiscard]] double shareOver() const {
         return pixels == 0 ? 0 : static_cast<double>(over) / static_cast<double>(pixels);
     }
-    /// Pixels that differ by more than any other tolerance than the one it was made with.
+    /// Counts the pixels that differ by more than another tolerance.
     [[nodiscard]] std::size_t countOver(int tolerance) const;
 };
 
-/// Two Rgba8 pictures of the same size. Errors: Unsupported for another format, OutOfRange for two sizes.
+/// Compares two Rgba8 pictures of the same size. Errors: Unsupported for another format, OutOfRange for
+/// different sizes.
 [[nodiscard]] Result<Difference> compare(const Image& a, const Image& b, int tolerance,
                                          Compared compared = Compared::Rgba);
 

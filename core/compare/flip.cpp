@@ -21,10 +21,10 @@ constexpr float featureExponent = 0.5F;  // qf
 
 /// What a picture looks like, pixel by pixel of a tile.
 struct Appearance {
-    explicit Appearance(const Tile& largest)
-        : color(3, Plane(largest.width, largest.height))
-        , edges(largest.width, largest.height)
-        , points(largest.width, largest.height) {}
+    explicit Appearance(const Tile& maxTile)
+        : color(3, Plane(maxTile.width, maxTile.height))
+        , edges(maxTile.width, maxTile.height)
+        , points(maxTile.width, maxTile.height) {}
 
     std::vector<Plane> color; ///< huntLabOf
     Plane edges;
@@ -50,16 +50,16 @@ std::vector<Plane> planesOf(std::size_t count, int width, int height) {
 
 class FlipMetric : public PixelMetric {
 public:
-    FlipMetric(double pixelsPerDegree, bool opaque, const Tile& largest)
+    FlipMetric(double pixelsPerDegree, bool opaque, const Tile& maxTile)
         : opaque_(opaque)
         , reach_(flipReach(pixelsPerDegree))
         , contrast_(contrastFilters(pixelsPerDegree))
         , features_(featureFilters(pixelsPerDegree))
-        , opponents_(planesOf(3, grown(largest, reach_).width, grown(largest, reach_).height))
-        , across_(planesOf(4, largest.width, grown(largest, reach_).height))
-        , rows_(planesOf(4, largest.width, 1))
-        , expected_(largest)
-        , actual_(largest) {}
+        , opponents_(planesOf(3, grown(maxTile, reach_).width, grown(maxTile, reach_).height))
+        , across_(planesOf(4, maxTile.width, grown(maxTile, reach_).height))
+        , rows_(planesOf(4, maxTile.width, 1))
+        , expected_(maxTile)
+        , actual_(maxTile) {}
 
     [[nodiscard]] int reach() const override { return reach_; }
 
@@ -83,14 +83,15 @@ private:
                 values[i] = std::max(values[i], errorAt(x, y));
     }
 
-    void look(const std::vector<Rgba>& picture, Background background, const TilePixels& pixels,
+    void look(const std::vector<PixelBytes>& picture, Background background, const TilePixels& pixels,
               Appearance& appearance) {
         readOpponents(picture, background, pixels);
         findColors(pixels, appearance);
         findFeatures(pixels, appearance);
     }
 
-    void readOpponents(const std::vector<Rgba>& picture, Background background, const TilePixels& pixels) {
+    void readOpponents(const std::vector<PixelBytes>& picture, Background background,
+                       const TilePixels& pixels) {
         std::size_t i = 0;
         for (int y = 0; y < pixels.height(); ++y) {
             float* const rows[3]{opponents_[0].row(y), opponents_[1].row(y), opponents_[2].row(y)};
@@ -164,10 +165,10 @@ private:
         if (!(distance > 0))
             return 0;
         const float power = std::pow(distance, colorExponent);
-        const float split = colorSplit * largestPower_;
-        const float color = power < split ? power * colorSplitValue / split
-                                          : colorSplitValue + (power - split) / (largestPower_ - split) *
-                                                                  (1 - colorSplitValue);
+        const float split = colorSplit * maxPower_;
+        const float color =
+            power < split ? power * colorSplitValue / split
+                          : colorSplitValue + (power - split) / (maxPower_ - split) * (1 - colorSplitValue);
         const float feature = std::max(std::abs(expected_.edges.row(y)[x] - actual_.edges.row(y)[x]),
                                        std::abs(expected_.points.row(y)[x] - actual_.points.row(y)[x]));
         if (!(feature > 0))
@@ -178,7 +179,7 @@ private:
 
     const LinearLight& table_ = LinearLight::table();
     /// Of the two colours of a screen that are the farthest apart, green and blue.
-    const float largestPower_ =
+    const float maxPower_ =
         std::pow(hyab(huntLabOf(FlipColor{0, 1, 0}), huntLabOf(FlipColor{0, 0, 1})), colorExponent);
     bool opaque_;
     int reach_;
@@ -193,8 +194,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<PixelMetric> makeFlip(double pixelsPerDegree, bool opaque, const Tile& largest) {
-    return std::make_unique<FlipMetric>(pixelsPerDegree, opaque, largest);
+std::unique_ptr<PixelMetric> makeFlip(double pixelsPerDegree, bool opaque, const Tile& maxTile) {
+    return std::make_unique<FlipMetric>(pixelsPerDegree, opaque, maxTile);
 }
 
 } // namespace texplorer

@@ -1,6 +1,6 @@
 #pragma once
 
-// The colour spaces of FLIP. Light is linear, 0 to 1; its primaries are sRGB's.
+// The colour spaces of FLIP. Light is linear, 0 to 1, with sRGB's primaries.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ using FlipColor = std::array<float, 3>;
     return static_cast<float>(above / below);
 }
 
-/// sRGB's primaries (IEC 61966-2-1) to XYZ and back, and the white of both, D65.
+/// sRGB's primaries (IEC 61966-2-1) to XYZ and back, and their white point, D65.
 inline constexpr std::array lightToXyz{
     FlipColor{ratioOf(10135552, 24577794), ratioOf(8788810, 24577794), ratioOf(4435075, 24577794)},
     FlipColor{ratioOf(2613072, 12288897), ratioOf(8788810, 12288897), ratioOf(887015, 12288897)},
@@ -39,7 +39,7 @@ inline constexpr FlipColor white{0.950428545F, 1, 1.088900371F};
     return {116 * xyz[1] - 16, 500 * (x - xyz[1]), 200 * (xyz[1] - z)};
 }
 
-/// Within what a screen shows.
+/// Clamped to the range of a screen.
 [[nodiscard]] inline FlipColor lightOfOpponent(const FlipColor& opponent) {
     const float y = (opponent[0] + 16) / 116;
     const FlipColor xyz{(opponent[1] / 500 + y) * white[0], y, (y - opponent[2] / 200) * white[2]};
@@ -49,7 +49,7 @@ inline constexpr FlipColor white{0.950428545F, 1, 1.088900371F};
     return light;
 }
 
-/// CIE L*a*b* with the colours of dark pixels taken back as Hunt found it: section 4.1.
+/// CIE L*a*b*, with less saturation for dark pixels (the Hunt effect): section 4.1.
 [[nodiscard]] inline FlipColor huntLabOf(const FlipColor& light) {
     constexpr float delta = 6.0F / 29;
     FlipColor f = multiply(lightToXyz, light);
@@ -61,7 +61,7 @@ inline constexpr FlipColor white{0.950428545F, 1, 1.088900371F};
     return {lightness, 0.01F * lightness * (500 * (f[0] - f[1])), 0.01F * lightness * (200 * (f[1] - f[2]))};
 }
 
-/// For large differences of colour: Abasi, Amani Tehran, Fairchild 2019.
+/// A metric for large colour differences: Abasi, Amani Tehran, Fairchild 2019.
 [[nodiscard]] inline float hyab(const FlipColor& a, const FlipColor& b) {
     const float da = a[1] - b[1];
     const float db = a[2] - b[2];

@@ -11,10 +11,10 @@ namespace texplorer {
 namespace {
 
 /// The pixels [first, first + count) of a row that the picture has; `y` is counted from the top.
-void readPixels(const Image& image, int first, int count, int y, Rgba* to) {
+void readPixels(const Image& image, int first, int count, int y, PixelBytes* to) {
     const std::byte* from = image.at(first, image.height - 1 - y).data();
     if (image.format == PixelFormat::Rgba8) {
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(Rgba));
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(PixelBytes));
         return;
     }
     const int bytes = bytesPerPixel(image.format);
@@ -23,17 +23,17 @@ void readPixels(const Image& image, int first, int count, int y, Rgba* to) {
 }
 
 /// The same with the nearest pixels of the row where the picture ends.
-void readRow(const Image& image, int first, int count, int y, Rgba* to) {
+void readRow(const Image& image, int first, int count, int y, PixelBytes* to) {
     const int inside = std::clamp(first, 0, image.width - 1);
     const int end = std::clamp(first + count, inside + 1, image.width);
-    Rgba* const begin = to + (inside - first);
+    PixelBytes* const begin = to + (inside - first);
     readPixels(image, inside, end - inside, std::clamp(y, 0, image.height - 1), begin);
     std::fill(to, begin, *begin);
     std::fill(begin + (end - inside), to + count, begin[end - inside - 1]);
 }
 
-Rgba meanOf(const Rgba& a, const Rgba& b) {
-    Rgba mean{};
+PixelBytes meanOf(const PixelBytes& a, const PixelBytes& b) {
+    PixelBytes mean{};
     for (std::size_t c = 0; c < mean.size(); ++c)
         mean[c] = static_cast<std::uint8_t>((a[c] + b[c] + 1) / 2);
     return mean;
@@ -63,7 +63,7 @@ void PicturePair::read(const Tile& tile, int reach, TilePixels& pixels) const {
     pixels.expected.resize(count);
     pixels.actual.resize(count);
     pixels.counts.assign(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height), 1);
-    std::vector<Rgba> mask(mask_ != nullptr ? static_cast<std::size_t>(width) : 0);
+    std::vector<PixelBytes> mask(mask_ != nullptr ? static_cast<std::size_t>(width) : 0);
     for (int y = 0; y < height; ++y) {
         const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
         readRow(*expected_, tile.x - reach, width, tile.y + y - reach, &pixels.expected[row]);

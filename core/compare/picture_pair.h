@@ -1,6 +1,6 @@
 #pragma once
 
-// The two pictures as the metrics read them: pieces of RGBA pixels with what lies around them.
+// Access of the metrics to the two pictures: tiles of RGBA pixels with a margin.
 
 #include "core/compare/difference.h"
 #include "core/image/image.h"
@@ -12,14 +12,14 @@
 
 namespace texplorer {
 
-using Rgba = std::array<std::uint8_t, 4>;
+using PixelBytes = std::array<std::uint8_t, 4>;
 
-/// Whether a pixel of a mask hides the one behind it: black, or wholly transparent.
-[[nodiscard]] constexpr bool isMasked(const Rgba& mask) {
+/// Whether a mask pixel hides the pixel: black or fully transparent.
+[[nodiscard]] constexpr bool isMasked(const PixelBytes& mask) {
     return mask[3] == 0 || (mask[0] == 0 && mask[1] == 0 && mask[2] == 0);
 }
 
-/// A piece of a picture, its upper left counted from the picture's.
+/// A rectangle of a picture, from its upper left.
 struct Tile {
     int x;
     int y;
@@ -28,24 +28,24 @@ struct Tile {
 };
 
 /// A tile of both pictures with `reach` pixels around it, from the upper left, without padding. Beyond the
-/// pictures' edges the nearest pixel repeats.
+/// edges, the nearest pixel repeats.
 struct TilePixels {
     Tile tile{};
     int reach = 0;
-    std::vector<Rgba> expected;
-    std::vector<Rgba> actual;
-    std::vector<std::uint8_t> counts; ///< of the tile alone: 0 where the mask is
+    std::vector<PixelBytes> expected;
+    std::vector<PixelBytes> actual;
+    std::vector<std::uint8_t> counts; ///< of the tile without margin: 0 in the mask
 
     [[nodiscard]] int width() const { return tile.width + 2 * reach; }
     [[nodiscard]] int height() const { return tile.height + 2 * reach; }
-    /// Of a pixel of the tile, in `expected` and `actual`.
+    /// The index of a pixel of the tile in `expected` and `actual`.
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y + reach) * static_cast<std::size_t>(width()) +
                static_cast<std::size_t>(x + reach);
     }
 };
 
-/// Two pictures of one size, and the mask. It refers to them.
+/// Two pictures of one size, and the mask. They must outlive the pair.
 class PicturePair {
 public:
     PicturePair(const Image& expected, const Image& actual, const Image* mask)
@@ -56,11 +56,11 @@ public:
     [[nodiscard]] int width() const { return expected_->width; }
     [[nodiscard]] int height() const { return expected_->height; }
 
-    /// Fills `pixels`, whose buffers are used again. Where a pixel doesn't count, both pictures have the mean
-    /// of the two, so that a metric that looks around it finds no difference there.
+    /// Fills `pixels`, reusing its buffers. Masked pixels are the mean of both pictures in both, so metrics
+    /// that look at neighbours find no difference there.
     void read(const Tile& tile, int reach, TilePixels& pixels) const;
 
-    /// Whether every alpha of the rows from `first`, counted as the images do, is 255.
+    /// Whether every alpha of the rows from `first`, in the images' order, is 255.
     [[nodiscard]] bool isOpaque(int first, int count) const;
 
 private:

@@ -9,7 +9,7 @@
 
 namespace texplorer {
 
-/// The differences of one pixel's components: the worst, and their sum.
+/// The differences of a pixel's components: the largest, and the sum.
 struct PixelDifference {
     int worst;
     int sum;
@@ -27,7 +27,7 @@ struct PixelDifference {
     return result;
 }
 
-/// Those of an Rgba8 pixel that count.
+/// The number of components of an Rgba8 pixel that are compared.
 [[nodiscard]] constexpr std::size_t componentsOf(Compared compared) {
     return compared == Compared::Rgba ? 4 : 3;
 }

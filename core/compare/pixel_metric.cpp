@@ -6,12 +6,12 @@
 
 namespace texplorer {
 
-std::unique_ptr<PixelMetric> makePixelMetric(const Criterion& criterion, bool opaque, const Tile& largest) {
+std::unique_ptr<PixelMetric> makePixelMetric(const Criterion& criterion, bool opaque, const Tile& maxTile) {
     switch (criterion.metric) {
     case Metric::Ssim:
-        return makeSsim(opaque, largest);
+        return makeSsim(opaque, maxTile);
     case Metric::Flip:
-        return makeFlip(criterion.pixelsPerDegree, opaque, largest);
+        return makeFlip(criterion.pixelsPerDegree, opaque, maxTile);
     case Metric::Absolute:
         break;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What each metric makes of a piece of the pictures.
+// The interface of metrics: values for the pixels of a tile.
 
 #include "core/compare/criterion.h"
 #include "core/compare/picture_pair.h"
@@ -10,7 +10,7 @@
 
 namespace texplorer {
 
-/// Has memory to work in, which it uses again: each thread has one of its own.
+/// Reuses its working memory, so each thread needs its own.
 class PixelMetric {
 public:
     PixelMetric() = default;
@@ -18,16 +18,17 @@ public:
     PixelMetric& operator=(const PixelMetric&) = delete;
     virtual ~PixelMetric() = default;
 
-    /// How many pixels around a pixel its value depends on. Where two pictures are equal within that, it is
-    /// 0.
+    /// The distance in pixels that the value of a pixel depends on. If the pictures are equal within it, the
+    /// value is 0.
     [[nodiscard]] virtual int reach() const = 0;
 
-    /// The value of every pixel of the tile, whose `reach` is this one's, from its upper left.
+    /// Computes the value of every pixel of the tile, from its upper left. The tile's `reach` must be this
+    /// metric's.
     virtual void measure(const TilePixels& pixels, std::span<float> values) = 0;
 };
 
-/// For tiles of up to `largest`. `opaque`: no alpha of the pictures is below 255.
+/// For tiles of up to `maxTile`. `opaque`: no alpha of the pictures is below 255.
 [[nodiscard]] std::unique_ptr<PixelMetric> makePixelMetric(const Criterion& criterion, bool opaque,
-                                                           const Tile& largest);
+                                                           const Tile& maxTile);
 
 } // namespace texplorer

@@ -8,10 +8,10 @@
 
 namespace texplorer {
 
-/// A number for each pixel of a piece of a picture, to work in. Its rows are as long as filterRow needs them.
+/// A number for each pixel of a tile, as working memory. Its rows are padded as filterRow needs.
 class Plane {
 public:
-    /// For up to so many pixels.
+    /// The maximum size.
     Plane(int width, int height)
         : stride_(paddedWidth(width) + 8)
         , floats_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height) + 8) {}
@@ -27,7 +27,7 @@ private:
     std::vector<float> floats_;
 };
 
-/// Rows [0, height) of `out`, each pixel from those of its row that begin `first` columns to the right of it.
+/// Filters rows [0, height) of `out`; the first tap of a pixel is `first` columns to its right.
 inline void filterAcross(const Plane& in, int first, std::span<const float> taps, Plane& out, int width,
                          int height) {
     for (int y = 0; y < height; ++y)

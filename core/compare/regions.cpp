@@ -8,7 +8,7 @@ namespace texplorer {
 
 namespace {
 
-/// Pixels beside each other in a row, and the region they belong to.
+/// Adjacent pixels of a row, and their region.
 struct Run {
     int first;
     int last;
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// Regions that have nothing in the current row are complete; the others are numbered anew.
+    /// Regions that have nothing in the current row are complete; the others are renumbered.
     void finish() {
         constexpr std::size_t none = ~std::size_t{0};
         std::vector<std::size_t>& numbers = numbers_;

@@ -8,7 +8,8 @@
 
 namespace texplorer {
 
-/// A bit for every pixel. Rows begin with a word, so tiles whose width is a multiple of 64 share none.
+/// A bit for every pixel. Rows begin with a new word, so tiles whose width is a multiple of 64 share no
+/// words.
 class PixelBits {
 public:
     PixelBits(int width, int height)
@@ -30,10 +31,10 @@ private:
 
 struct Regions {
     std::size_t count = 0;
-    std::vector<DifferentRegion> largest; ///< those with the most pixels, of equal ones that which is above
+    std::vector<DifferentRegion> largest; ///< those with the most pixels; among equals, the upper ones
 };
 
-/// The pixels of `rows` that are set and touch each other, at a side or at a corner. Takes memory for a row.
+/// Finds the connected regions of set pixels in `rows` (sides or corners touch). Needs memory for one row.
 [[nodiscard]] Regions regionsIn(const PixelBits& bits, const PixelRect& rows, std::size_t kept);
 
 } // namespace texplorer

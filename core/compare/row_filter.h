@@ -6,9 +6,9 @@
 
 namespace texplorer {
 
-/// A vertical or horizontal filter for four pixels at once. Every pixel adds the same products in the same
-/// order, so its sum doesn't depend on where a tile begins. `width` is rounded up to a multiple of 8: so many
-/// floats are written, and as many read beyond each tap. out[x] is the sum of taps[k] * in[x + k * step].
+/// A vertical or horizontal filter for four pixels at once: out[x] is the sum of taps[k] * in[x + k * step].
+/// Every pixel adds the same products in the same order, so the result does not depend on the tiles. `width`
+/// is rounded up to a multiple of 8: so many floats are written, and read beyond each tap.
 inline void filterRow(const float* in, std::ptrdiff_t step, std::span<const float> taps, float* out,
                       int width) {
     using Floats [[gnu::vector_size(16)]] = float;
@@ -31,7 +31,7 @@ inline void filterRow(const float* in, std::ptrdiff_t step, std::span<const floa
     }
 }
 
-/// How many floats a row of so many pixels takes where filterRow writes or reads it.
+/// The number of floats in a row of so many pixels for filterRow.
 [[nodiscard]] constexpr int paddedWidth(int width) {
     return (width + 7) / 8 * 8;
 }

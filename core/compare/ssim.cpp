@@ -37,11 +37,11 @@ enum Average : std::size_t { ofExpected, ofActual, ofSquares, ofProduct, average
 
 class SsimMetric : public PixelMetric {
 public:
-    SsimMetric(std::size_t channels, const Tile& largest)
+    SsimMetric(std::size_t channels, const Tile& maxTile)
         : channels_(channels)
-        , pixels_(averageCount, Plane(largest.width + 2 * windowReach, largest.height + 2 * windowReach))
-        , across_(averageCount, Plane(largest.width, largest.height + 2 * windowReach))
-        , averages_(averageCount, Plane(largest.width, 1)) {}
+        , pixels_(averageCount, Plane(maxTile.width + 2 * windowReach, maxTile.height + 2 * windowReach))
+        , across_(averageCount, Plane(maxTile.width, maxTile.height + 2 * windowReach))
+        , averages_(averageCount, Plane(maxTile.width, 1)) {}
 
     [[nodiscard]] int reach() const override { return windowReach; }
 
@@ -106,8 +106,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<PixelMetric> makeSsim(bool opaque, const Tile& largest) {
-    return std::make_unique<SsimMetric>(opaque ? 3 : 4, largest);
+std::unique_ptr<PixelMetric> makeSsim(bool opaque, const Tile& maxTile) {
+    return std::make_unique<SsimMetric>(opaque ? 3 : 4, maxTile);
 }
 
 } // namespace texplorer

@@ -38,7 +38,7 @@ std::string regionsText(const Comparison& comparison) {
     if (comparison.over == 1)
         return {};
     const PixelRect& bounds = comparison.bounds;
-    return fmt::format("; {} within {} x {} pixels at {}, {}", countOf(comparison.regions, "region"),
+    return fmt::format("; {} within {} × {} pixels at {}, {}", countOf(comparison.regions, "region"),
                        bounds.width, bounds.height, bounds.x, bounds.y);
 }
 
@@ -49,7 +49,7 @@ std::string scoreText(const Comparison& comparison) {
 }
 
 std::string sizesText(const Comparison& comparison) {
-    return fmt::format("the sizes differ: {} x {} pixels were expected, {} x {} found",
+    return fmt::format("the sizes differ: {} × {} pixels were expected, {} × {} found",
                        comparison.expectedSize.x, comparison.expectedSize.y, comparison.actualSize.x,
                        comparison.actualSize.y);
 }
@@ -68,7 +68,7 @@ std::string verdictOn(const Comparison& comparison) {
     const std::string all = fmt::format("{}; {}{}{}", overText(comparison), worstText(comparison),
                                         regionsText(comparison), scoreText(comparison));
     if (comparison.alike)
-        return fmt::format("alike, as up to {} may differ: {}", percentText(criterion.share), all);
+        return fmt::format("alike, since up to {} may differ: {}", percentText(criterion.share), all);
     return all;
 }
 

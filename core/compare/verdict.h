@@ -6,7 +6,7 @@
 
 namespace texplorer {
 
-/// Comparison::sentence of one that has everything else.
+/// Makes Comparison::sentence from the other members.
 [[nodiscard]] std::string verdictOn(const Comparison& comparison);
 
 } // namespace texplorer

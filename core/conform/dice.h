@@ -1,6 +1,6 @@
 #pragma once
 
-// Numbers that look like chance and are the same on every machine.
+// Pseudorandom numbers that are the same on every machine.
 
 #include "core/gl/enum_row.h"
 
@@ -15,17 +15,17 @@ namespace texplorer::conform {
 
 class Dice {
 public:
-    /// A throw of its own for each feature, seed and number of a scene, so that a scene stays what it is
-    /// whatever else is drawn with it.
+    /// Each feature, seed and scene number has its own sequence, so a scene does not depend on the others
+    /// that are drawn.
     Dice(std::string_view feature, unsigned seed, int number)
         : engine_(mixed(feature, seed, number)) {}
 
-    /// 0 to count - 1.
+    /// Returns 0 to count - 1.
     [[nodiscard]] int below(int count) {
         return static_cast<int>(static_cast<std::uint32_t>(engine_()) % static_cast<std::uint32_t>(count));
     }
     [[nodiscard]] bool chance(int oneIn) { return below(oneIn) == 0; }
-    /// One of 1024 numbers at equal distances.
+    /// Returns one of 1024 evenly spaced numbers.
     [[nodiscard]] float number(float low, float high) {
         return low + (high - low) * static_cast<float>(below(1024)) / 1023.0F;
     }

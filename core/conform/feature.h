@@ -1,6 +1,6 @@
 #pragma once
 
-// What is swept: a row for each feature, with the scenes that show it and the rules it is held to.
+// The features that are swept: a row for each, with its scenes and the rules that apply.
 
 #include "core/conform/dice.h"
 #include "core/conform/rule.h"
@@ -14,8 +14,8 @@ namespace texplorer::conform {
 /// Every picture is a square of so many pixels. Flat quads rely on it: see surfaces.h.
 inline constexpr int extent = 64;
 
-/// How many scenes share a state. A driver compiles each state that it has not met yet, which takes it far
-/// longer than the drawing: so all scenes of a state differ in numbers alone, and follow one another.
+/// The number of scenes that share a state. A driver compiles each new state, which takes far longer than
+/// drawing; so all scenes of a state differ in numbers only and are drawn one after the other.
 inline constexpr int scenesPerState = 4;
 
 /// Of all features together.
@@ -23,20 +23,19 @@ inline constexpr int defaultScenes = 3052;
 
 struct Feature {
     std::string_view name;
-    std::string_view sweeps;  ///< what its scenes are made of
+    std::string_view sweeps;  ///< how its scenes vary
     std::string_view section; ///< of the OpenGL 2.1 specification
-    int scenes;               ///< of defaultScenes
-    /// The scene of a state: everything that is an enumerant comes from its number and from `state`,
-    /// everything that is a number from `values`.
+    int scenes;               ///< its part of defaultScenes
+    /// Makes the scene of a state: enumerants depend on `number` and `state`, numbers on `values`.
     Scene (*scene)(int number, Dice& state, Dice& values);
-    const Rule& reference; ///< the reference against one of OpenGL's renderers
-    const Rule& shader;    ///< OpenGL's two renderers against each other
+    const Rule& reference; ///< for the reference against one of OpenGL's renderers
+    const Rule& shader;    ///< for OpenGL's two renderers against each other
 };
 
 /// In the order in which they are drawn and reported.
 [[nodiscard]] std::span<const Feature> features();
 
-/// nullptr: there is none of this name.
+/// Returns nullptr for an unknown name.
 [[nodiscard]] const Feature* findFeature(std::string_view name);
 
 } // namespace texplorer::conform

@@ -88,6 +88,10 @@ float log2OfBits(float value) {
 } // namespace
 
 glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& images) {
+    if (texture.source == SourceKind::LightDepth) { // what the light sees is not in `images`
+        const int size = std::max(texture.depthSize >> std::clamp(texture.baseLevel, 0, 30), 1);
+        return {size, size, 1};
+    }
     const LevelPlan plan = planLevels(texture, images.picturesOf(texture), target);
     for (const PlannedLevel& level : plan.levels) {
         if (level.number == texture.baseLevel)
@@ -144,8 +148,8 @@ using reference::FragmentOutcome;
 using reference::PixelBytes;
 
 /// Fragments whose range is asked for, from the last one on, and colours that are kept of them all.
-constexpr std::size_t mostFragments = 8;
-constexpr std::size_t mostColors = 256;
+constexpr std::size_t maxFragments = 8;
+constexpr std::size_t maxColors = 256;
 
 /// The scene with the bias of a fragment's units moved to a place of their ranges.
 reference::DrawRequest biased(const reference::DrawRequest& request, const Explanation& pixel,
@@ -196,7 +200,7 @@ Result<std::vector<PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& r
     const std::vector<FragmentExplanation>& fragments = exact->fragments;
     const int steps = methods.size() == 1 ? 4 : 12; // from one end of the range to the other
     std::size_t first = fragments.size();
-    for (std::size_t count = 0; first > 0 && count < mostFragments; ++count) {
+    for (std::size_t count = 0; first > 0 && count < maxFragments; ++count) {
         if (covers(fragments[--first]))
             break;
     }
@@ -223,7 +227,7 @@ Result<std::vector<PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& r
         }
         std::ranges::sort(after);
         after.erase(std::ranges::unique(after).begin(), after.end());
-        const std::size_t step = after.size() / mostColors + 1;
+        const std::size_t step = after.size() / maxColors + 1;
         colors.clear();
         for (std::size_t i = 0; i < after.size(); i += step)
             colors.push_back(after[i]);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The files that scenes of the sweep name. They are made here, and written beside a report's scenes.
+// The files that the sweep's scenes refer to. They are generated, and written next to a report's scenes.
 
 #include "core/base/bytes.h"
 #include "core/texture/image_source.h"
@@ -12,10 +12,10 @@ namespace texplorer::conform {
 
 struct MadeFile {
     std::string_view name;
-    int levels; ///< of the seven that a picture of 64 x 64 can have
+    int levels; ///< 1 to 7, as many as a picture of 64 x 64 can have
 };
 
-/// DDS files, with their levels or only the first ones.
+/// DDS files, with all levels or only the first ones.
 inline constexpr std::array madeFiles{
     MadeFile{"level-1-of-7.dds", 1},
     MadeFile{"levels-3-of-7.dds", 3},
@@ -24,7 +24,7 @@ inline constexpr std::array madeFiles{
 
 [[nodiscard]] Bytes bytesOf(const MadeFile& file);
 
-/// What comes of loading all of them.
+/// All of them, loaded.
 [[nodiscard]] const ImageSource& madeImages();
 
 } // namespace texplorer::conform

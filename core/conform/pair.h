@@ -18,15 +18,15 @@ struct Pair {
     bool operator==(const Pair&) const = default;
 };
 
-/// Fixed function is what the other two are held against: what they make of each other follows.
+/// Fixed function is compared with both others; their agreement with each other follows from that.
 inline constexpr std::array defaultPairs{Pair{RendererKind::Shader, RendererKind::Fixed},
                                          Pair{RendererKind::Reference, RendererKind::Fixed}};
 
-/// OpenGL as it was found.
+/// The OpenGL implementation.
 struct Driver {
-    std::string name; ///< GL_RENDERER: "llvmpipe (LLVM 15.0.6, 256 bits)"; empty where none is needed
+    std::string name; ///< GL_RENDERER: "llvmpipe (LLVM 15.0.6, 256 bits)"; empty if none is needed
     std::string version;
-    std::string settings; ///< of the environment, that decide how precisely it draws: "GALLIVM_PERF=…"
+    std::string settings; ///< environment variables that change its precision: "GALLIVM_PERF=…"
     DriverFacts facts{};
 };
 

@@ -13,8 +13,8 @@
 
 namespace texplorer::conform {
 
-/// One of the renderers that are compared. Draws one scene after the other: frames of extent x extent pixels
-/// (feature.h), at time 0.
+/// A renderer to compare. Draws one scene after the other: frames of extent x extent pixels (feature.h), at
+/// time 0.
 class Renderer {
 public:
     Renderer() = default;
@@ -25,29 +25,29 @@ public:
     [[nodiscard]] virtual Result<Frame> draw(const Scene& scene) = 0;
 };
 
-/// Ways of computing rho, of which a driver may take any; at least one.
+/// Methods to compute rho, any of which a driver may use; at least one.
 using RhoMethods = std::span<const reference::RhoMethod>;
 
-/// The reference, which can also say what a driver's freedom and precision make of a scene.
+/// The reference, which also computes the results that a driver's freedom and precision allow.
 class Explainer : public Renderer {
 public:
     [[nodiscard]] Result<Frame> draw(const Scene& scene) final {
         return drawBy(scene, reference::RhoMethod::Ideal);
     }
     [[nodiscard]] virtual Result<Frame> drawBy(const Scene& scene, reference::RhoMethod rho) = 0;
-    /// The colours of a pixel over what lambda may be: see lambda_range.h.
+    /// The colours of a pixel over the range of lambda: see lambda_range.h.
     [[nodiscard]] virtual Result<std::vector<reference::PixelBytes>>
     overLambda(const Scene& scene, reference::PixelPlace pixel, RhoMethods methods) = 0;
-    /// Those that scenes are drawn with.
+    /// The images that scenes are drawn with.
     [[nodiscard]] virtual const ImageSource& images() const = 0;
 };
 
-/// Draws every scene as this one: with its images, at its time, in its size. Anisotropic as Mesa is.
+/// Draws every scene like this request: with its images, time and size. Anisotropic filtering is Mesa's.
 [[nodiscard]] std::unique_ptr<Explainer> referenceRendererFor(const reference::DrawRequest& as,
                                                               unsigned threads = 1);
-/// Pictures of a sweep.
+/// For the pictures of a sweep.
 [[nodiscard]] std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images);
-/// With the files that the scenes of the sweep name.
+/// With the files that the sweep's scenes refer to.
 [[nodiscard]] std::unique_ptr<Explainer> referenceRenderer();
 
 } // namespace texplorer::conform

@@ -1,6 +1,6 @@
 #pragma once
 
-// A sweep's report for people, for programs, and as a folder to look around in.
+// A sweep's report as text, as JSON, and as a folder with a page.
 
 #include "core/conform/sweep.h"
 #include "core/report/report_files.h"
@@ -10,37 +10,37 @@
 
 namespace texplorer::conform {
 
-/// An aligned table for each pair, with what was skipped and why below it.
+/// An aligned table for each pair, followed by what was skipped and why.
 [[nodiscard]] std::string asText(const Report& report);
 
-/// Everything that the text says, and the tallies by shape.
+/// The content of the text, and the tallies by shape.
 [[nodiscard]] std::string asJson(const Report& report);
 
-/// What the file with it is called in a report's folder.
+/// The name of the JSON file in a report's folder.
 inline constexpr const char* reportName = "report.json";
 
-/// Whether a text is what asJson has written.
+/// Whether a text was written by asJson.
 [[nodiscard]] bool isReport(const std::string& json);
 
-/// What features there are, with the rules that they are held to.
+/// Lists the features with their rules.
 [[nodiscard]] std::string listing();
-/// The same for programs: "features", "rules" and "notCompared".
+/// The same as JSON: "features", "rules" and "notCompared".
 [[nodiscard]] std::string listingJson();
 
-/// What came of it all: "all agree", "all agree, 4 of 300 comparisons skipped", "not all agree" or "nothing
-/// was compared".
+/// The result in one phrase: "all agree", "all agree, 4 of 300 comparisons skipped", "not all agree" or
+/// "nothing was compared".
 [[nodiscard]] std::string summary(const Report& report);
 
-/// A case for each feature and pair, with its worst scene: its pictures, where it is worst, the rule and what
-/// is allowed. Errors: those of the PNG encoder.
+/// A case for each feature and pair, with its worst scene: its pictures, the worst pixel, the rule and what
+/// it allows. Errors: those of the PNG encoder.
 [[nodiscard]] Result<report::Page> asPage(const Report& report);
 
 /// That page (core/report) with its pictures, report.json, and for each feature and pair its worst scene
-/// ("wrap-reference-fixed.json", to open in the window) with the files that scenes name. Errors: those of
+/// ("wrap-reference-fixed.json", for the window) with the files that the scenes refer to. Errors: those of
 /// asPage.
 [[nodiscard]] Result<std::vector<report::File>> asFolder(const Report& report);
 
-/// "wrap-reference-fixed": what a worst scene's files are called before their extension.
+/// "wrap-reference-fixed": the names of a worst scene's files, without extension.
 [[nodiscard]] std::string worstName(const PairReport& pair, const Outcome& outcome);
 
 } // namespace texplorer::conform

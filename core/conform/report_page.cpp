@@ -170,10 +170,10 @@ report::Page introductionOf(const Report& report) {
                 : report.compared() ? report::Tone::Bad
                                     : report::Tone::Quiet;
     page.introduction = {
-        whatWasDrawn(report) + ". Of each feature and pair there is the worst of its scenes.",
-        "A pixel is over the bound when a component differs by more than its rule allows, and unexplained when what "
-        "the rule grants a driver's arithmetic does not explain it either. Differences are in 255ths. Open a scene "
-        "with texplorer FILE."};
+        whatWasDrawn(report) + ". The worst scene is shown for each feature and pair.",
+        "A pixel is over the bound if a component differs by more than its rule allows, and unexplained if "
+        "the precision that the rule grants to drivers does not explain it either. Differences are in "
+        "255ths. Open a scene with texplorer FILE."};
     const Origin& origin = report.origin;
     if (!origin.program.empty()) {
         page.madeBy = fmt::format("{}{} in {:.1f} s", origin.program,

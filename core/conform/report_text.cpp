@@ -102,7 +102,7 @@ std::string summary(const Report& report) {
     }
     std::string text = "all agree";
     if (open > 0)
-        text += fmt::format(", but for {} with too few scenes to tell", countOf(open, "feature"));
+        text += fmt::format(", except {} with too few scenes to decide", countOf(open, "feature"));
     if (skipped > 0)
         text += fmt::format(", {} of {} comparisons skipped", skipped, all);
     return text;
@@ -121,8 +121,9 @@ std::string listing() {
         }
     }
     std::string text = aligned(lines) +
-                       "\nRules: what of the pixels of all scenes may differ, what of those of a "
-                       "single scene or a case of \"texshot test\", and why\n";
+                       "\n"
+                       "Rules: the share of pixels that may differ over all scenes, and in a single scene "
+                       "or a case of \"texshot test\", with reasons\n";
     for (const Rule* rule : used)
         text += fmt::format("{}: {}; of a single scene {}. {}\n", rule->name, allowed(*rule),
                             allowedOfScene(*rule), rule->reason);

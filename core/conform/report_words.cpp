@@ -80,7 +80,7 @@ std::array<int, 2> placeOfWorst(const Judgement& judgement) {
 }
 
 std::string whatWasDrawn(const Report& report) {
-    return fmt::format("{0} scenes of {1} x {1} pixels, seed {2}", report.scenes, extent,
+    return fmt::format("{0} scenes of {1} × {1} pixels, seed {2}", report.scenes, extent,
                        report.selection.seed);
 }
 

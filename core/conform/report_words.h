@@ -1,6 +1,6 @@
 #pragma once
 
-// What a report says in the same words wherever it says it.
+// Phrases that several forms of a report share.
 
 #include "core/conform/sweep.h"
 
@@ -12,22 +12,22 @@ namespace texplorer::conform {
 /// "0", "<0.01 %", "0.56 %"
 [[nodiscard]] std::string percent(double share);
 
-/// What a rule allows: "0 over 1", "0.5 % over 2, 0.2 % unexplained"
+/// What a rule allows over all scenes: "0 over 1", "0.5 % over 2, 0.2 % unexplained"
 [[nodiscard]] std::string allowed(const Rule& rule);
-/// What it allows any single scene: "1 % unexplained", "20 % over 16, 5 % over 128"
+/// What it allows in a single scene: "1 % unexplained", "20 % over 16, 5 % over 128"
 [[nodiscard]] std::string allowedOfScene(const Rule& rule);
-/// What it allows of all scenes; where there is more than that by chance, with what so many scenes may have:
-/// "4 % over 2 (of 64 scenes 5.13 %), 0.05 % unexplained"
+/// What it allows over all scenes, and for a small sample the larger share that is within chance: "4 % over 2
+/// (of 64 scenes 5.13 %), 0.05 % unexplained"
 [[nodiscard]] std::string allowed(const Outcome& outcome);
 
-/// What OpenGL leaves open of rho, as far as a driver made use of it: "12 scenes drawn with rho at the lower
-/// end …"; empty: it didn't.
+/// How the driver used the range that OpenGL allows for rho: "12 scenes drawn with rho at the lower end …";
+/// empty: it did not.
 [[nodiscard]] std::string rhoText(const Outcome& outcome);
 
-/// How many scenes of a feature were skipped, for whatever reason.
+/// The number of skipped scenes of a feature, for any reason.
 [[nodiscard]] int skippedOf(const Outcome& outcome);
 
-/// Where the worst pixel is, from the upper left as `texshot probe --at` counts.
+/// The position of the worst pixel, from the upper left as in `texshot probe --at`.
 [[nodiscard]] std::array<int, 2> placeOfWorst(const Judgement& judgement);
 
 /// "2000 scenes of 64 x 64 pixels, seed 1"

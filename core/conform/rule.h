@@ -1,36 +1,40 @@
 #pragma once
 
-// How far two renderers may be apart, and why: a row for each reason, never one number for everything.
+// How much two renderers may differ, and why: a row for each reason, instead of one number for all.
 
 #include <cstdint>
 #include <string_view>
 
 namespace texplorer::conform {
 
-/// What a driver may do otherwise without being wrong, because the specification leaves it open or its
-/// arithmetic has only so many bits. A pixel that differs is then compared with what the reference draws at
-/// both ends of that freedom.
+/// What a correct driver may do differently, because the specification leaves it open or its arithmetic has
+/// limited precision. A pixel that differs is then compared with the reference's results at both ends of that
+/// freedom.
 enum class Tolerance : std::uint8_t {
     None,
-    /// Coordinates within 1/128 of a texel, or 2^-20 of themselves: next to an edge either of two texels is
-    /// right.
+    /// Coordinates may be off by 1/128 of a texel, or by 2^-20 of their value: next to an edge, either of two
+    /// texels is right.
     TexelEdge,
-    /// rho within the range of OpenGL 2.1, section 3.8.8, and lambda within its error at this pixel
-    /// (lambda_range.h), or coordinates as above: where levels are blended, the colour lies between those
-    /// that lambda spans; where one is chosen, it is that of one.
+    /// rho may be anywhere in the range of OpenGL 2.1, section 3.8.8, lambda may have its error at this pixel
+    /// (lambda_range.h), and coordinates as above. If levels are blended, the colour must be between the
+    /// colours that lambda allows; if one level is chosen, it must be the colour of one.
     Lambda,
 };
 
 struct Rule {
     std::string_view name;
-    int bound;    ///< of a component, in 255ths: a pixel that differs by more is over
-    double share; ///< of the pixels of all scenes that must not be over: of thousands (sample_limit.h)
+    int bound; ///< of a component, in units of 1/255: a pixel that differs by more is over
+    /// Of the pixels of all scenes: the share that must not be over; for thousands of scenes
+    /// (sample_limit.h).
+    double share;
     Tolerance tolerance;
-    double explained; ///< of the pixels of all scenes, what must not be over once the tolerance is granted
-    double explainedScene; ///< the same of the pixels of any single scene: none may be altogether wrong
+    /// Of the pixels of all scenes: the share that must not be over or that the tolerance explains.
+    double explained;
+    /// The same for each single scene, so that no scene may be completely wrong.
+    double explainedScene;
     std::string_view reason;
-    int farBound = 255;   ///< a pixel that differs by more is far, whatever may be granted; 255: none is
-    double nearScene = 1; ///< of the pixels of any single scene, what must not be far
+    int farBound = 255;   ///< a pixel that differs by more is far, regardless of the tolerance; 255: none is
+    double nearScene = 1; ///< of the pixels of each single scene: the share that must not be far
 };
 
 namespace rules {
@@ -42,8 +46,8 @@ inline constexpr Rule exact{
     Tolerance::None,
     1,
     1,
-    "The specification says every step, and no coordinate comes near to the edge of a texel: what is left is "
-    "the rounding to 8 bits (OpenGL 2.1, section 2.14.9), which may go either way."};
+    "The specification defines every step, and no coordinate is near the edge of a texel. Only the "
+    "rounding to 8 bits (OpenGL 2.1, section 2.14.9) may differ."};
 
 inline constexpr Rule passes{
     "passes",
@@ -52,8 +56,8 @@ inline constexpr Rule passes{
     Tolerance::None,
     1,
     1,
-    "Each pass is rounded to 8 bits before the next one reads it, and rounding may go either way: one 255th "
-    "for each of two or three passes (OpenGL 2.1, sections 2.14.9 and 4.1.8)."};
+    "Each pass is rounded to 8 bits before the next one reads it, and rounding may differ: one 255th for "
+    "each of two or three passes (OpenGL 2.1, sections 2.14.9 and 4.1.8)."};
 
 inline constexpr Rule blocks{
     "blocks",
@@ -62,8 +66,8 @@ inline constexpr Rule blocks{
     Tolerance::None,
     1,
     1,
-    "EXT_texture_compression_s3tc gives the colours between two ends as fractions and leaves their rounding "
-    "open; the picture is rounded once more."};
+    "EXT_texture_compression_s3tc defines the colours between two ends as fractions but not their "
+    "rounding; the picture is rounded once more."};
 
 inline constexpr Rule texelEdge{
     "texel-edge",
@@ -72,10 +76,9 @@ inline constexpr Rule texelEdge{
     Tolerance::TexelEdge,
     0.9995,
     0.99,
-    "Coordinates have so many bits: next to the edge of a texel either neighbour is right, and filter "
-    "weights "
-    "are off by as much. dEQP's texture lookup verifier grants 7 bits of a texel (uvwBits = 7). A corner may "
-    "be snapped to another 256th of a pixel, and with it a pixel on the outline."};
+    "Coordinates have limited precision: next to the edge of a texel either neighbour is correct, and "
+    "filter weights are off by as much. dEQP's texture lookup verifier grants 7 bits of a texel (uvwBits = "
+    "7). A vertex may be snapped to another 256th of a pixel, which affects pixels on the outline."};
 
 inline constexpr Rule texelEdgeOnQuads{
     "texel-edge-quads",
@@ -84,10 +87,9 @@ inline constexpr Rule texelEdgeOnQuads{
     Tolerance::TexelEdge,
     1,
     1,
-    "A flat quad that covers the picture has neither an outline nor lambda at stake, but generated "
-    "coordinates are no round numbers: each pixel has the colour of a texel within 7 bits of its place "
-    "(dEQP: "
-    "uvwBits = 7)."};
+    "A flat quad that covers the picture depends on neither an outline nor lambda, but generated "
+    "coordinates are not round numbers: each pixel has the colour of a texel within 7 bits of its place "
+    "(dEQP: uvwBits = 7)."};
 
 inline constexpr Rule levelChoice{
     "level-choice",
@@ -97,10 +99,10 @@ inline constexpr Rule levelChoice{
     0.9995,
     0.99,
     "Half-way between two levels, and between magnification and minification, the error of lambda decides "
-    "which texels are taken. The specification leaves rho open within wide bounds (OpenGL 2.1, section "
-    "3.8.8: "
-    "max(m_u, m_v) <= f <= m_u + m_v). Granted are these, 6 bits of lambda, as dEQP does (lodBits = 6), and "
-    "llvmpipe's own arithmetic: one derivative for 2 x 2 pixels, log2(rho^2) from the bits of a float."};
+    "which texels are read. The specification defines rho only within wide bounds (OpenGL 2.1, section "
+    "3.8.8: max(m_u, m_v) <= f <= m_u + m_v). The rule grants these bounds, 6 bits of lambda, as dEQP "
+    "(lodBits = 6), and llvmpipe's arithmetic: one derivative for 2 × 2 pixels, log2(rho^2) from the bits "
+    "of a float."};
 
 inline constexpr Rule levelBlend{
     "level-blend",
@@ -109,13 +111,11 @@ inline constexpr Rule levelBlend{
     Tolerance::Lambda,
     0.9995,
     0.99,
-    "Between two levels the error of lambda shows as a colour, so GL's must lie among those that lambda "
-    "spans "
-    "at this pixel, with any rho that OpenGL 2.1, section 3.8.8, allows: 6 bits, as dEQP grants (lodBits = 6), "
-    "and llvmpipe's own arithmetic, which takes one "
-    "derivative for 2 x 2 pixels and log2(rho^2) from the bits of a float, at most 0.0861 too little. "
-    "Because "
-    "of that one, 96 % have to be within the bound and not 99 %."};
+    "Between two levels the error of lambda shows as a colour, so GL's must be among those that lambda "
+    "spans at this pixel, with any rho that OpenGL 2.1, section 3.8.8, allows: 6 bits, as dEQP grants "
+    "(lodBits = 6), and llvmpipe's arithmetic, which uses one derivative for 2 × 2 pixels and log2(rho^2) "
+    "from the bits of a float, at most 0.0861 too low. Because of the latter, 96 % have to be within the "
+    "bound instead of 99 %."};
 
 inline constexpr Rule foreignLevels{
     "foreign-levels",
@@ -124,8 +124,8 @@ inline constexpr Rule foreignLevels{
     Tolerance::Lambda,
     0.9995,
     0.99,
-    "As between two levels that are made of each other, but here neighbours have nothing in common: the same "
-    "error of lambda moves a colour further, and only 88 % have to be within the bound."};
+    "As between two generated levels, but here neighbouring levels are unrelated: the same error of lambda "
+    "changes a colour more, and only 88 % have to be within the bound."};
 
 inline constexpr Rule ellipse{
     "ellipse",
@@ -134,12 +134,11 @@ inline constexpr Rule ellipse{
     Tolerance::None,
     0.98,
     0.8,
-    "EXT_texture_filter_anisotropic leaves the method open. The reference averages over an ellipse as Mesa "
-    "does; but Mesa takes the axes of the ellipse from one derivative for 2 x 2 pixels and its weights from "
-    "a "
-    "table, so that colours are off by more than the bound along edges of the image. Towards the horizon it may "
-    "take another level: of a floor that is seen from 8 to 20 degrees above, up to 16 % of the pixels are over "
-    "then, but hardly any is off by more than half of what there is.",
+    "EXT_texture_filter_anisotropic does not define the method. The reference averages over an ellipse "
+    "like Mesa, but Mesa takes the axes of the ellipse from one derivative for 2 × 2 pixels and its "
+    "weights from a table, so that colours are off by more than the bound along edges of the image. "
+    "Towards the horizon it may use another level: for a floor seen from 8 to 20 degrees above, up to 16 % "
+    "of the pixels are then over the bound, but hardly any differs by more than half of the range.",
     128,
     0.95};
 
@@ -150,8 +149,8 @@ inline constexpr Rule outline{
     Tolerance::None,
     0.9995,
     0.99,
-    "Which pixels a polygon covers is said for exact corners; they are snapped to 1/256 of a pixel "
-    "(GL_SUBPIXEL_BITS), so that one on the outline may fall on the other side."};
+    "The pixels of a polygon are defined for exact vertices, but these are snapped to 1/256 of a pixel "
+    "(GL_SUBPIXEL_BITS), so a pixel on the outline may be on the other side."};
 
 inline constexpr Rule lines{
     "lines",
@@ -160,11 +159,11 @@ inline constexpr Rule lines{
     Tolerance::TexelEdge,
     0.9998,
     0.985,
-    "Which pixels a line covers is said for exact ends; they are snapped to 1/256 of a pixel "
-    "(GL_SUBPIXEL_BITS). Where a side of it, or of the diamond that it ends in, passes a pixel's centre as "
-    "near, there is a pixel more or less (OpenGL 2.1, sections 3.4.1 and 3.4.2). Along a line of one pixel Mesa "
-    "interpolates by its longer axis, while equation 3.5 projects the centre of the pixel on it: a quarter of "
-    "a pixel at most."};
+    "The pixels of a line are defined for exact ends, but these are snapped to 1/256 of a pixel "
+    "(GL_SUBPIXEL_BITS). Where one of its sides, or of the diamond at its end, is that near to a pixel's "
+    "centre, there may be one pixel more or less (OpenGL 2.1, sections 3.4.1 and 3.4.2). Along a line of "
+    "one pixel Mesa interpolates by its longer axis, while equation 3.5 projects the centre of the pixel "
+    "on it: a quarter of a pixel at most."};
 
 inline constexpr Rule lastBit{
     "last-bit",
@@ -173,9 +172,9 @@ inline constexpr Rule lastBit{
     Tolerance::None,
     0.9999,
     0.99,
-    "Two vertex programs of one driver need not multiply in the same order, so that positions and "
-    "coordinates may differ in their last bits: a corner is snapped otherwise, or a pixel on the edge of a "
-    "texel gets its neighbour."};
+    "Two vertex programs of a driver may multiply in different orders, so positions and coordinates may "
+    "differ in their last bits: a vertex is snapped differently, or a pixel on the edge of a texel gets "
+    "its neighbour."};
 
 } // namespace rules
 

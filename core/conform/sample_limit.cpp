@@ -11,7 +11,7 @@ namespace {
 const double exponent = -std::log(falseAlarms);
 
 double hoeffdingsLimit(double allowed, const Sample& sample) {
-    const double p = allowed / sample.most;
+    const double p = allowed / sample.max;
     const auto exceeds = [&](double q) {
         return sample.scenes * (q * std::log(q / p) + (1 - q) * std::log((1 - q) / (1 - p))) > exponent;
     };
@@ -21,7 +21,7 @@ double hoeffdingsLimit(double allowed, const Sample& sample) {
         const double middle = (low + high) / 2;
         (exceeds(middle) ? high : low) = middle;
     }
-    return high * sample.most;
+    return high * sample.max;
 }
 
 double efronsLimit(double allowed, const Sample& sample) {

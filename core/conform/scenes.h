@@ -7,7 +7,7 @@
 
 namespace texplorer::conform::scenes {
 
-// Which pixels, and their colour without a texture.
+// Coverage and colours.
 Scene coverage(int number, Dice& state, Dice& values);
 Scene depth(int number, Dice& state, Dice& values);
 Scene lighting(int number, Dice& state, Dice& values);
@@ -15,7 +15,7 @@ Scene separateSpecular(int number, Dice& state, Dice& values);
 Scene twoSided(int number, Dice& state, Dice& values);
 Scene fog(int number, Dice& state, Dice& values);
 
-// Models: what they are made of, and where they are.
+// Models: primitives and positions.
 Scene lines(int number, Dice& state, Dice& values);
 Scene meshes(int number, Dice& state, Dice& values);
 Scene quadrics(int number, Dice& state, Dice& values);
@@ -23,7 +23,7 @@ Scene materials(int number, Dice& state, Dice& values);
 Scene placement(int number, Dice& state, Dice& values);
 Scene emboss(int number, Dice& state, Dice& values);
 
-// Where a texture is looked up.
+// Texture coordinates.
 Scene wrap(int number, Dice& state, Dice& values);
 Scene wrapLinear(int number, Dice& state, Dice& values);
 Scene linearTexGen(int number, Dice& state, Dice& values);
@@ -32,7 +32,7 @@ Scene texGenOnShapes(int number, Dice& state, Dice& values);
 Scene matrix(int number, Dice& state, Dice& values);
 Scene projector(int number, Dice& state, Dice& values);
 
-// How it is filtered.
+// Filters.
 Scene nearest(int number, Dice& state, Dice& values);
 Scene linear(int number, Dice& state, Dice& values);
 Scene magnification(int number, Dice& state, Dice& values);
@@ -51,7 +51,7 @@ Scene compression(int number, Dice& state, Dice& values);
 Scene incomplete(int number, Dice& state, Dice& values);
 Scene givenLevels(int number, Dice& state, Dice& values);
 
-// What becomes of the texel.
+// Formats, environments and per-fragment operations.
 Scene internalFormats(int number, Dice& state, Dice& values);
 Scene depthTextures(int number, Dice& state, Dice& values);
 Scene preparation(int number, Dice& state, Dice& values);
@@ -62,7 +62,7 @@ Scene alphaTest(int number, Dice& state, Dice& values);
 Scene blend(int number, Dice& state, Dice& values);
 Scene passes(int number, Dice& state, Dice& values);
 
-// Everything at once.
+// All features together.
 Scene mixture(int number, Dice& state, Dice& values);
 
 } // namespace texplorer::conform::scenes

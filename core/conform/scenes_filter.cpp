@@ -198,7 +198,7 @@ Scene border(int number, Dice& state, Dice& values) {
 }
 
 Scene hint(int number, Dice& state, Dice& values) {
-    // Nothing here is cut by the near plane: what straight means on both sides of a cut is nobody's rule.
+    // Nothing here is cut by the near plane: no rule defines what straight means on both sides of a cut.
     const Shape shape = number % 2 == 0 ? Shape::Cube : Shape::Quad;
     Scene scene = surface(shape, values);
     scene.view.perspectiveHint = HintMode::Fastest;

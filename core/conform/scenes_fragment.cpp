@@ -63,11 +63,11 @@ void addQuads(Scene& scene, const std::vector<Source>& sources, Dice& values) {
     }
 }
 
-/// One to `most` of the three quads, in any order.
-std::vector<int> someQuads(int most, Dice& state) {
+/// One to `max` of the three quads, in any order.
+std::vector<int> someQuads(int max, Dice& state) {
     std::vector<int> left{0, 1, 2};
     std::vector<int> chosen;
-    for (int count = 1 + state.below(most); count > 0; --count) {
+    for (int count = 1 + state.below(max); count > 0; --count) {
         const auto next = left.begin() + state.below(static_cast<int>(left.size()));
         chosen.push_back(*next);
         left.erase(next);
@@ -206,7 +206,7 @@ Scene alphaTest(int number, Dice& state, Dice& values) {
     Pass& pass = scene.passes[0];
     pass.alphaTest = true;
     pass.alphaFunc = pick<CompareFunc>(number);
-    // Both are rounded to 8 bits (section 4.1.4): a quarter beside one of them decides nothing.
+    // Both are rounded to 8 bits (section 4.1.4): a quarter more or less changes nothing.
     pass.alphaRef = (static_cast<float>(values.below(256)) + values.number(-0.25F, 0.25F)) / 255;
     return scene;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is not compared: always by a row with its reason, and counted.
+// Comparisons that are skipped: each by a row with its reason, and counted.
 
 #include "core/conform/pair.h"
 #include "core/scene/scene.h"
@@ -18,7 +18,7 @@ struct Skip {
 
 [[nodiscard]] std::span<const Skip> skips();
 
-/// Why these two can't be compared by this scene; nullptr: they can.
+/// Returns why these two cannot be compared with this scene; nullptr if they can.
 [[nodiscard]] const Skip* skipOf(const Scene& scene, const Pair& pair, const Driver& driver);
 
 } // namespace texplorer::conform

@@ -26,14 +26,14 @@ const Rule& ruleOf(const Feature& feature, const Pair& pair) {
     return pair.has(RendererKind::Reference) ? feature.reference : feature.shader;
 }
 
-/// A scene with what OpenGL made of it, on its way to the threads that compare.
+/// A scene with OpenGL's pictures of it, for the threads that compare.
 struct DrawnCase {
     const Case* item = nullptr;
     std::map<RendererKind, Frame> frames;
 };
 
-/// Scenes between the thread that has the context and those that compare. Short, because pictures that nobody
-/// looks at yet are only memory.
+/// Scenes between the thread that has the context and those that compare. Short, because waiting
+/// pictures only take memory.
 class Queue {
 public:
     void push(DrawnCase drawn) {
@@ -349,12 +349,12 @@ Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
     const std::vector<Case> cases = casesOf(options.selection);
     Outcomes outcomes(options, cases);
     Queue queue;
-    // One side of the queue. Whatever ends it, nobody shall wait for it any more.
+    // One side of the queue. At its end, in any case, the other side stops waiting for it.
     const auto side = [&](const auto& work) {
         try {
             work();
         } catch (const std::bad_alloc&) {
-            outcomes.fail({ErrorCode::TooLarge, "there is no memory for the pictures", {}});
+            outcomes.fail({ErrorCode::TooLarge, "not enough memory for the pictures", {}});
         } catch (const std::exception& error) {
             outcomes.fail({ErrorCode::Driver, std::string("a renderer failed: ") + reasonOf(error), {}});
         }
@@ -365,7 +365,7 @@ Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
         side([&] {
             startComparers(comparers, options.threads,
                            [&] { side([&] { compareAll(options, renderers, queue, outcomes); }); });
-            std::optional<Comparer> alone; // where there is no thread to be had: slower, but it works
+            std::optional<Comparer> alone; // without a thread: slower, but it works
             if (comparers.empty())
                 alone.emplace(options, renderers, outcomes);
             drawAll(options, renderers, cases, outcomes, [&](DrawnCase drawn) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A sweep: which scenes there are, drawing them with two renderers or three, and what came out.
+// A sweep: selects scenes, draws them with two or three renderers, and counts the differences.
 
 #include "core/conform/feature.h"
 #include "core/conform/judge.h"
@@ -17,15 +17,15 @@ namespace texplorer::conform {
 
 struct Case {
     const Feature* feature;
-    int number; ///< within the feature
+    int number; ///< in the feature
     Scene scene;
 };
 
-/// Which scenes a sweep has. The same seed gives the same scenes on every machine; more scenes are the same
-/// ones and others. Every feature has one before any has two.
+/// The scenes of a sweep. The same seed gives the same scenes on every machine; a larger number keeps them
+/// and adds more. Every feature gets one scene before any gets two.
 struct Selection {
     unsigned seed = 1;
-    int scenes = defaultScenes;           ///< in all
+    int scenes = defaultScenes;           ///< in total
     std::vector<const Feature*> features; ///< empty: all
 };
 
@@ -38,13 +38,13 @@ struct Selection {
 struct Tally {
     int scenes = 0;
     std::size_t pixels = 0;
-    std::size_t over = 0;          ///< pixels over the rule's bound
-    std::size_t unexplained = 0;   ///< of these, what the rule's tolerance doesn't allow
-    std::size_t withinRho = 0;     ///< of these, what Judgement says
-    std::uint64_t overSquares = 0; ///< the squares of each scene's `over`
+    std::size_t over = 0;          ///< pixels above the rule's bound
+    std::size_t unexplained = 0;   ///< of these, pixels that the rule's tolerance does not explain
+    std::size_t withinRho = 0;     ///< of these, see Judgement
+    std::uint64_t overSquares = 0; ///< the sum of the squares of each scene's `over`
     std::uint64_t unexplainedSquares = 0;
-    int max = 0;           ///< the worst component, in 255ths
-    std::uint64_t sum = 0; ///< of all components' differences
+    int max = 0;           ///< the largest difference of a component, in units of 1/255
+    std::uint64_t sum = 0; ///< of the differences of all components
 
     void add(const Judgement& judgement);
     [[nodiscard]] double mean() const {
@@ -52,7 +52,7 @@ struct Tally {
     }
     [[nodiscard]] double shareOver() const { return share(over); }
     [[nodiscard]] double shareUnexplained() const { return share(unexplained); }
-    /// What these may be where all scenes that there could be keep to a rule: see sample_limit.h.
+    /// The largest allowed values if the renderers obey a rule: see sample_limit.h.
     [[nodiscard]] double limitOver(const Rule& rule) const;
     [[nodiscard]] double limitUnexplained(const Rule& rule) const;
 
@@ -60,11 +60,12 @@ private:
     [[nodiscard]] double share(std::size_t count) const {
         return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels);
     }
-    /// Of `count` pixels, the squares of whose numbers in each scene have this sum.
+    /// The standard deviation for a total of `count` pixels, given the sum of the squares of the scenes'
+    /// numbers.
     [[nodiscard]] double deviation(std::size_t count, std::uint64_t squares) const;
 };
 
-/// The scene in which two renderers are furthest apart.
+/// The scene with the largest difference between two renderers.
 struct Worst {
     int number = 0;
     Scene scene;
@@ -73,29 +74,30 @@ struct Worst {
     Judgement judgement;
 };
 
-/// What comes of a feature. Too few scenes: a share is larger than its rule allows, and chance may be why.
+/// The result of a feature. TooFewScenes: a share exceeds its rule, but that may be chance.
 enum class Verdict : std::uint8_t { Agree, Differ, TooFewScenes, Skipped };
 
 inline constexpr std::array verdictRows{
     row(Verdict::Agree, "agree", "agree", "The two renderers agree."),
-    row(Verdict::Differ, "differ", "DIFFER", "The two renderers differ by more than they may."),
+    row(Verdict::Differ, "differ", "DIFFER", "The two renderers differ by more than allowed."),
     row(Verdict::TooFewScenes, "too-few-scenes", "too few scenes",
-        "More pixels differ than thousands of scenes may have; so few may have them by chance."),
+        "More pixels differ than allowed for thousands of scenes, but with so few scenes this may be "
+        "chance."),
     row(Verdict::Skipped, "skipped", "skipped", "No scene was compared."),
 };
 
-/// A feature, as far as two renderers agree on it.
+/// How two renderers agree on a feature.
 struct Outcome {
     const Feature* feature = nullptr;
     const Rule* rule = nullptr;
     Tally all;
     std::map<Shape, Tally> shapes;
     double worstScene = 0;      ///< the largest share of unexplained pixels of one scene
-    bool hasWrongScene = false; ///< one with more than its rule allows a single scene
+    bool hasWrongScene = false; ///< a scene exceeds what its rule allows in a single scene
     std::map<const Skip*, int> skipped;
-    std::map<reference::RhoMethod, int> rho; ///< how many scenes the driver drew with which, but for Ideal
-    std::optional<Worst> worst;              ///< none where no scene was drawn
-    std::string problem; ///< a sentence of a renderer that could not draw a scene as it is; empty: none
+    std::map<reference::RhoMethod, int> rho; ///< number of scenes by the driver's method, without Ideal
+    std::optional<Worst> worst;              ///< empty if no scene was drawn
+    std::string problem; ///< the error of a renderer that could not draw a scene as specified; empty: none
 
     [[nodiscard]] Verdict verdict() const;
 };
@@ -107,10 +109,10 @@ struct PairReport {
     [[nodiscard]] bool agrees() const; ///< none differs
 };
 
-/// What made a report, for a reader elsewhere.
+/// Where a report comes from.
 struct Origin {
     std::string program; ///< "texshot 0.1.0"
-    std::string command; ///< that makes it again
+    std::string command; ///< the command that reproduces it
     std::string made;    ///< "2026-11-22 02:30 UTC"
 };
 
@@ -120,31 +122,31 @@ struct Report {
     int scenes = 0;
     double seconds = 0;
     std::vector<PairReport> pairs;
-    Origin origin{}; ///< for the caller of sweep() to say
+    Origin origin{}; ///< set by the caller of sweep()
 
-    [[nodiscard]] bool compared() const; ///< any scene at all: not all were skipped
-    [[nodiscard]] bool agrees() const;   ///< false where nothing was compared
+    [[nodiscard]] bool compared() const; ///< at least one scene was not skipped
+    [[nodiscard]] bool agrees() const;   ///< false if nothing was compared
 };
 
-/// The renderers to compare. OpenGL's two are used on the calling thread alone; a pair without them needs
-/// none.
+/// The renderers to compare. OpenGL's two are used on the calling thread only, and not needed for pairs
+/// without them.
 struct Renderers {
     Renderer* fixed = nullptr;
     Renderer* shader = nullptr;
-    std::function<std::unique_ptr<Explainer>()> reference = referenceRenderer; ///< one for each thread
+    std::function<std::unique_ptr<Explainer>()> reference = referenceRenderer; ///< called once per thread
 };
 
 struct SweepOptions {
     Selection selection{};
     std::vector<Pair> pairs{defaultPairs.begin(), defaultPairs.end()};
     Driver driver{};
-    unsigned threads = 0;                  ///< for the reference; 0: as many as the processor has
-    std::function<void(float)> progress{}; ///< on the calling thread, from 0 to 1
+    unsigned threads = 0;                  ///< for the reference; 0: one per processor
+    std::function<void(float)> progress{}; ///< called on the calling thread, from 0 to 1
     std::stop_token stop{};
 };
 
-/// The same report whatever the number of threads, but for its time. Errors: a renderer that can't draw at
-/// all; Cancelled.
+/// The report does not depend on the number of threads, except for its time. Errors: a renderer that cannot
+/// draw at all; Cancelled.
 [[nodiscard]] Result<Report> sweep(const SweepOptions& options, const Renderers& renderers);
 
 } // namespace texplorer::conform

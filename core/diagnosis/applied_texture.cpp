@@ -36,8 +36,8 @@ bool comparesDepths(const Texture& texture, const SampledTexture& /*shape*/, con
 bool visitsWithoutEnd(const Texture& texture, const SampledTexture& shape, const TextureUse* use) {
     if (!use || !isAnisotropic(texture))
         return false;
-    const double most = 0x1p28 + 256.0 * use->width * use->height;
-    return visitedTexels(shape, *use, most) > most;
+    const double limit = 0x1p28 + 256.0 * use->width * use->height;
+    return visitedTexels(shape, *use, limit) > limit;
 }
 
 // Where lambda chooses between two filters and nothing else, and is biased, llvmpipe may have no level of
@@ -49,7 +49,7 @@ bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape, con
            reference::isLinear(texture.minFilter) != (texture.magFilter == MagFilter::Linear);
 }
 
-// Its anisotropic filter averages over an ellipse, whatever the two are.
+// Its anisotropic filter averages over an ellipse, regardless of both.
 void withOneFilter(Texture& texture) {
     texture.magFilter = reference::isLinear(texture.minFilter) ? MagFilter::Linear : MagFilter::Nearest;
 }

@@ -10,27 +10,27 @@
 
 namespace texplorer {
 
-/// Something that a driver doesn't survive or doesn't do, and what it is given instead.
+/// A flaw of a driver that crashes it or gives a wrong picture, and what is used instead.
 struct DriverFlaw {
-    std::string_view driver; ///< how its GL_RENDERER begins
-    /// `use`: nullptr where nothing is drawn.
+    std::string_view driver; ///< the beginning of its GL_RENDERER
+    /// `use`: nullptr if nothing is drawn.
     bool (*meets)(const Texture& texture, const reference::SampledTexture& shape, const TextureUse* use);
     void (*avoid)(Texture& texture);
-    std::string_view sentence; ///< what is drawn otherwise and why; empty: no pixel changes
+    std::string_view sentence; ///< what is drawn differently, and why; empty: no pixel changes
 };
 
 [[nodiscard]] std::span<const DriverFlaw> driverFlaws();
 
-/// The parameters of a texture object as a driver is given them: never a level that isn't there, and nothing
-/// that it doesn't survive.
+/// The parameters of a texture object as given to a driver: only existing levels, and nothing that crashes
+/// it.
 struct AppliedTexture {
     Texture texture;
-    reference::Completeness completeness; ///< where it is not complete, the texture is not bound
+    reference::Completeness completeness; ///< an incomplete texture is not bound
     std::vector<std::string_view> heldBack;
 };
 
 /// `shape` has the extents of the levels (reference::shapeOf), `lastLevel` is that of TextureLevels. Of the
-/// driver its name counts alone. `use`: the frame that is drawn with it.
+/// driver, only its name is used. `use`: the frame to draw.
 [[nodiscard]] AppliedTexture appliedTexture(const Texture& texture, reference::SampledTexture shape,
                                             int lastLevel, const DriverFacts& driver,
                                             const TextureUse* use = nullptr);

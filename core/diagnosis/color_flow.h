@@ -1,13 +1,13 @@
 #pragma once
 
-// How far a colour gets through the texture units: OpenGL 2.1, section 3.8.13, tables 3.20 to 3.24. Only
-// diagnosis*.cpp include this.
+// How a colour passes through the texture units: OpenGL 2.1, section 3.8.13, tables 3.20 to 3.24. Included
+// only by diagnosis*.cpp.
 
 #include "core/diagnosis/diagnosis_rules.h"
 
 namespace texplorer::diagnosis {
 
-/// Which parts of one colour a value may depend on.
+/// The parts of a colour that a value can depend on.
 struct Parts {
     bool rgb = false;
     bool alpha = false;
@@ -19,7 +19,7 @@ struct Parts {
     return {a.rgb || b.rgb, a.alpha || b.alpha};
 }
 
-/// What the colour and the alpha of a fragment may depend on.
+/// What the colour and the alpha of a fragment can depend on.
 struct ColorFlow {
     Parts rgb;
     Parts alpha;
@@ -31,15 +31,15 @@ struct ColorFlow {
     return {a.rgb | b.rgb, a.alpha | b.alpha};
 }
 
-/// The colour itself: its rgb depends on its rgb.
+/// The colour itself: rgb depends on rgb, alpha on alpha.
 inline constexpr ColorFlow wholeColor{{true, false}, {false, true}};
 
-/// What leaves a unit that works, when `previous` enters it and `primary` is the primary colour. Where the
-/// specification leaves the result undefined, everything that enters may leave.
+/// Returns what can leave an active unit that receives `previous`, with the primary colour `primary`. If the
+/// specification leaves the result undefined, everything that enters can leave.
 [[nodiscard]] ColorFlow flowThrough(const Case& about, const Pass& pass, const Unit& unit,
                                     const ColorFlow& previous, const ColorFlow& primary);
 
-/// Which parts of the primary colour the fragments of a pass depend on before the colour sum.
+/// The parts of the primary colour that the fragments of a pass depend on before the colour sum.
 [[nodiscard]] Parts primaryInFragments(const Case& about, const Pass& pass);
 
 } // namespace texplorer::diagnosis

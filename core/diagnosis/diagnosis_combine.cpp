@@ -26,7 +26,7 @@ void undefinedCrossbar(const Case& about, Report& report) {
             const std::string source = fmt::format("{}{}.{}", path, keyOf<&Unit::combine>(), each.sourceKey);
             report.add(source,
                        other.enabled
-                           ? fmt::format("{} is undefined: unit {} has no texture that is complete",
+                           ? fmt::format("{} is undefined: unit {} has no complete texture",
                                          nameOf(each.source), *asked)
                            : fmt::format("{} is undefined: unit {} is off", nameOf(each.source), *asked),
                        Fix{"Take this unit's texture", {{source, nameOf(CombineSource::Texture)}}});

@@ -57,8 +57,8 @@ void cubeSeams(const Case& about, Report& report) {
         report.add(
             path + (ofS ? keyOf<&Texture::wrapS>() : keyOf<&Texture::wrapT>()),
             fmt::format(
-                "{} reaches beyond the edge of each face of a cube map, which then shows as a seam; some "
-                "drivers take {} whatever is asked for",
+                "{} reads beyond the edge of each face of a cube map, which shows as a seam; some drivers "
+                "always use {}",
                 nameOf(ofS ? texture.wrapS : texture.wrapT), edge),
             std::move(fixes));
     }
@@ -90,8 +90,8 @@ void cubeEdges(const Case& about, Report& report) {
                 leaves(texture.wrapS) || leaves(texture.wrapT)) // which is said already
                 continue;
             report.add(seamlessPath(p),
-                       fmt::format("each face of textures[{}] has {} x {} texels and is filtered on its own: "
-                                   "seams show along the edges of the cube",
+                       fmt::format("each face of textures[{}] has {} × {} texels and is filtered on its "
+                                   "own: seams show along the edges of the cube",
                                    map, base->width, base->height),
                        acrossEdges(about, map));
             break;
@@ -122,7 +122,7 @@ void seamlessInVain(const Case& about, Report& report) {
                      const Texture& texture = about.scene.textures[map];
                      return isLinearSomewhere(texture) || leaves(texture.wrapS) || leaves(texture.wrapT);
                  }))
-            report.add(seamlessPath(p), fmt::format("{} takes one texel, of the face that is hit",
+            report.add(seamlessPath(p), fmt::format("{} reads one texel, of the face that is hit",
                                                     nameOf(MagFilter::Nearest)));
     }
 }

@@ -107,7 +107,7 @@ void coloredDepths(const Case& about, Report& report) {
         const std::string format =
             fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::internalFormat>());
         report.add(format,
-                   fmt::format("{} keeps depths as greys of 8 bits, and compares with nothing",
+                   fmt::format("{} keeps depths as greys of 8 bits and cannot compare them",
                                nameOf(texture.internalFormat)),
                    Fix{fmt::format("Make it {}", nameOf(InternalFormat::DepthComponent24)),
                        {{format, nameOf(InternalFormat::DepthComponent24)}}});
@@ -122,7 +122,7 @@ void depthsAsTheyAre(const Case& about, Report& report) {
             continue;
         const std::string mode =
             fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::compareMode>());
-        report.add(mode, "one sees the depths themselves: compared with r they make shadows",
+        report.add(mode, "the depths themselves are shown; compare them with r for shadows",
                    Fix{"Compare", {{mode, nameOf(CompareMode::RToTexture)}}});
     }
 }
@@ -143,7 +143,7 @@ void comparesNothing(const Case& about, Report& report) {
         if (!texture || texture->compareMode == CompareMode::None || isGivenR(about.scene, unit))
             return;
         report.add(fmt::format("{}{}.{}", path, keyOf<&Unit::texGenR>(), keyOf<&TexGen::enabled>()),
-                   "r is compared with the texture's depths, and it is 0 everywhere",
+                   "r is compared with the texture's depths, but r is 0 everywhere",
                    generateEyeCoordinates(path));
     });
 }
@@ -155,8 +155,8 @@ void projectsNothing(const Case& about, Report& report) {
         report.add(
             fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
                         keyOf<&MatrixStep::op>()),
-            fmt::format("this step takes eye coordinates: s, t, r and q are to be generated with {} and "
-                        "the planes 1,0,0,0 to 0,0,0,1",
+            fmt::format("this step needs eye coordinates: generate s, t, r and q with {} and the planes "
+                        "1,0,0,0 to 0,0,0,1",
                         nameOf(TexGenMode::EyeLinear)),
             generateEyeCoordinates(path));
     });
@@ -196,19 +196,18 @@ void shadowAcne(const Case& about, Report& report) {
         }
         const auto translate = std::ranges::find(unit.matrix, MatrixOp::Translate, &MatrixStep::op);
         if (translate != unit.matrix.end())
-            fix = {"Take 0.005 off r",
+            fix = {"Subtract 0.005 from r",
                    {{fmt::format(
                          "{}{}.{}", path,
                          elementOf<&Unit::matrix>(static_cast<std::size_t>(translate - unit.matrix.begin())),
                          keyOf<&MatrixStep::amount>()),
                      fmt::format("{},{},-0.005", formatNumber(translate->amount.x),
                                  formatNumber(translate->amount.y))}}};
-        report.add(
-            fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
-                        keyOf<&MatrixStep::op>()),
-            "surfaces are compared with their own depths, and rounding decides: stripes (\"shadow acne\"), "
-            "unless a step before this one translates r by -0.005 or so",
-            std::move(fix));
+        report.add(fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
+                               keyOf<&MatrixStep::op>()),
+                   "surfaces are compared with their own depths, so rounding makes stripes (\"shadow acne\") "
+                   "unless an earlier step translates r by about -0.005",
+                   std::move(fix));
     });
 }
 
@@ -241,7 +240,7 @@ void behindTheLight(const Case& about, Report& report) {
         });
         if (reached)
             report.add(fmt::format("{}{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1)),
-                       "the image shows behind the light, too, where q is below 0: upside down");
+                       "the image also shows behind the light, upside down, where q is below 0");
     });
 }
 
@@ -262,7 +261,7 @@ void lightInItsTarget(const Case& about, Report& report) {
     glm::vec3 ahead = place / light.position.w;
     ahead.z += ahead.z > -900 ? -5.0F : 5.0F; // within what a parameter may be
     report.add(fmt::format("{}.{}", target, keyOf<&Projector::target>()),
-               "the light stands in its own target: the projector looks along -z",
+               "the light is at its own target: the projector looks along -z",
                Fix{"Look along z",
                    {{fmt::format("{}.{}", target, keyOf<&Projector::target>()),
                      fmt::format("{},{},{}", formatNumber(ahead.x), formatNumber(ahead.y),
@@ -281,8 +280,8 @@ void emptyRange(const Case& about, Report& report) {
                {{far, formatNumber(projector.nearest)},
                 {path + keyOf<&Projector::nearest>(), formatNumber(projector.farthest)}}};
     report.add(far,
-               fmt::format("the farthest distance, {}, is to be beyond the nearest, {}: the projector ends "
-                           "right behind that",
+               fmt::format("the farthest distance, {}, must be greater than the nearest, {}: the projector "
+                           "ends right behind the nearest",
                            formatNumber(projector.farthest), formatNumber(projector.nearest)),
                std::move(fix));
 }

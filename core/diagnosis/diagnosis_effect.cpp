@@ -30,7 +30,7 @@ std::string noFlip(const Texture& texture, const TextureFacts& facts) {
     if (texture.source == SourceKind::Pattern)
         return "a built-in pattern is upright";
     if (texture.source == SourceKind::LightDepth)
-        return "what the light sees is upright";
+        return "the picture that the light sees is upright";
     const auto isCube = [](const TargetFacts& each) { return each.target == Target::CubeMap; };
     if (std::ranges::any_of(facts.targets, isCube)) // whose rows begin at the top
         return facts.image && facts.image->fileTopFirst && std::ranges::all_of(facts.targets, isCube)
@@ -57,7 +57,8 @@ std::string noScaling(const Texture&, const TextureFacts& facts) {
 
 std::string noWrapS(const Texture&, const TextureFacts& facts) {
     return facts.seamless
-               ? "a seamless cube map goes on across the edges of its faces, whatever the wrap modes"
+               ? "a seamless cube map is filtered across the edges of its faces, whatever the wrap modes "
+                 "are"
                : "";
 }
 
@@ -172,7 +173,7 @@ void ownBorder(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         if (about.scene.textures[i].border != 0 && about.driver.textureBorders)
             report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::borderColor>()),
-                       "the texture has a border of its own texels");
+                       "the texture has a border of texels");
     }
 }
 
@@ -205,7 +206,7 @@ void notShown(const Case& about, Report& report) {
             if (fixes.empty() && !unit.enabled && unit.texture == static_cast<int>(i))
                 fixes = {{"Switch the unit on", {{owner + keyOf<&Unit::enabled>(), "true"}}}};
         });
-        report.add(path, "no unit that is on shows this texture", std::move(fixes));
+        report.add(path, "no enabled unit shows this texture", std::move(fixes));
     }
 }
 
@@ -242,9 +243,9 @@ bool makesAlpha(const ImageStep& step) {
 std::string lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_t step) {
     const auto later = texture.preparation.begin() + static_cast<std::ptrdiff_t>(step) + 1;
     if (std::any_of(later, texture.preparation.end(), makesAlpha))
-        return "a later step makes another alpha";
+        return "a later step replaces alpha";
     if (texture.transparency != Transparency::File && texture.transparency != Transparency::Alpha)
-        return fmt::format("transparency={} makes another alpha", nameOf(texture.transparency));
+        return fmt::format("transparency={} replaces alpha", nameOf(texture.transparency));
     const auto isWithout = [](const TargetFacts& each) {
         return !each.plan.blocks && (each.format == BaseFormat::Rgb || each.format == BaseFormat::Luminance);
     };

@@ -108,8 +108,8 @@ void fogRange(const Case& about, Report& report) {
         if (fog.start > fog.end)
             return report.add(
                 key,
-                fmt::format("the fog ends at {}, before it starts at {}: it hides what is near, and "
-                            "what is far is clear",
+                fmt::format("the fog ends at {}, before it starts at {}: near objects are hidden and far "
+                            "ones are clear",
                             formatNumber(fog.end), formatNumber(fog.start)),
                 Fix{"Exchange them",
                     {{path + keyOf<&Fog::start>(), formatNumber(fog.end)}, {key, formatNumber(fog.start)}}});
@@ -134,16 +134,15 @@ void fogOfNoUse(const Case& about, Report& report) {
         const std::string where = path + decisiveKey(fog);
         if (most < faint)
             report.add(where,
-                       fmt::format("the nearest thing in view is {} away, where this fog leaves {} % of a "
-                                   "colour: all is hidden",
+                       fmt::format("the nearest object in view is {} away, where this fog leaves {} % of a "
+                                   "colour: everything is hidden",
                                    rounded(distances->nearest), rounded(most * 100)),
                        fittingFog(fog, path, *distances));
         else if (least > 1 - 0.5F / 255) // which rounding takes away
-            report.add(
-                where,
-                fmt::format("the farthest thing in view is {} away, where this fog still hides nothing",
-                            rounded(distances->farthest)),
-                fittingFog(fog, path, *distances));
+            report.add(where,
+                       fmt::format("the farthest object in view is {} away, where this fog hides nothing yet",
+                                   rounded(distances->farthest)),
+                       fittingFog(fog, path, *distances));
     });
 }
 
@@ -161,8 +160,8 @@ void fogColor(const Case& about, Report& report) {
             return;
         const auto number = [&](int i) { return formatNumber(background[i]); };
         report.add(path + keyOf<&Fog::color>(),
-                   "the fog has another colour than the background: what fades stands out against it",
-                   Fix{"Take the background's",
+                   "the fog's colour differs from the background's: faded objects stand out against it",
+                   Fix{"Use the background's",
                        {{path + keyOf<&Fog::color>(), fmt::format("{},{},{},{}", number(0), number(1),
                                                                   number(2), formatNumber(fog.color.a))}}});
     });

@@ -70,8 +70,8 @@ void banding(const Case& about, Report& report) {
         const auto& bits = factsOf(texture.internalFormat).bits;
         const int most = *std::ranges::max_element(bits);
         report.add(path + keyOf<&Texture::internalFormat>(),
-                   fmt::format("colours change slowly in this image, and {} has {} steps for a component at "
-                               "most: bands show",
+                   fmt::format("colours change slowly in this image, and {} has at most {} steps for a "
+                               "component: bands show",
                                nameOf(texture.internalFormat), 1 << most),
                    plainFormat(path, texture.internalFormat));
     });
@@ -83,8 +83,8 @@ void decodedOnly(const Case& about, Report& report) {
         if (isSrgb(texture.internalFormat))
             report.add(
                 path + keyOf<&Texture::internalFormat>(),
-                fmt::format("{} makes amounts of light of the image's colours, and nothing makes sRGB of "
-                            "them again: the picture is darker than the image",
+                fmt::format("{} converts the image's colours to amounts of light, and nothing converts "
+                            "them back to sRGB: the picture is darker than the image",
                             nameOf(texture.internalFormat)),
                 plainFormat(path, texture.internalFormat));
     });
@@ -98,8 +98,8 @@ void averagedAsStored(const Case& about, Report& report) {
             reference::wantsMipmaps(texture.minFilter))
             report.add(
                 path + keyOf<&Texture::mipGamma>(),
-                fmt::format("the levels are averages of stored numbers, not of the light that {} makes of "
-                            "them: seen from afar the texture is too dark",
+                fmt::format("the levels are averages of stored numbers, not of the amounts of light that "
+                            "{} converts them to: seen from afar the texture is too dark",
                             nameOf(texture.internalFormat)),
                 Fix{"Average light", {{path + keyOf<&Texture::mipGamma>(), "true"}}});
     });

@@ -11,7 +11,7 @@
 namespace texplorer::diagnosis {
 namespace {
 
-constexpr const char* blocked = "the texture units let nothing of the primary colour through";
+constexpr const char* blocked = "the texture units replace the primary colour";
 
 bool isBlack(const glm::vec4& color) {
     return color.r == 0 && color.g == 0 && color.b == 0;
@@ -37,7 +37,7 @@ bool isDull(const Scene& scene) {
                                [](const Material* each) { return isBlack(each->specular); });
 }
 
-/// Why there is no highlight, whatever its other settings are; nullptr: there may be one.
+/// Why there is no highlight for any other settings; nullptr: there may be one.
 const char* whyDull(const Scene& scene) {
     if (isDull(scene))
         return "the material's specular colour is black";
@@ -139,7 +139,7 @@ void noLight(const Case& about, Report& report) {
     }
 }
 
-/// Under GL_COLOR_MATERIAL glColor takes the place of two reflectances; without it it counts for nothing.
+/// With GL_COLOR_MATERIAL, glColor replaces two reflectances; without, it has no effect.
 void otherReflectance(const Case& about, Report& report) {
     const Scene& scene = about.scene;
     const auto lit = [](const Pass& pass) { return pass.enabled && pass.lighting; };
@@ -150,12 +150,12 @@ void otherReflectance(const Case& about, Report& report) {
     const auto check = [&](const Material& material, const std::string& path) {
         if (material.colorMaterial) {
             for (const Key key : {keyOf<&Material::ambient>, keyOf<&Material::diffuse>})
-                report.add(fmt::format("{}.{}", path, key()), "glColor takes its place (GL_COLOR_MATERIAL)",
+                report.add(fmt::format("{}.{}", path, key()), "glColor is used instead (GL_COLOR_MATERIAL)",
                            Fix{"Use it",
                                {{fmt::format("{}.{}", path, keyOf<&Material::colorMaterial>()), "false"}}});
         } else if (allLit)
             report.add(fmt::format("{}.{}", path, keyOf<&Material::color>()),
-                       "under lighting ambient and diffuse count, without GL_COLOR_MATERIAL");
+                       "with lighting and without GL_COLOR_MATERIAL, ambient and diffuse are used");
     };
     check(scene.material, keyOf<&Scene::material>());
     for (std::size_t m = 0; m < scene.models.size(); ++m) {
@@ -173,7 +173,7 @@ void unusedMaterial(const Case& about, Report& report) {
         return;
     for (const ParamRow& row : modelMaterialTable().params)
         report.add(fmt::format("{}.{}", keyOf<&Scene::material>(), row.key),
-                   "every model that is drawn has a material of its own");
+                   "every visible model has a material of its own");
 }
 
 constexpr std::array lightRuleRows{

@@ -21,7 +21,7 @@ void hiddenModel(const Case& about, Report& report) {
             report.add(elementOf<&Scene::models>(m), "the model is hidden",
                        Fix{"Show it", {{modelPath(m, keyOf<&Model::visible>()), "true"}}});
         else if (!isDrawn(about.scene, m))
-            report.add(elementOf<&Scene::models>(m), "no pass that is on draws it");
+            report.add(elementOf<&Scene::models>(m), "no enabled pass draws it");
     }
 }
 
@@ -71,7 +71,7 @@ void sharedMaterial(const Case& about, Report& report) {
 }
 
 /// How many vertices the first part of a primitive takes (section 2.6.1).
-std::size_t leastVertices(Primitive primitive) {
+std::size_t minVertices(Primitive primitive) {
     const bool quads = primitive == Primitive::Quads || primitive == Primitive::QuadStrip;
     return quads ? 4 : static_cast<std::size_t>(partCorners(primitive));
 }
@@ -83,7 +83,7 @@ void emptyMesh(const Case& about, Report& report) {
             continue;
         const MeshData& mesh = model.mesh;
         const std::size_t given = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
-        if (given < leastVertices(mesh.primitive))
+        if (given < minVertices(mesh.primitive))
             report.add(modelPath(m, keyOf<&Model::shape>()),
                        mesh.positions.empty()
                            ? "the mesh has no vertices: nothing is drawn"
@@ -99,7 +99,7 @@ void tooManyStacks(const Case& about, Report& report) {
         const std::string path = modelPath(m, keyOf<&Model::stacks>());
         report.add(
             path,
-            fmt::format("a {} has at most {} along each patch: it is drawn with so many", nameOf(model.shape),
+            fmt::format("a {} has at most {} along each patch and is drawn with these", nameOf(model.shape),
                         maxTeapotStacks),
             Fix{fmt::format("Make it {}", maxTeapotStacks), {{path, std::to_string(maxTeapotStacks)}}});
     }

@@ -32,8 +32,7 @@ void passOff(const Case& about, Report& report) {
 void emptyPass(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (!pass.models.empty() && !drawsAnything(about.scene, pass))
-            report.add(path + keyOf<&Pass::models>(),
-                       "all models that this pass names are hidden: it draws nothing");
+            report.add(path + keyOf<&Pass::models>(), "all models of this pass are hidden: it draws nothing");
     });
 }
 
@@ -63,8 +62,8 @@ void hiddenPass(const Case& about, Report& report) {
             !models.empty() && std::ranges::all_of(models, [&](std::size_t model) { return written[model]; });
         if (drawn && pass.depthTest && strict)
             report.add(path + keyOf<&Pass::depthFunc>(),
-                       "a pass before has drawn the same surfaces, and no depth is less than itself: this "
-                       "pass draws nothing",
+                       "an earlier pass has drawn the same surfaces, and no depth is less than itself: "
+                       "this pass draws nothing",
                        Fix{fmt::format("Set {}", nameOf(CompareFunc::LessEqual)),
                            {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
         const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
@@ -114,7 +113,7 @@ void noDepthTest(const Case& about, Report& report) {
         if (p > 0) // no depth is less than that of a pass before
             fix.assignments.push_back({path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)});
         report.add(path + keyOf<&Pass::depthTest>(),
-                   "there is no depth test: what is drawn last covers what is nearer", std::move(fix));
+                   "there is no depth test: what is drawn last covers nearer surfaces", std::move(fix));
     });
 }
 
@@ -127,13 +126,13 @@ void noFragmentTest(const Case& about, Report& report) {
             report.add(path + keyOf<&Pass::alphaRef>(), "the alpha test is off");
         } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
             report.add(path + keyOf<&Pass::alphaRef>(),
-                       fmt::format("{} compares with nothing", nameOf(pass.alphaFunc)));
+                       fmt::format("{} compares nothing", nameOf(pass.alphaFunc)));
         if (!pass.blend) {
             report.add(path + keyOf<&Pass::blendSrc>(), "blending is off");
             report.add(path + keyOf<&Pass::blendDst>(), "blending is off");
         } else if (pass.blendSrc == BlendFactor::One && pass.blendDst == BlendFactor::Zero)
             report.add(path + keyOf<&Pass::blend>(),
-                       "with these factors the new colour replaces the old one, as without");
+                       "with these factors the new colour replaces the old one, as without blending");
     });
 }
 
@@ -168,10 +167,10 @@ void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
             const std::string vertex = std::to_string(first - list.begin());
             const auto others = std::count_if(first + 1, list.end(), isBad);
             std::string sentence =
-                wantsInfinite ? fmt::format("a coordinate of vertex {} is infinite or no number", vertex)
-                              : fmt::format("q of vertex {} is 0, and s, t and r are divided by it", vertex);
+                wantsInfinite ? fmt::format("a coordinate of vertex {} is infinite or not a number", vertex)
+                              : fmt::format("q of vertex {} is 0, but s, t and r are divided by q", vertex);
             if (others > 0)
-                sentence = fmt::format("{}; so it is with {} more", sentence, others);
+                sentence = fmt::format("{}; the same is true of {} more", sentence, others);
             report.add(fmt::format("{}[{}]", texCoordsPath(m, u), vertex), std::move(sentence));
         }
     }
@@ -206,8 +205,8 @@ void ignoredHint(const Case& about, Report& report) {
     const View& view = about.scene.view;
     if (view.perspectiveHint == HintMode::Fastest && view.projection == Projection::Perspective)
         report.add(pathOf<&Scene::view, &View::perspectiveHint>(),
-                   "fixed function may ignore this hint, and most drivers do; the shaders and the reference "
-                   "interpolate without perspective",
+                   "the fixed function may ignore this hint, and most drivers do; the shaders and the "
+                   "reference interpolate without perspective",
                    Fix{"Correct the perspective",
                        {{pathOf<&Scene::view, &View::perspectiveHint>(), nameOf(HintMode::Nicest)}}});
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-// How the rules of the diagnosis are written: a row each, {name, severity, function}. Only diagnosis*.cpp
-// include this.
+// The rules of the diagnosis: one row each, {name, severity, function}. Included only by diagnosis*.cpp.
 
 #include "core/diagnosis/diagnosis.h"
 #include "core/reference/sampling/completeness.h"
@@ -16,45 +15,45 @@
 
 namespace texplorer::diagnosis {
 
-/// A texture as one target takes it.
+/// A texture on one target.
 struct TargetFacts {
     Target target = Target::Texture2D;
     LevelPlan plan;
     reference::Completeness completeness;
-    BaseFormat format = BaseFormat::Rgba; ///< that the environment sees
+    BaseFormat format = BaseFormat::Rgba; ///< as the environment sees it
 };
 
-/// What the rules ask about a texture again and again.
+/// The facts about a texture that several rules need.
 struct TextureFacts {
     TexturePictures pictures;
-    std::shared_ptr<const TextureImage> image; ///< the base's; nullptr: not loaded
-    bool shown = false;                        ///< by a unit that is on
-    bool seamless = false;                     ///< all of these show a seamless cube map
-    /// The targets of the units that are on and show it; where there are none, of those that are off.
+    std::shared_ptr<const TextureImage> image; ///< of the base level; nullptr: not loaded
+    bool shown = false;                        ///< an enabled unit uses it
+    bool seamless = false;                     ///< all such units use a seamless cube map
+    /// The targets of the enabled units that use it; if there are none, those of the disabled ones.
     std::vector<TargetFacts> targets;
 
     [[nodiscard]] bool hasTarget(Target target) const;
     [[nodiscard]] const TargetFacts* as(Target target) const;
 };
 
-/// What `texture` is as one target takes it, whatever the driver is.
+/// Returns the facts of `texture` on one target, independent of the driver.
 [[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures);
 
-/// The same to sample: its extents, without texels and parameters.
+/// The texture for sampling: its extents, without texels and parameters.
 [[nodiscard]] reference::SampledTexture shapeOf(const TargetFacts& facts, InternalFormat format);
 
 struct Case {
     const Scene& scene;
     const DriverFacts& driver;
-    std::vector<TextureFacts> textures; ///< one for each of the scene's
+    std::vector<TextureFacts> textures; ///< one for each texture of the scene
 
-    /// The texture that a unit names, or nullptr where there is none.
+    /// The texture of a unit, or nullptr if it does not exist.
     [[nodiscard]] const TextureFacts* textureOf(const Unit& unit) const;
-    /// Whether a unit changes colours: it is on and its texture is there and complete.
+    /// Whether a unit changes colours: it is enabled, and its texture exists and is complete.
     [[nodiscard]] bool works(const Unit& unit) const;
 };
 
-/// Takes what a rule finds.
+/// Receives the findings of a rule.
 class Report {
 public:
     explicit Report(std::vector<Finding>& findings)
@@ -84,25 +83,24 @@ struct Rule {
     std::string_view name;
     Severity severity;
     void (*find)(const Case& about, Report& report);
-    bool reportedByRenderer = false; ///< a renderer reports it, too
+    bool reportedByRenderer = false; ///< a renderer also reports it
 };
 
-[[nodiscard]] std::span<const Rule> textureRules();       ///< what is wrong with textures
-[[nodiscard]] std::span<const Rule> formatRules();        ///< what internal formats do to colours
-[[nodiscard]] std::span<const Rule> textureEffectRules(); ///< which of their settings do nothing
+[[nodiscard]] std::span<const Rule> textureRules();       ///< errors in textures
+[[nodiscard]] std::span<const Rule> formatRules();        ///< effects of internal formats on colours
+[[nodiscard]] std::span<const Rule> textureEffectRules(); ///< texture settings without effect
 [[nodiscard]] std::span<const Rule> unitRules();
-[[nodiscard]] std::span<const Rule> cubeRules(); ///< the edges of faces
+[[nodiscard]] std::span<const Rule> cubeRules(); ///< the edges of cube faces
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
 [[nodiscard]] std::span<const Rule> modelRules();
-[[nodiscard]] std::span<const Rule>
-vertexRules(); ///< normals and coordinates without a value, or without bits
-[[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
-[[nodiscard]] std::span<const Rule> sideRules();  ///< front and back
+[[nodiscard]] std::span<const Rule> vertexRules(); ///< normals and coordinates: missing values or precision
+[[nodiscard]] std::span<const Rule> lightRules();  ///< and materials
+[[nodiscard]] std::span<const Rule> sideRules();   ///< front and back faces
 [[nodiscard]] std::span<const Rule> fogRules();
 [[nodiscard]] std::span<const Rule> depthRules(); ///< and the projector
 
-/// Whether a texture shows what the light sees, or is projected by it.
+/// Whether a texture shows the light's view or is projected from it.
 [[nodiscard]] bool usesLightView(const Scene& scene);
 
 /// "passes[0].units[1]."
@@ -113,12 +111,12 @@ struct Argument {
     std::string_view sourceKey;
     std::string_view operandKey;
     CombineSource source = CombineSource::Texture;
-    bool read = false; ///< by the function that is chosen
+    bool read = false; ///< the chosen function reads it
     bool ofAlpha = false;
 };
 [[nodiscard]] std::array<Argument, 6> argumentsOf(const Combine& combine);
 
-template<class Visit> ///< visit(unit, "passes[0].units[1].", pass number), of passes that are drawn
+template<class Visit> ///< visit(unit, "passes[0].units[1].", pass number), for passes that are drawn
 void forEachUnit(const Scene& scene, Visit visit) {
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         if (!scene.passes[p].enabled)
@@ -128,7 +126,7 @@ void forEachUnit(const Scene& scene, Visit visit) {
     }
 }
 
-/// The name of an enumerator, as GL or a scene file has it.
+/// The name of an enumerator, in GL or in scene files.
 template<Enumerated E>
 [[nodiscard]] std::string nameOf(E value) {
     return std::string(rowOf(value).name);

@@ -90,8 +90,8 @@ void darkBack(const Case& about, Report& report) {
             const std::string& path = pathOf<&Scene::light, &Light::twoSide>();
             return report.add(
                 path,
-                fmt::format("the back of {} is in view and lit by the normals of its front, which "
-                            "look away from the light: it stays dark",
+                fmt::format("the back of {} is in view but lit with the normals of its front, which look "
+                            "away from the light: it stays dark",
                             elementOf<&Scene::models>(model)),
                 Fix{"Light both sides", {{path, "true"}}});
         }
@@ -142,7 +142,7 @@ void noBack(const Case& about, Report& report) {
     }
     if (lit)
         report.add(pathOf<&Scene::light, &Light::twoSide>(),
-                   "all that is lit is closed and seen from outside, or has no sides");
+                   "all lit models are closed and seen from outside, or have no sides");
 }
 
 constexpr std::array sideRuleRows{

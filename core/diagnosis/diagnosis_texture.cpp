@@ -40,7 +40,7 @@ void missingFile(const Case& about, Report& report) {
         if (facts.image)
             return;
         report.add(path + keyOf<&Texture::file>(),
-                   texture.file.empty() ? "the texture wants an image file, but names none"
+                   texture.file.empty() ? "the texture needs an image file, but names none"
                                         : fmt::format("{} can't be found or read", texture.file));
     });
 }
@@ -51,7 +51,7 @@ void missingPart(const Case& about, Report& report) {
         const auto add = [&](const std::string& part, const std::string& file, std::string_view effect) {
             report.add(fmt::format("{}{}.{}", path, part, keyOf<&Texture::file>()),
                        fmt::format("{}: {}",
-                                   file.empty() ? "an image file is wanted, but none is named"
+                                   file.empty() ? "an image file is needed, but none is named"
                                                 : fmt::format("{} can't be found or read", file),
                                    effect));
         };
@@ -61,7 +61,7 @@ void missingPart(const Case& about, Report& report) {
         }
         for (std::size_t i = 0; i < texture.preparation.size(); ++i) {
             if (texture.preparation[i].op == ImageOp::AlphaFrom && !facts.pictures.other(i))
-                add(elementOf<&Texture::preparation>(i), texture.preparation[i].file, "the step is left out");
+                add(elementOf<&Texture::preparation>(i), texture.preparation[i].file, "the step is skipped");
         }
     });
 }
@@ -192,14 +192,11 @@ void lodRange(const Case& about, Report& report) {
             return;
         const std::string low = formatNumber(texture.minLod);
         const std::string high = formatNumber(texture.maxLod);
-        report.add(
-            path + keyOf<&Texture::minLod>(),
-            fmt::format(
-                "the least level of detail, {}, exceeds the greatest, {}: OpenGL leaves undefined what is "
-                "drawn",
-                low, high),
-            Fix{"Exchange them",
-                {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
+        report.add(path + keyOf<&Texture::minLod>(),
+                   fmt::format("the min LOD, {}, exceeds the max LOD, {}: the picture is undefined in OpenGL",
+                               low, high),
+                   Fix{"Exchange them",
+                       {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
     });
 }
 
@@ -289,8 +286,8 @@ void heldBackElsewhere(const Case& about, Report& report) {
 }
 
 std::string extentsOf(const PlannedLevel& level) {
-    std::string text = fmt::format("{} x {}", level.width, level.height);
-    return level.depth > 1 ? fmt::format("{} x {}", text, level.depth) : text;
+    std::string text = fmt::format("{} × {}", level.width, level.height);
+    return level.depth > 1 ? fmt::format("{} × {}", text, level.depth) : text;
 }
 
 void nonPowerOfTwo(const Case& about, Report& report) {
@@ -304,18 +301,18 @@ void nonPowerOfTwo(const Case& about, Report& report) {
         std::vector<Fix> fixes;
         if (texture.mipmaps != MipPolicy::FromFile)
             fixes = {{"Scale it", {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
-        report.add(
-            path + keyOf<&Texture::npot>(),
-            fmt::format("{} texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
-                        extentsOf(plan.levels.front())),
-            std::move(fixes));
+        report.add(path + keyOf<&Texture::npot>(),
+                   fmt::format("{} texels: the driver supports powers of two only (no "
+                               "GL_ARB_texture_non_power_of_two)",
+                               extentsOf(plan.levels.front())),
+                   std::move(fixes));
     });
 }
 
 void sizeLimit(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         for (const TargetFacts& each : facts.targets) {
-            const int limit = about.driver.mostTexels(each.target);
+            const int limit = about.driver.maxTexels(each.target);
             if (each.plan.levels.empty())
                 continue;
             const PlannedLevel& base = each.plan.levels.front();
@@ -334,7 +331,7 @@ void levelSizeLimit(const Case& about, Report& report) {
         if (texture.mipmaps != MipPolicy::Given)
             return;
         for (const TargetFacts& each : facts.targets) {
-            const int limit = about.driver.mostTexels(each.target);
+            const int limit = about.driver.maxTexels(each.target);
             for (const PlannedLevel& level : each.plan.levels) {
                 const int most = limit >> level.number;
                 if (level.number == 0 || std::max({level.width, level.height, level.depth}) <= most)
@@ -367,7 +364,7 @@ void lostBorder(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
         if (texture.border != 0)
             report.add(path + keyOf<&Texture::border>(),
-                       "the driver takes a texture's border away, and the border colour stands for it: the "
+                       "the driver drops a texture's border and uses the border colour instead; the "
                        "reference renderer shows the border",
                        Fix{"Do without it", {{path + keyOf<&Texture::border>(), "0"}}});
     });
@@ -383,8 +380,8 @@ void roughLambda(const Case& about, Report& report) {
         if (texture.mipmaps == MipPolicy::Given && reference::wantsMipmaps(texture.minFilter) &&
             facts.targets.front().plan.levels.size() > 1)
             report.add(path + keyOf<&Texture::minFilter>(),
-                       "llvmpipe computes lambda once for 2 x 2 pixels, up to 0.1 off: given levels change a "
-                       "few pixels earlier or later than in the reference renderer");
+                       "llvmpipe computes lambda once for 2 × 2 pixels, up to 0.1 off: levels change a few "
+                       "pixels earlier or later than in the reference renderer");
     });
 }
 

@@ -53,10 +53,9 @@ std::string insteadOfUnit(EnvMode mode) {
                               Row{EnvMode::Decal, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha}};
     const auto* found = std::ranges::find(rows, mode, &Row::mode);
     return found == rows.end()
-               ? std::string("more passes, blended, take the place of more units")
-               : fmt::format(
-                     "a pass more that shows its texture alone, blended with {} and {}, does the same",
-                     nameOf(found->source), nameOf(found->destination));
+               ? std::string("use more passes with blending instead of more units")
+               : fmt::format("one more pass with its texture alone, blended with {} and {}, does the same",
+                             nameOf(found->source), nameOf(found->destination));
 }
 
 void unitLimit(const Case& about, Report& report) {
@@ -104,7 +103,7 @@ void collapsingMatrix(const Case& about, Report& report) {
             const std::string amount =
                 fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(i), keyOf<&MatrixStep::amount>());
             if (step.op == MatrixOp::Rotate && step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
-                report.add(amount, "an axis of length 0: OpenGL leaves undefined where this rotates",
+                report.add(amount, "the axis has length 0: the rotation is undefined in OpenGL",
                            Fix{"Rotate about r", {{amount, "0,0,1"}}});
             if (step.op != MatrixOp::Scale)
                 continue;
@@ -154,7 +153,7 @@ void flatDirection(const Case& about, Report& report) {
             report.add(
                 unitPath(p, u) + keyOf<&Unit::target>(),
                 fmt::format(
-                    "a cube map takes s, t and r as a direction, and r is 0 at every vertex: only a line "
+                    "a cube map uses s, t and r as a direction, but r is 0 at every vertex: only a line "
                     "around the sides of the cube is seen; {} or {} generates all three",
                     nameOf(TexGenMode::ReflectionMap), nameOf(TexGenMode::NormalMap)),
                 std::move(fix));
@@ -171,7 +170,7 @@ void generatedZeroQ(const Case& about, Report& report) {
             return;
         const std::string plane = path + (object ? pathOf<&Unit::texGenQ, &TexGen::objectPlane>()
                                                  : pathOf<&Unit::texGenQ, &TexGen::eyePlane>());
-        report.add(plane, "this plane makes q 0 everywhere, and s, t and r are divided by it",
+        report.add(plane, "this plane makes q 0 everywhere, but s, t and r are divided by q",
                    Fix{"Make q 1", {{plane, "0,0,0,1"}}});
     });
 }
@@ -249,7 +248,7 @@ void noGeneration(const Case& about, Report& report) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
                 report.add(fmt::format("{}{}.{}", path, each.key(), keyOf<&TexGen::enabled>()),
-                           fmt::format("{} does not look at this coordinate", nameOf(unit.target)));
+                           fmt::format("{} ignores this coordinate", nameOf(unit.target)));
         }
     });
 }
@@ -285,7 +284,7 @@ void overruledUnit(const Case& about, Report& report) {
         const auto later = about.works(unit) ? overrulerOf(about, pass, index) : std::nullopt;
         if (!later)
             return;
-        const std::string reason = fmt::format("unit {} lets nothing of the units before it through", *later);
+        const std::string reason = fmt::format("unit {} replaces the result of the units before it", *later);
         if (!isAsked(about, pass, index))
             return report.add(path.substr(0, path.size() - 1), reason);
         for (const Key key : {keyOf<&Unit::envMode>, keyOf<&Unit::envColor>, keyOf<&Unit::combine>})
@@ -305,7 +304,7 @@ void overruledTexture(const Case& about, Report& report) {
         });
         if (!reaches)
             report.add(elementOf<&Scene::textures>(i),
-                       "later units let nothing through of those that show it");
+                       "later units replace the result of those that show it");
     }
 }
 
@@ -317,7 +316,7 @@ void replacedSteps(const Case& about, Report& report) {
                 continue;
             for (std::size_t i = 0; i < last; ++i)
                 report.add(path + elementOf<&Unit::matrix>(i),
-                           fmt::format("step {} loads a matrix in its place", last + 1));
+                           fmt::format("step {} loads another matrix instead", last + 1));
             break;
         }
     });
@@ -343,11 +342,11 @@ void noTangent(const Case& about, Report& report) {
                         fmt::format("{}{}.{}", unitPath(p, u), keyOf<&Unit::emboss>(),
                                     keyOf<&Emboss::enabled>()),
                         missing == tangents.size()
-                            ? fmt::format("at all of the {} vertices of models[{}] the coordinates say no "
-                                          "direction on the surface: they don't follow the light",
+                            ? fmt::format("at all of the {} vertices of models[{}] the coordinates give no "
+                                          "direction on the surface, so they don't follow the light",
                                           missing, m)
-                            : fmt::format("at {} of the {} vertices of models[{}] the coordinates say no "
-                                          "direction on the surface: they don't follow the light",
+                            : fmt::format("at {} of the {} vertices of models[{}] the coordinates give no "
+                                          "direction on the surface, so they don't follow the light",
                                           missing, tangents.size(), m));
             }
         }

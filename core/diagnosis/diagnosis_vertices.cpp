@@ -38,7 +38,7 @@ bool readsNormals(const Pass& pass) {
 }
 
 std::string andMore(std::string sentence, std::size_t others) {
-    return others > 0 ? fmt::format("{}; so it is with {} more", sentence, others) : sentence;
+    return others > 0 ? fmt::format("{}; the same is true of {} more", sentence, others) : sentence;
 }
 
 /// With (0, 0, 1) in the place of what has no length, which is what glNormal begins with. A long list makes
@@ -57,7 +57,7 @@ std::vector<Fix> normalFixes(const Scene& scene, std::size_t model, const std::s
     return value ? std::vector{Fix{"Make them 0,0,1", {{path, *value}}}} : std::vector<Fix>();
 }
 
-/// Section 2.11.3 divides by the length; section 2.1.1 leaves open what comes of it.
+/// Section 2.11.3 divides by the length; section 2.1.1 leaves the result open.
 void zeroNormal(const Case& about, Report& report) {
     std::map<std::size_t, std::vector<std::size_t>> found; // by models
     for (const Pass& pass : about.scene.passes) {
@@ -80,8 +80,8 @@ void zeroNormal(const Case& about, Report& report) {
             fmt::format("{}.{}", elementOf<&Scene::models>(m), pathOf<&Model::mesh, &MeshData::normals>());
         report.add(
             path,
-            andMore(fmt::format("the normal of vertex {} has no length, and OpenGL leaves undefined what "
-                                "lighting and generated coordinates make of it",
+            andMore(fmt::format("the normal of vertex {} has length 0: lighting and generated coordinates "
+                                "are undefined in OpenGL",
                                 vertices.front()),
                     vertices.size() - 1),
             normalFixes(about.scene, m, path));
@@ -107,7 +107,7 @@ void sphereMapRim(const Case& about, Report& report) {
             report.add(
                 path + keyOf<&Unit::texGenS>(),
                 andMore(fmt::format("at vertex {} of models[{}] the reflection points straight away from "
-                                    "the eye, and {} divides by 0: s and t are undefined there",
+                                    "the eye and {} divides by 0: s and t are undefined there",
                                     first - mesh.vertices.begin(), m, nameOf(TexGenMode::SphereMap)),
                         static_cast<std::size_t>(std::count_if(first + 1, mesh.vertices.end(), isOnRim))));
         }
@@ -134,12 +134,11 @@ void farCoordinates(const Case& about, Report& report) {
         }
         if (most < 0x1p15F) // 1/32 of a texel
             return;
-        report.add(
-            unit.matrix.empty() ? path.substr(0, path.size() - 1) : path + keyOf<&Unit::matrix>(),
-            fmt::format("coordinates reach {}, {} texels from 0, where a float has few bits left for a "
-                        "part of a texel: renderers may be off by {} of one",
-                        formatNumber(farthest), formatNumber(std::round(most)),
-                        formatNumber(std::ceil(most * 0x1p-20F * 100) / 100)));
+        report.add(unit.matrix.empty() ? path.substr(0, path.size() - 1) : path + keyOf<&Unit::matrix>(),
+                   fmt::format("coordinates reach {}, {} texels from 0, where a float has few bits left for "
+                               "fractions of a texel: renderers may be off by {} of a texel",
+                               formatNumber(farthest), formatNumber(std::round(most)),
+                               formatNumber(std::ceil(most * 0x1p-20F * 100) / 100)));
     });
 }
 
@@ -172,7 +171,7 @@ void longLines(const Case& about, Report& report) {
                 continue;
             report.add(
                 fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::mesh>()),
-                "a line is more than a million pixels long: llvmpipe loses pixels at the ends of such");
+                "a line is more than a million pixels long: llvmpipe loses pixels at the ends of such lines");
             break;
         }
     }

@@ -7,21 +7,20 @@
 
 namespace texplorer {
 
-/// A frame in which a scene shows a texture. The size that it has of itself is that of the diagnosis, which
-/// is asked before anything is drawn: how much an ellipse reads of a texture without mipmaps doesn't depend
-/// on it.
+/// A frame in which a scene uses a texture. Its default size is that of the diagnosis, which runs before
+/// drawing: the number of texels that an ellipse reads without mipmaps does not depend on it.
 struct TextureUse {
-    const Scene& scene; ///< as it stands
+    const Scene& scene; ///< evaluated at a time
     std::size_t texture;
     double time = 0;
     int width = 160;
     int height = 120;
 };
 
-/// How many texels an anisotropic filter visits in a frame that averages over an ellipse and looks at all of
-/// the box around it, as Mesa's do: those of every fragment, hidden or not. Infinite where q changes its sign
-/// within a triangle, which leaves the box no bound. Above `enough` it may be less than that. `texture` needs
-/// parameters and extents, but no texels.
+/// Returns how many texels an anisotropic filter visits in a frame if it averages over an ellipse by testing
+/// its whole bounding box, as Mesa's does: the sum over all fragments, hidden or not. Infinite if q changes
+/// sign in a triangle, which makes the box unbounded. Above `enough`, the result may be too small. `texture`
+/// needs parameters and extents, but no texels.
 [[nodiscard]] double visitedTexels(const reference::SampledTexture& texture, const TextureUse& use,
                                    double enough);
 

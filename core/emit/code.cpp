@@ -6,7 +6,7 @@ namespace texplorer::emit {
 namespace {
 
 constexpr std::string_view indent = "    ";
-constexpr std::size_t fewestColumns = 16;
+constexpr std::size_t minColumns = 16;
 
 /// The last place before `columns` at which a text may be broken, where what goes on has no leading space; 0:
 /// none.
@@ -102,7 +102,7 @@ bool readsAs(const Line& line, const Line& other) {
 }
 
 std::vector<std::vector<Part>> wrapped(const Line& line, std::size_t columns) {
-    columns = std::max(columns, fewestColumns);
+    columns = std::max(columns, minColumns);
     const std::string whole = textOf(line);
     const std::string margin(std::min(whole.find_first_not_of(' '), whole.size()), ' ');
     std::vector<std::vector<Part>> rows;

@@ -15,7 +15,7 @@
 namespace texplorer::emit {
 namespace {
 
-constexpr std::string_view comma = ", "; // between numbers
+constexpr std::string_view between = ", "; // numbers
 
 bool isVector(Kind kind) {
     return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Color;
@@ -126,7 +126,7 @@ std::vector<Part> numbers(std::span<const float> values, const std::string& path
     std::vector<Part> parts;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0)
-            parts.push_back(plain(std::string(comma)));
+            parts.push_back(plain(std::string(between)));
         const float value = negated ? 0 - values[i] : values[i]; // not -value: 0 has no sign
         parts.push_back(number(value, path, values.size() > 1 ? static_cast<int>(i) : -1, as));
         parts.back().negated = negated;
@@ -138,7 +138,7 @@ std::vector<Part> doubles(const glm::dmat4& matrix) {
     std::vector<Part> parts;
     for (int i = 0; i < 16; ++i) {
         if (i > 0)
-            parts.push_back(plain(std::string(comma)));
+            parts.push_back(plain(std::string(between)));
         parts.push_back(plain(fmt::format("{}", glm::value_ptr(matrix)[i])));
     }
     return parts;
@@ -366,7 +366,7 @@ void CodeWriter::floats(const std::string& name, std::vector<Part> values, bool 
         return;
     }
     const std::string head = fmt::format("const GLfloat {}[] = {{", name);
-    if (std::ranges::count(values, comma, &Part::text) == 15)
+    if (std::ranges::count(values, between, &Part::text) == 15)
         return matrix(head, std::move(values), "};", needed);
     std::vector<Part> parts{plain(head)};
     append(parts, std::move(values));
@@ -380,7 +380,7 @@ void CodeWriter::matrix(std::string_view head, std::vector<Part> values, std::st
     std::vector<Part> column;
     int written = 0;
     for (Part& part : values) {
-        const bool isNumber = part.text != comma;
+        const bool isNumber = part.text != between;
         if (isNumber || !column.empty())
             column.push_back(std::move(part));
         if (isNumber && ++written % 4 == 0) {

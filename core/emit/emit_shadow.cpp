@@ -77,11 +77,11 @@ Result<void> checkShadowMaps(const Scene& scene) {
         const std::string path = elementOf<&Scene::textures>(object.texture);
         if (object.target != Target::Texture2D)
             return fail(ErrorCode::Unsupported,
-                        fmt::format("a program draws what the light sees for {}, not for {}",
+                        fmt::format("programs support shadow maps for {}, not for {}",
                                     rowOf(Target::Texture2D).name, rowOf(object.target).name),
                         path);
         if (!isDepth(texture.internalFormat))
-            return refuse(fmt::format("a program draws what the light sees into a texture of depths, not {}",
+            return refuse(fmt::format("programs support shadow maps in depth textures, not {}",
                                       rowOf(texture.internalFormat).name),
                           path, keyOf<&Texture::internalFormat>());
     }

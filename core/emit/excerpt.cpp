@@ -87,11 +87,11 @@ std::vector<bool> areNew(const std::vector<std::string>& texts, const std::vecto
 }
 
 std::vector<std::size_t> newLines(const std::vector<Line>& lines, const std::vector<Line>& before) {
-    constexpr std::size_t most = 2000; // of longer programs a line that stood anywhere is known
+    constexpr std::size_t maxLines = 2000; // of longer programs a line that stood anywhere is known
     const std::vector<std::string> texts = textsOf(lines);
     const std::vector<std::string> others = textsOf(shownLines(before, false));
     std::vector<bool> isNew;
-    if (std::max(texts.size(), others.size()) <= most)
+    if (std::max(texts.size(), others.size()) <= maxLines)
         isNew = areNew(texts, others);
     else {
         const std::set<std::string> known(others.begin(), others.end());
@@ -131,9 +131,9 @@ std::vector<std::size_t> withoutMoreOfTheSame(const std::vector<Line>& lines,
     return kept;
 }
 
-Excerpt madeOf(const std::vector<Line>& lines, const std::vector<std::size_t>& all, std::size_t most) {
+Excerpt madeOf(const std::vector<Line>& lines, const std::vector<std::size_t>& all, std::size_t maxLines) {
     std::vector<std::size_t> wanted = withoutMoreOfTheSame(lines, all);
-    wanted.resize(std::min(wanted.size(), most));
+    wanted.resize(std::min(wanted.size(), maxLines));
     Excerpt excerpt;
     excerpt.left = all.size() - wanted.size();
     std::optional<std::size_t> heading;
@@ -149,13 +149,13 @@ Excerpt madeOf(const std::vector<Line>& lines, const std::vector<std::size_t>& a
             excerpt.lines.push_back(lines[each - 1]);
         excerpt.lines.push_back(lines[each]);
     }
-    std::size_t indent = std::string::npos;
+    std::size_t common = std::string::npos;
     for (const Line& line : excerpt.lines) {
         if (!line.parts.empty() && !line.heading)
-            indent = std::min(indent, indentOf(line));
+            common = std::min(common, indentOf(line));
     }
     for (Line& line : excerpt.lines)
-        takeIndent(line, std::min(indentOf(line), indent));
+        takeIndent(line, std::min(indentOf(line), common));
     return excerpt;
 }
 
@@ -174,14 +174,14 @@ bool isAbout(const Line& line, const std::set<std::string, std::less<>>& paths) 
 }
 
 Excerpt excerptOf(const std::vector<Line>& program, const std::set<std::string, std::less<>>& paths,
-                  std::size_t most) {
+                  std::size_t maxLines) {
     const std::vector<Line> lines = shownLines(program, false);
-    return madeOf(lines, linesAbout(lines, paths), most);
+    return madeOf(lines, linesAbout(lines, paths), maxLines);
 }
 
-Excerpt newIn(const std::vector<Line>& program, const std::vector<Line>& before, std::size_t most) {
+Excerpt newIn(const std::vector<Line>& program, const std::vector<Line>& before, std::size_t maxLines) {
     const std::vector<Line> lines = shownLines(program, false);
-    return before.empty() ? Excerpt{} : madeOf(lines, newLines(lines, before), most);
+    return before.empty() ? Excerpt{} : madeOf(lines, newLines(lines, before), maxLines);
 }
 
 } // namespace texplorer::emit

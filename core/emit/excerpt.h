@@ -22,12 +22,12 @@ struct Excerpt {
 };
 
 /// Of the lines that stand in the file those about these parameters, with the word on what they do, once; at
-/// most `most`, without headings.
+/// most `maxLines`, without headings.
 [[nodiscard]] Excerpt excerptOf(const std::vector<Line>& program,
-                                const std::set<std::string, std::less<>>& paths, std::size_t most);
+                                const std::set<std::string, std::less<>>& paths, std::size_t maxLines);
 
 /// The same of calls and values that the program before it hasn't; nothing where there is none before it.
 [[nodiscard]] Excerpt newIn(const std::vector<Line>& program, const std::vector<Line>& before,
-                            std::size_t most);
+                            std::size_t maxLines);
 
 } // namespace texplorer::emit

@@ -14,7 +14,7 @@ inline constexpr std::array flavourRows{
     row(Flavour::Fixed, "fixed", "C with OpenGL 2.1", "C99 with GLFW, fixed function: no shaders."),
     row(Flavour::Glsl, "glsl", "C with OpenGL 3.3",
         "C99 with GLFW, the core profile and shaders in GLSL 3.30."),
-    row(Flavour::WebGl, "webgl", "Page with WebGL 2", "A page of HTML for a browser, with shaders."),
+    row(Flavour::WebGl, "webgl", "Page with WebGL 2", "An HTML page for a browser, with shaders."),
 };
 static_assert(flavourRows.size() == 3);
 

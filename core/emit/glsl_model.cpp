@@ -46,8 +46,8 @@ public:
         , isShape_(isTurned(model_.shape) && !isEmbossed() && !glsl.emission.isWeb)
         , hasNormals_(looksAtNormals(glsl)) {
         mesh_ = meshOf(model_);
-        isSmall_ = mesh_.vertices.size() <= mostWrittenVertices &&
-                   drawnIndices(mesh_).size() <= 3 * mostWrittenVertices;
+        isSmall_ = mesh_.vertices.size() <= maxWrittenVertices &&
+                   drawnIndices(mesh_).size() <= 3 * maxWrittenVertices;
     }
 
     /// Whether a pass draws it.

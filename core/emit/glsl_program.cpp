@@ -139,7 +139,7 @@ Result<void> sayable(const GlslEmission& glsl) {
                 return said;
             if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
                 return refuse(
-                    "the shaders can't move coordinates of an image that lies upside down",
+                    "the shaders can't move coordinates of an upside-down image",
                     fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i)),
                     keyOf<&Unit::emboss>());
         }
@@ -351,7 +351,7 @@ Result<std::vector<Line>> programOf(const Scene& scene, const ImageSource& image
                                  "GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE"},
                        .headers = {"stddef.h"}});
     }
-    return fail(ErrorCode::Unsupported, "there is no program"); // not reached
+    return fail(ErrorCode::Unsupported, "the program can't be made"); // not reached
 }
 
 } // namespace

@@ -88,7 +88,7 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
     if (passes == 0)
         return form;
     const bool isEmbossed = std::ranges::find(form.embossed, true) != form.embossed.end();
-    const bool isSmall = vertexCountOf(model) <= mostWrittenVertices;
+    const bool isSmall = vertexCountOf(model) <= maxWrittenVertices;
     const bool isPlain = isMadeOfQuads(model.shape) || model.shape == Shape::Mesh;
     bool hasOwnCoords = false;
     for (std::size_t u = 0; u < maxUnits; ++u)
@@ -99,7 +99,7 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
         form.drawing = Drawing::List;
     else
         form.drawing = Drawing::Arrays;
-    form.isWritten = isPlain && isSmall && !isEmbossed && model.mesh.indices.size() <= mostWrittenVertices;
+    form.isWritten = isPlain && isSmall && !isEmbossed && model.mesh.indices.size() <= maxWrittenVertices;
     return form;
 }
 

@@ -49,11 +49,10 @@ public:
     /// it is: that is refused.
     [[nodiscard]] Result<Lines> ofMoving(const Scene& scene) const {
         const auto refusing = [&](const std::string& path) {
-            return fail(
-                ErrorCode::Unsupported,
-                fmt::format("a program ({}) can't move this as its key frames do; texshot animate draws it",
-                            rowOf(flavour_).label),
-                path);
+            return fail(ErrorCode::Unsupported,
+                        fmt::format("a program ({}) can't animate this by key frames; texshot animate can",
+                                    rowOf(flavour_).label),
+                        path);
         };
         if (const std::string path = ofTexels(scene); !path.empty())
             return refusing(path);
@@ -98,10 +97,10 @@ private:
         for (const auto& [path, param] : keys.params()) {
             params.push_back({&param, path, stancesOf(param)});
             most = std::max(most, params.back().stances.size());
-            if (params.back().stances.size() > mostSwitchedValues)
+            if (params.back().stances.size() > maxSwitchedValues)
                 return fail(ErrorCode::Unsupported,
-                            fmt::format("expected at most {} values that its key frames jump to, found {}",
-                                        mostSwitchedValues, params.back().stances.size()),
+                            fmt::format("expected at most {} values of its key frames, found {}",
+                                        maxSwitchedValues, params.back().stances.size()),
                             path);
         }
         Lines program;

@@ -84,7 +84,7 @@ private:
 /// The program, which moves as the scene's key frames say. What the scene's textures hold comes from
 /// `images`; one that has none is left out, as renderers leave it out. Those of OpenGL 3.3's core profile and
 /// of WebGL 2 have the shaders of the shader renderer. Unsupported: what the scene says that such a program
-/// can't, in one sentence; key frames with more than mostSwitchedValues values of a parameter that jumps.
+/// can't, in one sentence; key frames with more than maxSwitchedValues values of a parameter that jumps.
 [[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene,
                                                 const ImageSource& images, const ProgramOptions& options,
                                                 TextureCodes& codes);
@@ -93,9 +93,9 @@ private:
 [[nodiscard]] std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene);
 
 /// A program with key frames is written once for each value that one of them jumps to: so many at most.
-inline constexpr std::size_t mostSwitchedValues = 128;
+inline constexpr std::size_t maxSwitchedValues = 128;
 
 /// Meshes of more vertices are data at the end of the program.
-inline constexpr std::size_t mostWrittenVertices = 64;
+inline constexpr std::size_t maxWrittenVertices = 64;
 
 } // namespace texplorer::emit

@@ -9,16 +9,16 @@
 namespace texplorer::emit {
 namespace {
 
-constexpr FailureWords texelsFailure{"there is no memory for its texels", "its texels can't be made"};
-constexpr FailureWords programFailure{"there is no memory for the program", "the program can't be written"};
+constexpr FailureWords texelsFailure{"not enough memory for its texels", "its texels can't be made"};
+constexpr FailureWords programFailure{"not enough memory for the program", "the program can't be written"};
 
 /// Whether the program of a scene is written in a few milliseconds: once, and without large meshes.
 bool isQuickToWrite(const Scene& scene) {
-    constexpr std::size_t mostVertices = 4096;
+    constexpr std::size_t maxVertices = 4096;
     std::size_t vertices = 0;
     for (const Model& model : scene.models)
         vertices += model.mesh.positions.size();
-    return scene.timeline.keys.empty() && vertices <= mostVertices;
+    return scene.timeline.keys.empty() && vertices <= maxVertices;
 }
 
 /// A program shows what a unit shows that key frames switch on at times.

@@ -21,11 +21,11 @@ struct Faces {
 
 /// What OpenGL takes: square faces, and no level whose base would be larger than most drivers' textures are.
 bool isAccepted(const TextureLevel& level, int border, Target target) {
-    constexpr int most = 16384;
-    constexpr int mostLevels = 15;
+    constexpr int max = 16384;
+    constexpr int maxLevels = 15;
     const Surface& surface = level.surface;
     const int extent = std::max({widthOf(surface), heightOf(surface), depthOf(surface)}) - 2 * border;
-    return level.number < mostLevels && extent <= most >> level.number &&
+    return level.number < maxLevels && extent <= max >> level.number &&
            (target != Target::CubeMap || widthOf(surface) == heightOf(surface));
 }
 
@@ -201,7 +201,7 @@ private:
         } else if (isFlat(texels)) {
             level.source = TexelSource::Flat;
             std::memcpy(level.color.data(), texels.data(), 4);
-        } else if (texels.size() <= std::size_t{4} * mostListed)
+        } else if (texels.size() <= std::size_t{4} * maxListed)
             level.bytes = std::move(texels);
         else {
             level.source = TexelSource::Packed;
@@ -323,7 +323,7 @@ Bytes packed(ByteView texels) {
         const int red = change(0);
         const int green = change(1);
         const int blue = change(2);
-        const auto fits = [](int value, int most) { return value >= -most && value < most; };
+        const auto fits = [](int value, int max) { return value >= -max && value < max; };
         if (seen.at(place) == texel)
             put(static_cast<int>(place));
         else if (texel[3] != before[3]) {

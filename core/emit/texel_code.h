@@ -76,7 +76,7 @@ struct LevelGroup {
 [[nodiscard]] std::vector<LevelGroup> groupsOf(const TextureCode& code);
 
 /// Most texels that are listed.
-inline constexpr int mostListed = 64;
+inline constexpr int maxListed = 64;
 
 /// What reads a file that begins with these bytes: at least the first 128, or all.
 [[nodiscard]] FileReader readerOf(ByteView start);

@@ -188,18 +188,17 @@ Result<void> checkBorder(const Texture& texture, const glsl::SampledUnit& sample
     const std::string_view name = rowOf(wrap).name;
     if (texture.maxAnisotropy > 1)
         return refuse(
-            fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it under anisotropy",
-                        name),
+            fmt::format("WebGL 2 has no {}, and the page's shader can't replace it with anisotropy", name),
             path, key);
     if (averagesMinified(texture) && !averagesMagnified(texture))
         return refuse(
-            fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it where minification "
-                        "alone averages",
+            fmt::format("WebGL 2 has no {}, and the page's shader can't replace it where only minification "
+                        "averages",
                         name),
             path, key);
     if (sampled.compares && asksForLambda(texture))
         return refuse(
-            fmt::format("WebGL 2 has no {}, and the page's shader can't make up for it where depths are "
+            fmt::format("WebGL 2 has no {}, and the page's shader can't replace it where depths are "
                         "compared at several levels",
                         name),
             path, key);

@@ -118,7 +118,7 @@ private:
     [[nodiscard]] bool isOwn(std::size_t unit, CoordForm form) const {
         return form == CoordForm::Flipped || !model_.texCoords[unit].empty();
     }
-    [[nodiscard]] bool isSmall() const { return mesh_.vertices.size() <= mostWrittenVertices; }
+    [[nodiscard]] bool isSmall() const { return mesh_.vertices.size() <= maxWrittenVertices; }
 
     /// A typed array with so many numbers for each vertex.
     void floats(const std::string& name, const std::vector<float>& values, std::size_t columns,
@@ -175,7 +175,7 @@ private:
 
     void declareIndices() {
         const std::vector<std::uint32_t>& indices = drawnIndices(mesh_);
-        if (indices.size() > 3 * mostWrittenVertices) {
+        if (indices.size() > 3 * maxWrittenVertices) {
             glsl_.emission.atEnd.add(fmt::format("const {}Indices = new Uint32Array(bytes({}).buffer);",
                                                  variable_, base64Text(bytesOf(indices))));
             return;

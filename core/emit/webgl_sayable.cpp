@@ -17,10 +17,9 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
     if (code.border != 0)
         return refuse("WebGL 2 has no textures with a border", path, keyOf<&Texture::border>());
     if (code.driverCompresses)
-        return refuse("WebGL 2 has no compression by the driver", path, keyOf<&Texture::compression>());
+        return refuse("WebGL 2 drivers don't compress textures", path, keyOf<&Texture::compression>());
     if (code.blocks == BlockFormat::Bc4Signed || code.blocks == BlockFormat::Bc5Signed)
-        return refuse("WebGL 2 has no texels below 0 in 8 bits that are filtered", path,
-                      keyOf<&Texture::file>());
+        return refuse("WebGL 2 can't filter negative texels of 8 bits", path, keyOf<&Texture::file>());
     const std::array wraps{std::pair{&keyOf<&Texture::wrapS>(), texture.wrapS},
                            std::pair{&keyOf<&Texture::wrapT>(), texture.wrapT},
                            std::pair{&keyOf<&Texture::wrapR>(), texture.wrapR}};
@@ -38,8 +37,7 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
     }
     if (isDepth(code.shape.internalFormat) && texture.compareMode == CompareMode::None &&
         !readsNearestAlone(texture))
-        return refuse("WebGL 2 has no averages of depths that aren't compared", path,
-                      keyOf<&Texture::magFilter>());
+        return refuse("WebGL 2 can't filter depths that aren't compared", path, keyOf<&Texture::magFilter>());
     return {};
 }
 
@@ -61,18 +59,18 @@ Result<void> sayableInWebGl(const GlslEmission& glsl) {
                 return said;
             if (unit.target == Target::CubeMap && !drawn.seamlessCubeMap &&
                 !readsNearestAlone(scene.textures[texture]))
-                return refuse("WebGL 2 always filters across the edges of a cube map: switch it on",
+                return refuse("WebGL 2 always filters across the edges of a cube map: switch Seamless on",
                               elementOf<&Scene::passes>(pass.index), keyOf<&Pass::seamlessCubeMap>());
             if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
                 return refuse(
-                    "the shaders can't move coordinates of an image that lies upside down",
+                    "the shaders can't move coordinates of an upside-down image",
                     fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i)),
                     keyOf<&Unit::emboss>());
         }
         for (const std::size_t model : drawnModels(scene, drawn)) {
             if (partCorners(scene.models[model]) == 2 && scene.models[model].lineWidth != 1)
-                return refuse("WebGL 2 has no lines of another width than 1",
-                              elementOf<&Scene::models>(model), keyOf<&Model::lineWidth>());
+                return refuse("WebGL 2 has only lines of width 1", elementOf<&Scene::models>(model),
+                              keyOf<&Model::lineWidth>());
         }
     }
     return {};

@@ -1,6 +1,6 @@
 #pragma once
 
-// The scenes of assets/scenes, which are part of the program.
+// The scenes of assets/scenes, which are embedded in the program.
 
 #include "core/base/result.h"
 #include "core/scene/scene.h"
@@ -20,13 +20,13 @@ struct ExampleFile {
 struct Example {
     std::string_view file;
     const char* title;
-    const char* help; ///< what there is to see
+    const char* help; ///< what it shows
 };
 
 /// In the order of the menu.
 [[nodiscard]] std::span<const Example> examples();
 
-/// The scene of one of the files. Errors: NotFound, and those of parseScene.
+/// Returns the scene of a file. Errors: NotFound, and those of parseScene.
 [[nodiscard]] Result<Scene> exampleScene(std::string_view file);
 
 } // namespace texplorer

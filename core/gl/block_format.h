@@ -25,7 +25,7 @@ inline constexpr std::array blockFormatRows{
         "Two 5:6:5 colours and two between them, 2 bits a texel: 4 bits a texel in all, no alpha.",
         "GL_EXT_texture_compression_s3tc"),
     row(BlockFormat::Dxt1Alpha, "GL_COMPRESSED_RGBA_S3TC_DXT1_EXT", "DXT1 with 1-bit alpha",
-        "As DXT1; blocks whose first colour is not the larger have a transparent black.",
+        "As DXT1. Blocks whose first colour is not the larger one have a transparent black.",
         "GL_EXT_texture_compression_s3tc"),
     row(BlockFormat::Dxt3, "GL_COMPRESSED_RGBA_S3TC_DXT3_EXT", "DXT3",
         "Four bits of alpha a texel before the colours: sharp alpha in 16 steps.",
@@ -50,19 +50,19 @@ struct EnumTable<BlockFormat> {
 
 static_assert(blockFormatRows.size() == 8);
 
-/// DXT1, DXT3 and DXT5, as against the formats of one and two channels (RGTC).
+/// DXT1, DXT3 and DXT5, unlike the formats of one and two channels (RGTC).
 [[nodiscard]] constexpr bool isS3tc(BlockFormat format) {
     return format == BlockFormat::Dxt1 || format == BlockFormat::Dxt1Alpha || format == BlockFormat::Dxt3 ||
            format == BlockFormat::Dxt5;
 }
 
-/// The base internal format (OpenGL 2.1, table 3.17 and the extensions' own tables). The formats of one and
-/// two channels have the red and green of RGB, and nothing else.
+/// The base internal format (OpenGL 2.1, table 3.17 and the extensions' tables). The formats of one and two
+/// channels have only the red and green of RGB.
 [[nodiscard]] constexpr BaseFormat baseFormat(BlockFormat format) {
     return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
 }
 
-/// How many of red, green, blue and alpha a format keeps.
+/// How many of red, green, blue and alpha a format stores.
 [[nodiscard]] constexpr std::size_t keptComponents(BlockFormat format) {
     if (isS3tc(format))
         return baseFormat(format) == BaseFormat::Rgb ? 3 : 4;

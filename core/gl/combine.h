@@ -1,6 +1,6 @@
 #pragma once
 
-// GL_COMBINE's vocabulary and state: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25 and 6.20.
+// The enumerants and state of GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25 and 6.20.
 
 #include "core/gl/enum_row.h"
 
@@ -17,7 +17,7 @@ enum class CombineRgb : std::uint32_t {
     Dot3Rgba = 0x86AF,
 };
 
-/// The functions of CombineRgb that alpha has too; the numbers are the same.
+/// The functions of CombineRgb that exist for alpha; the numbers are the same.
 enum class CombineAlpha : std::uint32_t {
     Replace = 0x1E01,
     Modulate = 0x2100,
@@ -47,10 +47,10 @@ enum class OperandRgb : std::uint32_t {
 
 enum class OperandAlpha : std::uint32_t { SrcAlpha = 0x0302, OneMinusSrcAlpha = 0x0303 };
 
-/// GL_RGB_SCALE and GL_ALPHA_SCALE: nothing else is accepted.
+/// GL_RGB_SCALE and GL_ALPHA_SCALE: the only values that are accepted.
 enum class CombineScale : std::uint32_t { One = 1, Two = 2, Four = 4 };
 
-/// What a unit in GL_COMBINE computes, for colour and alpha apart, with GL's initial values.
+/// What a unit in GL_COMBINE computes for colour and for alpha, with GL's initial values.
 struct Combine {
     CombineRgb rgb = CombineRgb::Modulate;
     CombineSource source0Rgb = CombineSource::Texture;
@@ -77,19 +77,17 @@ inline constexpr std::array combineRgbRows{
     row(CombineRgb::Modulate, "GL_MODULATE", "Modulate", "Arg0 * Arg1. GL's initial value.", "1.3"),
     row(CombineRgb::Add, "GL_ADD", "Add", "Arg0 + Arg1, clamped to 1.", "1.3"),
     row(CombineRgb::AddSigned, "GL_ADD_SIGNED", "Add signed",
-        "Arg0 + Arg1 - 0.5: grey changes nothing, as a height map against its own inverse does in bump "
-        "mapping.",
+        "Arg0 + Arg1 - 0.5. Grey changes nothing; bump mapping adds a height map and its inverse this way.",
         "1.3"),
     row(CombineRgb::Interpolate, "GL_INTERPOLATE", "Interpolate",
         "Arg0 * Arg2 + Arg1 * (1 - Arg2): the third argument mixes the other two.", "1.3"),
     row(CombineRgb::Subtract, "GL_SUBTRACT", "Subtract", "Arg0 - Arg1, clamped to 0.", "1.3"),
     row(CombineRgb::Dot3Rgb, "GL_DOT3_RGB", "Dot product",
-        "Both colours are vectors, 0 to 1 standing for -1 to 1: 4 times the sum of (Arg0 - 0.5) * (Arg1 - "
-        "0.5) "
-        "becomes red, green and blue. Light from a normal map.",
+        "Both colours are vectors, with 0 to 1 for -1 to 1. Red, green and blue become 4 times the sum of "
+        "(Arg0 - 0.5) * (Arg1 - 0.5). Used for light with normal maps.",
         "1.3"),
     row(CombineRgb::Dot3Rgba, "GL_DOT3_RGBA", "Dot product, alpha too",
-        "As GL_DOT3_RGB, and alpha gets the same number: the alpha function is ignored.", "1.3"),
+        "As GL_DOT3_RGB, and alpha gets the same number. The alpha function is ignored.", "1.3"),
 };
 
 inline constexpr std::array combineAlphaRows{
@@ -108,26 +106,26 @@ inline constexpr std::array combineSourceRows{
     row(CombineSource::Constant, "GL_CONSTANT", "Environment colour", "This unit's GL_TEXTURE_ENV_COLOR.",
         "1.3"),
     row(CombineSource::PrimaryColor, "GL_PRIMARY_COLOR", "Primary colour",
-        "The fragment's colour before texturing: of lighting, or glColor.", "1.3"),
+        "The fragment's colour before texturing, from lighting or glColor.", "1.3"),
     row(CombineSource::Previous, "GL_PREVIOUS", "Previous unit",
-        "What the unit before this one made; at unit 0 the primary colour.", "1.3"),
+        "The result of the unit before this one; in unit 0 the primary colour.", "1.3"),
     row(CombineSource::Texture0, "GL_TEXTURE0", "Texture of unit 0",
-        "The filtered colour of unit 0, whichever unit asks (crossbar).", "1.4"),
+        "The filtered colour of unit 0, in any unit (crossbar).", "1.4"),
     row(CombineSource::Texture1, "GL_TEXTURE1", "Texture of unit 1",
-        "The filtered colour of unit 1, whichever unit asks (crossbar).", "1.4"),
+        "The filtered colour of unit 1, in any unit (crossbar).", "1.4"),
     row(CombineSource::Texture2, "GL_TEXTURE2", "Texture of unit 2",
-        "The filtered colour of unit 2, whichever unit asks (crossbar).", "1.4"),
+        "The filtered colour of unit 2, in any unit (crossbar).", "1.4"),
     row(CombineSource::Texture3, "GL_TEXTURE3", "Texture of unit 3",
-        "The filtered colour of unit 3, whichever unit asks (crossbar).", "1.4"),
+        "The filtered colour of unit 3, in any unit (crossbar).", "1.4"),
 };
 
 inline constexpr std::array operandRgbRows{
     row(OperandRgb::SrcColor, "GL_SRC_COLOR", "Colour", "The source's red, green and blue.", "1.3"),
     row(OperandRgb::OneMinusSrcColor, "GL_ONE_MINUS_SRC_COLOR", "1 - colour",
-        "One minus the source's red, green and blue: its negative.", "1.3"),
-    row(OperandRgb::SrcAlpha, "GL_SRC_ALPHA", "Alpha", "The source's alpha in all three.", "1.3"),
+        "One minus the source's red, green and blue (inverted).", "1.3"),
+    row(OperandRgb::SrcAlpha, "GL_SRC_ALPHA", "Alpha", "The source's alpha in all three components.", "1.3"),
     row(OperandRgb::OneMinusSrcAlpha, "GL_ONE_MINUS_SRC_ALPHA", "1 - alpha",
-        "One minus the source's alpha in all three.", "1.3"),
+        "One minus the source's alpha in all three components.", "1.3"),
 };
 
 inline constexpr std::array operandAlphaRows{

@@ -1,7 +1,6 @@
 #pragma once
 
-// GL_COMBINE's state in the order in which it is computed with: by argument. Only combine.h keeps it by
-// parameter.
+// GL_COMBINE's state by argument, as it is used; in combine.h it is by parameter.
 
 #include "core/gl/combine.h"
 
@@ -10,8 +9,7 @@
 
 namespace texplorer {
 
-/// Where an argument comes from, and which of it is taken. Alpha's operands are two of the colour's, with the
-/// same numbers.
+/// The source and operand of an argument. Alpha's operands are two of the colour's, with the same numbers.
 struct CombineArgument {
     CombineSource source;
     OperandRgb operand;
@@ -30,7 +28,7 @@ using CombineArguments = std::array<CombineArgument, 3>;
              {combine.source2Alpha, static_cast<OperandRgb>(combine.operand2Alpha)}}};
 }
 
-/// The unit that a source names (crossbar), or nothing where it names none.
+/// The unit that a crossbar source refers to; empty for other sources.
 [[nodiscard]] constexpr std::optional<std::size_t> crossbarUnit(CombineSource source) {
     if (source < CombineSource::Texture0 || source > CombineSource::Texture3)
         return std::nullopt;

@@ -4,7 +4,7 @@
 
 namespace texplorer {
 
-/// A function of GL_COMBINE as one writes it down, before the scale and the clamp: OpenGL 2.1, table 3.23.
+/// The equation of a GL_COMBINE function, before scale and clamp: OpenGL 2.1, table 3.23.
 [[nodiscard]] constexpr std::string_view equationOf(CombineRgb function) {
     switch (function) {
     case CombineRgb::Replace:

@@ -8,12 +8,12 @@
 
 namespace texplorer {
 
-/// An internal format of OpenGL 3.3's core profile, which has those of red, of two, three and four components
-/// and of depths. The texels that a program gives are RGBA: what a luminance is of, their red.
+/// An internal format of OpenGL 3.3's core profile, which has formats of red, of two, three and four
+/// components, and of depths. Texels are given as RGBA; the red of a luminance is used.
 struct CoreFormat {
     InternalFormat format;
     std::string_view name;
-    std::string_view swizzle{}; ///< of GL_TEXTURE_SWIZZLE_RGBA; empty: as they are
+    std::string_view swizzle{}; ///< of GL_TEXTURE_SWIZZLE_RGBA; empty: none
 };
 
 inline constexpr std::string_view alphaSwizzle = "GL_ZERO, GL_ZERO, GL_ZERO, GL_ALPHA";
@@ -36,7 +36,7 @@ inline constexpr std::array coreFormats{
     CoreFormat{InternalFormat::Sluminance8Alpha8, "GL_SRGB8_ALPHA8", luminanceAlphaSwizzle},
 };
 
-/// Those that both have bear their own name.
+/// Formats that exist in both keep their name.
 [[nodiscard]] constexpr CoreFormat coreFormatOf(InternalFormat format) {
     const auto* found = std::ranges::find(coreFormats, format, &CoreFormat::format);
     return found == coreFormats.end() ? CoreFormat{format, rowOf(format).name} : *found;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The vocabulary: one row per enumerant is the only place where its name, label and help are written.
-// Panels, JSON, `texshot params`, `--set`, the command view and error messages all read the rows.
+// The vocabulary: one row per enumerant. Its name, label and help are written nowhere else; panels, JSON,
+// `texshot params`, `--set`, the command view and error messages read the rows.
 
 #include <algorithm>
 #include <array>
@@ -15,16 +15,17 @@
 namespace texplorer {
 
 struct EnumRow {
-    std::uint32_t value;      ///< GL's number, or our own for what GL has no enumerant for
-    std::string_view name;    ///< GL's name ("GL_REPEAT"), or the word in scene files ("cube")
-    std::string_view label;   ///< what a panel shows
-    std::string_view help;    ///< one sentence for a student
-    std::string_view since;   ///< "1.0", "1.3", or an extension's name; empty for our own words
-    std::string_view group{}; ///< what stands above those of a kind in a long list; empty: a short one
-    std::string_view brief{}; ///< the label where it has little room, in its group; empty: the label is short
+    std::uint32_t value;    ///< GL's number, or our own where GL has no enumerant
+    std::string_view name;  ///< GL's name ("GL_REPEAT"), or the name in scene files ("cube")
+    std::string_view label; ///< shown in panels
+    std::string_view help;  ///< one sentence for a student
+    std::string_view
+        since; ///< the first version, "1.0" or "1.3", or an extension's name; empty for our own names
+    std::string_view group{}; ///< the heading of its group in a long list; empty: a short list
+    std::string_view brief{}; ///< a short label, for narrow controls in its group; empty: the label is short
 };
 
-/// Specialised beside every enum: `static constexpr std::span<const EnumRow> rows`.
+/// Specialised next to every enum: `static constexpr std::span<const EnumRow> rows`.
 template<class E>
 struct EnumTable;
 
@@ -39,7 +40,7 @@ constexpr EnumRow row(E value, std::string_view name, std::string_view label, st
     return {static_cast<std::uint32_t>(value), name, label, help, since};
 }
 
-/// What a button shows.
+/// The text of a button.
 [[nodiscard]] constexpr std::string_view briefOf(const EnumRow& row) {
     return row.brief.empty() ? row.label : row.brief;
 }
@@ -56,17 +57,17 @@ constexpr const EnumRow* findRow(std::span<const EnumRow> rows, std::string_view
     return found == rows.end() ? nullptr : &*found;
 }
 
-/// The row of an enumerator. A value without a row is a programming mistake; the first row stands in for it.
+/// The row of an enumerator. A value without a row is a programming error; the first row is returned.
 template<Enumerated E>
 constexpr const EnumRow& rowOf(E value) {
-    // Not by findRow: GCC 12 under UBSan takes no comparison of an address with nullptr in a constant
+    // Not findRow: GCC 12 under UBSan rejects the comparison of an address with nullptr in a constant
     // expression.
     const auto& rows = EnumTable<E>::rows;
     const auto found = std::ranges::find(rows, static_cast<std::uint32_t>(value), &EnumRow::value);
     return found == rows.end() ? rows.front() : *found;
 }
 
-/// "GL_NEAREST, GL_LINEAR": what would have been accepted, for an error message.
+/// "GL_NEAREST, GL_LINEAR": the accepted values, for an error message.
 [[nodiscard]] inline std::string listNames(std::span<const EnumRow> rows) {
     std::string names;
     for (const EnumRow& each : rows)

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a texture unit does with the filtered colour: OpenGL 2.1, section 3.8.13, tables 3.21 and 3.22. What
-// GL_COMBINE says beyond its mode is in combine.h.
+// What a texture unit does with the filtered colour: OpenGL 2.1, section 3.8.13, tables 3.21 and 3.22. The
+// parameters of GL_COMBINE are in combine.h.
 
 #include "core/gl/enum_row.h"
 
@@ -16,7 +16,7 @@ enum class EnvMode : std::uint32_t {
     Combine = 0x8570,
 };
 
-/// The six base internal formats of section 3.8.1: they decide which components a texture has.
+/// The six base internal formats of section 3.8.1, which define the components of a texture.
 enum class BaseFormat : std::uint32_t {
     Alpha = 0x1906,
     Luminance = 0x1909,
@@ -29,31 +29,35 @@ enum class BaseFormat : std::uint32_t {
 inline constexpr std::array envModeRows{
     row(EnvMode::Modulate, "GL_MODULATE", "Modulate",
         "Fragment colour times texture colour: lighting shows through. GL's initial value.", "1.0"),
-    row(EnvMode::Replace, "GL_REPLACE", "Replace", "The texture colour alone: lighting and glColor vanish.",
+    row(EnvMode::Replace, "GL_REPLACE", "Replace",
+        "The texture's colour alone. Lighting and glColor have "
+        "no effect.",
         "1.1"),
     row(EnvMode::Decal, "GL_DECAL", "Decal",
-        "Paint the texture over the fragment by the texture's alpha; defined only for RGB and RGBA.", "1.0"),
+        "Paints the texture over the fragment by the texture's alpha. Defined only for RGB and RGBA.", "1.0"),
     row(EnvMode::Blend, "GL_BLEND", "Blend",
         "The texture mixes between the fragment colour (0) and the environment colour (1).", "1.0"),
     row(EnvMode::Add, "GL_ADD", "Add",
         "Fragment colour plus texture colour, clamped to 1; alpha is multiplied, except for INTENSITY.",
         "1.3"),
     row(EnvMode::Combine, "GL_COMBINE", "Combine",
-        "A function of up to three arguments that one chooses, for colour and alpha apart.", "1.3"),
+        "A selectable function of up to three arguments, separately for colour and alpha.", "1.3"),
 };
 
 inline constexpr std::array baseFormatRows{
     row(BaseFormat::Rgba, "GL_RGBA", "RGBA", "Colour and alpha from the image.", "1.0"),
-    row(BaseFormat::Rgb, "GL_RGB", "RGB", "Colour from the image; the texture has no alpha, it counts as 1.",
+    row(BaseFormat::Rgb, "GL_RGB", "RGB",
+        "Colour from the image. The texture has no alpha, which counts "
+        "as 1.",
         "1.0"),
     row(BaseFormat::Luminance, "GL_LUMINANCE", "Luminance",
-        "The image's red becomes a grey that drives red, green and blue; no alpha.", "1.0"),
+        "The image's red is used for red, green and blue (grey). No alpha.", "1.0"),
     row(BaseFormat::LuminanceAlpha, "GL_LUMINANCE_ALPHA", "Luminance + alpha",
         "Grey from the image's red, and the image's alpha.", "1.0"),
     row(BaseFormat::Intensity, "GL_INTENSITY", "Intensity",
-        "The image's red drives all four components, alpha too.", "1.1"),
-    row(BaseFormat::Alpha, "GL_ALPHA", "Alpha",
-        "The image's alpha only: the fragment's colour is left alone.", "1.0"),
+        "The image's red is used for all four components, including alpha.", "1.1"),
+    row(BaseFormat::Alpha, "GL_ALPHA", "Alpha", "The image's alpha only. The fragment's colour is unchanged.",
+        "1.0"),
 };
 
 template<>

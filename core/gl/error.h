@@ -1,6 +1,6 @@
 #pragma once
 
-// What glGetError answers: OpenGL 2.1, section 2.5, table 2.3.
+// The results of glGetError: OpenGL 2.1, section 2.5, table 2.3.
 
 #include "core/gl/enum_row.h"
 
@@ -24,12 +24,14 @@ inline constexpr std::array glErrorRows{
         "The call is not allowed in the current state.", "1.0"),
     row(GlError::StackOverflow, "GL_STACK_OVERFLOW", "Stack overflow", "A stack is full.", "1.0"),
     row(GlError::StackUnderflow, "GL_STACK_UNDERFLOW", "Stack underflow", "A stack is empty.", "1.0"),
-    row(GlError::OutOfMemory, "GL_OUT_OF_MEMORY", "Out of memory", "The driver has no memory left for it.",
+    row(GlError::OutOfMemory, "GL_OUT_OF_MEMORY", "Out of memory",
+        "The driver has not enough memory for "
+        "it.",
         "1.0"),
     row(GlError::InvalidFramebufferOperation, "GL_INVALID_FRAMEBUFFER_OPERATION", "Invalid framebuffer",
-        "The framebuffer that is bound is not complete.", "3.0"),
+        "The bound framebuffer is not complete.", "3.0"),
     row(GlError::ContextLost, "GL_CONTEXT_LOST", "Context lost",
-        "The graphics card was reset: everything that it held is gone.", "4.5"),
+        "The graphics card was reset and has lost all its contents.", "4.5"),
 };
 
 template<>

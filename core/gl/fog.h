@@ -1,6 +1,6 @@
 #pragma once
 
-// How fog thickens with the distance: OpenGL 2.1, section 3.10.
+// How fog depends on the distance: OpenGL 2.1, section 3.10.
 
 #include "core/gl/enum_row.h"
 
@@ -9,12 +9,11 @@ namespace texplorer {
 enum class FogMode : std::uint32_t { Linear = 0x2601, Exp = 0x0800, Exp2 = 0x0801 };
 
 inline constexpr std::array fogModeRows{
-    row(FogMode::Linear, "GL_LINEAR", "Linear", "From no fog at the start to nothing else at the end.",
-        "1.0"),
+    row(FogMode::Linear, "GL_LINEAR", "Linear", "No fog at the start, only fog at the end.", "1.0"),
     row(FogMode::Exp, "GL_EXP", "Exponential",
-        "What is left is e^(-density * distance): thick at once, never quite everything.", "1.0"),
+        "e^(-density * distance) of a colour is left. Dense from the beginning, never complete.", "1.0"),
     row(FogMode::Exp2, "GL_EXP2", "Exp. squared",
-        "What is left is e^(-(density * distance)^2): clear nearby, then quickly thick.", "1.0"),
+        "e^(-(density * distance)^2) of a colour is left. Clear nearby, then quickly dense.", "1.0"),
 };
 
 template<>

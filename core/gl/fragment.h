@@ -49,7 +49,7 @@ inline constexpr std::array compareFuncRows{
     row(CompareFunc::Never, "GL_NEVER", "Never", "Nothing passes.", "1.0"),
     row(CompareFunc::Less, "GL_LESS", "Less", "Passes if the new value is below the reference.", "1.0"),
     row(CompareFunc::Equal, "GL_EQUAL", "Equal",
-        "Passes if both are equal: how a second pass hits the first.", "1.0"),
+        "Passes if both are equal. A second pass draws over the first one this way.", "1.0"),
     row(CompareFunc::LessEqual, "GL_LEQUAL", "Less or equal",
         "Passes if the new value is not above the reference.", "1.0"),
     row(CompareFunc::Greater, "GL_GREATER", "Greater", "Passes if the new value is above the reference.",
@@ -60,15 +60,15 @@ inline constexpr std::array compareFuncRows{
     row(CompareFunc::Always, "GL_ALWAYS", "Always", "Everything passes.", "1.0"),
 };
 
-/// Whose label is long; `brief` is for a narrow control.
+/// A row with a long label; `brief` is for narrow controls.
 constexpr EnumRow blendFactorRow(BlendFactor value, std::string_view name, std::string_view label,
                                  std::string_view help, std::string_view brief) {
     return {static_cast<std::uint32_t>(value), name, label, help, "1.0", {}, brief};
 }
 
 inline constexpr std::array blendFactorRows{
-    row(BlendFactor::Zero, "GL_ZERO", "0", "Leave it out.", "1.0"),
-    row(BlendFactor::One, "GL_ONE", "1", "Take it whole.", "1.0"),
+    row(BlendFactor::Zero, "GL_ZERO", "0", "Factor 0.", "1.0"),
+    row(BlendFactor::One, "GL_ONE", "1", "Factor 1.", "1.0"),
     row(BlendFactor::SrcColor, "GL_SRC_COLOR", "Source colour", "Times the new fragment's colour.", "1.0"),
     row(BlendFactor::OneMinusSrcColor, "GL_ONE_MINUS_SRC_COLOR", "1 - source colour",
         "Times one minus the new fragment's colour.", "1.0"),

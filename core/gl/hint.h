@@ -1,6 +1,6 @@
 #pragma once
 
-// What OpenGL is asked to take care of, and may ignore: OpenGL 2.1, section 5.6.
+// Hints, which OpenGL may ignore: OpenGL 2.1, section 5.6.
 
 #include "core/gl/enum_row.h"
 
@@ -9,10 +9,10 @@ namespace texplorer {
 enum class HintMode : std::uint32_t { DontCare = 0x1100, Fastest = 0x1101, Nicest = 0x1102 };
 
 inline constexpr std::array hintModeRows{
-    row(HintMode::DontCare, "GL_DONT_CARE", "Don't care", "OpenGL chooses.", "1.0"),
-    row(HintMode::Fastest, "GL_FASTEST", "Fastest",
-        "The quickest way that OpenGL knows, whatever it looks like.", "1.0"),
-    row(HintMode::Nicest, "GL_NICEST", "Nicest", "The most correct way that OpenGL knows.", "1.0"),
+    row(HintMode::DontCare, "GL_DONT_CARE", "Don't care", "OpenGL decides.", "1.0"),
+    row(HintMode::Fastest, "GL_FASTEST", "Fastest", "The fastest method of OpenGL, regardless of quality.",
+        "1.0"),
+    row(HintMode::Nicest, "GL_NICEST", "Nicest", "The most correct method of OpenGL.", "1.0"),
 };
 
 template<>

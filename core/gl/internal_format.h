@@ -1,7 +1,7 @@
 #pragma once
 
-// The internal formats that glTexImage is asked for: OpenGL 2.1, section 3.8.1, tables 3.15 and 3.16. They
-// decide which components a texture has, how many bits each of them keeps, and what its numbers mean.
+// The internal formats of glTexImage: OpenGL 2.1, section 3.8.1, tables 3.15 and 3.16. They define the
+// components of a texture, their bits, and what the numbers mean.
 
 #include "core/gl/environment.h"
 
@@ -32,18 +32,18 @@ enum class InternalFormat : std::uint32_t {
     DepthComponent24 = 0x81A6,
 };
 
-/// What the numbers of a texel stand for.
+/// What the numbers of a texel mean.
 enum class Encoding : std::uint8_t {
     Linear,
-    Srgb, ///< colours by sRGB's curve, which are made linear before they are filtered; alpha as it is
+    Srgb, ///< colours on sRGB's curve, converted to linear before filtering; alpha is linear
     Depth,
 };
 
-/// What a texture keeps of an image. Where OpenGL leaves the number of bits to the driver (GL_RGBA), they
+/// What a texture stores of an image. Where OpenGL leaves the number of bits to the driver (GL_RGBA), there
 /// are eight.
 struct FormatFacts {
     InternalFormat format;
-    BaseFormat base;                  ///< of a depth texture GL_DEPTH_TEXTURE_MODE says it instead
+    BaseFormat base;                  ///< of depth textures, GL_DEPTH_TEXTURE_MODE is used instead
     std::array<std::uint8_t, 4> bits; ///< of red (luminance, intensity or depth), green, blue and alpha
     Encoding encoding = Encoding::Linear;
 };
@@ -80,29 +80,29 @@ inline constexpr std::array formatFacts{
 [[nodiscard]] constexpr BaseFormat baseFormat(InternalFormat format) {
     return factsOf(format).base;
 }
-/// Whether it keeps fewer bits of a component than an image has.
+/// Whether it stores fewer bits of a component than images have.
 [[nodiscard]] constexpr bool hasFewBits(InternalFormat format) {
     return std::ranges::any_of(factsOf(format).bits, [](int bits) { return bits > 0 && bits < 8; });
 }
-/// As its name says it, in whole bytes; a driver may take more.
+/// According to its name, in whole bytes; a driver may use more.
 [[nodiscard]] constexpr int bytesPerTexel(InternalFormat format) {
     int bits = 0;
     for (const int each : factsOf(format).bits)
         bits += each;
     return (bits + 7) / 8;
 }
-[[nodiscard]] constexpr bool isDepth(InternalFormat format) { // asked for every sample
+[[nodiscard]] constexpr bool isDepth(InternalFormat format) { // called for every sample
     return format == InternalFormat::DepthComponent16 || format == InternalFormat::DepthComponent24;
 }
 [[nodiscard]] constexpr bool isSrgb(InternalFormat format) {
     return factsOf(format).encoding == Encoding::Srgb;
 }
-/// The format of eight bits a component that bears the name of a base format.
+/// The format with eight bits per component that has the name of a base format.
 [[nodiscard]] constexpr InternalFormat internalFormat(BaseFormat format) {
     return static_cast<InternalFormat>(format);
 }
 
-/// What stands above its kind in a list.
+/// The heading of its group in a list.
 [[nodiscard]] constexpr std::string_view groupOf(InternalFormat format) {
     switch (factsOf(format).encoding) {
     case Encoding::Srgb:
@@ -126,12 +126,12 @@ inline constexpr auto internalFormatRows = [] {
         row(InternalFormat::Rgb5A1, "GL_RGB5_A1", "RGB5 A1",
             "32 steps for each colour, and alpha either 0 or 1: 16 bits a texel.", "1.1"),
         row(InternalFormat::Rgba4, "GL_RGBA4", "RGBA4",
-            "16 steps for each component: 16 bits a texel, and bands where a colour changes slowly.", "1.1"),
+            "16 steps for each component: 16 bits a texel, with bands where a colour changes slowly.", "1.1"),
         row(InternalFormat::Rgba2, "GL_RGBA2", "RGBA2", "4 steps for each component: 8 bits a texel.", "1.1"),
         row(InternalFormat::Rgb5, "GL_RGB5", "RGB5", "32 steps for each colour, no alpha.", "1.1"),
         row(InternalFormat::Rgb4, "GL_RGB4", "RGB4", "16 steps for each colour, no alpha.", "1.1"),
         row(InternalFormat::R3G3B2, "GL_R3_G3_B2", "R3 G3 B2",
-            "8 steps for red and green and 4 for blue: 8 bits a texel, and broad bands.", "1.1"),
+            "8 steps for red and green and 4 for blue: 8 bits a texel, with broad bands.", "1.1"),
         row(InternalFormat::Luminance4, "GL_LUMINANCE4", "Luminance 4", "16 greys.", "1.1"),
         row(InternalFormat::Luminance4Alpha4, "GL_LUMINANCE4_ALPHA4", "Luminance 4 + alpha 4",
             "16 greys and 16 steps of alpha: 8 bits a texel.", "1.1"),
@@ -139,18 +139,18 @@ inline constexpr auto internalFormatRows = [] {
             "16 steps, for colour and alpha alike.", "1.1"),
         row(InternalFormat::Alpha4, "GL_ALPHA4", "Alpha 4", "16 steps of alpha, no colour.", "1.1"),
         row(InternalFormat::Srgb8Alpha8, "GL_SRGB8_ALPHA8", "sRGB + alpha",
-            "The image's colours are sRGB, as most files' are: they become amounts of light before they are "
-            "filtered. Alpha is as it is.",
+            "The image's colours are sRGB, as in most files, and are converted to amounts of light before "
+            "filtering. Alpha is unchanged.",
             "2.1"),
-        row(InternalFormat::Srgb8, "GL_SRGB8", "sRGB", "Colours as sRGB, without alpha.", "2.1"),
+        row(InternalFormat::Srgb8, "GL_SRGB8", "sRGB", "sRGB colours without alpha.", "2.1"),
         row(InternalFormat::Sluminance8Alpha8, "GL_SLUMINANCE8_ALPHA8", "sLuminance + alpha",
-            "A grey by sRGB's curve, and alpha as it is.", "2.1"),
-        row(InternalFormat::Sluminance8, "GL_SLUMINANCE8", "sLuminance",
-            "A grey by sRGB's curve, without alpha.", "2.1"),
+            "An sRGB grey, and alpha unchanged.", "2.1"),
+        row(InternalFormat::Sluminance8, "GL_SLUMINANCE8", "sLuminance", "An sRGB grey without alpha.",
+            "2.1"),
         row(InternalFormat::DepthComponent16, "GL_DEPTH_COMPONENT16", "Depth, 16 bits",
             "The image's red is a distance, from 0 (near) to 1 (far), in 65536 steps.", "1.4"),
         row(InternalFormat::DepthComponent24, "GL_DEPTH_COMPONENT24", "Depth, 24 bits",
-            "The image's red is a distance, from 0 (near) to 1 (far), in some 16.8 million steps.", "1.4"),
+            "The image's red is a distance, from 0 (near) to 1 (far), in about 16.8 million steps.", "1.4"),
     };
     for (EnumRow& each : rows)
         each.group = groupOf(static_cast<InternalFormat>(each.value));

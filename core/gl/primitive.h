@@ -1,6 +1,6 @@
 #pragma once
 
-// What vertices are made into: OpenGL 2.1, section 2.6.1.
+// Primitives: OpenGL 2.1, section 2.6.1.
 
 #include "core/gl/enum_row.h"
 
@@ -21,7 +21,7 @@ enum class Primitive : std::uint32_t {
 
 inline constexpr std::array primitiveRows{
     row(Primitive::Points, "GL_POINTS", "Points", "Every vertex is a square of the point size.", "1.0"),
-    row(Primitive::Lines, "GL_LINES", "Lines", "Every two vertices are a line of their own.", "1.0"),
+    row(Primitive::Lines, "GL_LINES", "Lines", "Every two vertices are a line.", "1.0"),
     row(Primitive::LineStrip, "GL_LINE_STRIP", "Line strip", "A line from each vertex to the next.", "1.0"),
     row(Primitive::LineLoop, "GL_LINE_LOOP", "Line loop",
         "A line from each vertex to the next, and from the last back to the first.", "1.0"),

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a texture object says about sampling: OpenGL 2.1, section 3.8.4, table 3.18.
+// The sampling parameters of a texture object: OpenGL 2.1, section 3.8.4, table 3.18.
 
 #include "core/gl/enum_row.h"
 
@@ -42,17 +42,17 @@ enum class CubeFace : std::uint32_t {
     NegativeZ = 0x851A,
 };
 
-/// How many axes the images of a target have.
+/// The number of axes of a target's images.
 [[nodiscard]] constexpr int axesOf(Target target) {
     return target == Target::Texture1D ? 1 : target == Target::Texture3D ? 3 : 2;
 }
 
-/// How many of s, t and r a target looks at.
+/// The number of coordinates (s, t, r) that a target uses.
 [[nodiscard]] constexpr int coordinatesOf(Target target) {
     return target == Target::CubeMap ? 3 : axesOf(target);
 }
 
-/// How many images each of its levels has.
+/// The number of images per level.
 [[nodiscard]] constexpr int facesOf(Target target) {
     return target == Target::CubeMap ? 6 : 1;
 }
@@ -65,12 +65,12 @@ enum class CubeFace : std::uint32_t {
 
 inline constexpr std::array magFilterRows{
     row(MagFilter::Nearest, "GL_NEAREST", "Nearest",
-        "Take the one texel whose square holds the sample: hard edges, visible blocks.", "1.0"),
+        "Reads the one texel that contains the sample. Hard edges, visible blocks.", "1.0"),
     row(MagFilter::Linear, "GL_LINEAR", "Linear",
-        "Blend the 2 x 2 texels around the sample by distance: smooth, a little blurred.", "1.0"),
+        "Blends the 2 × 2 texels around the sample by distance. Smooth, slightly blurred.", "1.0"),
 };
 
-/// With the words of a button: a line for each way to use the levels.
+/// With button labels: a line for each way to use the levels.
 constexpr EnumRow minFilterRow(MinFilter value, std::string_view name, std::string_view label,
                                std::string_view help, std::string_view levels, std::string_view brief = {}) {
     return {static_cast<std::uint32_t>(value), name, label, help, "1.0", levels, brief};
@@ -78,22 +78,22 @@ constexpr EnumRow minFilterRow(MinFilter value, std::string_view name, std::stri
 
 inline constexpr std::array minFilterRows{
     minFilterRow(MinFilter::Nearest, "GL_NEAREST", "Nearest",
-                 "One texel of the base level, however many the pixel covers: shimmers and aliases.",
+                 "One texel of the base level, however many the pixel covers. Shimmers and aliases.",
                  "No mipmaps"),
     minFilterRow(MinFilter::Linear, "GL_LINEAR", "Linear",
-                 "2 x 2 texels of the base level: still aliases once a pixel covers more than two texels.",
+                 "2 × 2 texels of the base level. Still aliases where a pixel covers more than two texels.",
                  "No mipmaps"),
     minFilterRow(MinFilter::NearestMipmapNearest, "GL_NEAREST_MIPMAP_NEAREST", "Nearest, nearest mip",
                  "One texel of the one mip level that fits the pixel best.", "Nearest mip", "Nearest"),
     minFilterRow(MinFilter::LinearMipmapNearest, "GL_LINEAR_MIPMAP_NEAREST", "Linear, nearest mip",
-                 "2 x 2 texels of the best mip level; the step from level to level shows as a band.",
+                 "2 × 2 texels of the best mip level. The change from level to level shows as a seam.",
                  "Nearest mip", "Linear"),
     minFilterRow(MinFilter::NearestMipmapLinear, "GL_NEAREST_MIPMAP_LINEAR", "Nearest, blended mips",
-                 "One texel from each of two mip levels, blended. GL's initial value: without mipmaps the "
+                 "One texel from each of two mip levels, blended. GL's initial value; without mipmaps the "
                  "texture is incomplete.",
                  "Blended mips", "Nearest"),
     minFilterRow(MinFilter::LinearMipmapLinear, "GL_LINEAR_MIPMAP_LINEAR", "Trilinear",
-                 "2 x 2 texels from each of two mip levels, blended: no bands, the smoothest of the six.",
+                 "2 × 2 texels from each of two mip levels, blended. No seams, the smoothest of the six.",
                  "Blended mips"),
 };
 
@@ -103,17 +103,19 @@ constexpr EnumRow wrapRow(Wrap value, std::string_view name, std::string_view la
 }
 
 inline constexpr std::array wrapRows{
-    wrapRow(Wrap::Repeat, "GL_REPEAT", "Repeat", "Drop the integer part of the coordinate: the image tiles.",
+    wrapRow(Wrap::Repeat, "GL_REPEAT", "Repeat",
+            "Drops the integer part of the coordinate, so the image "
+            "tiles.",
             "1.0"),
     wrapRow(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", "Mirrored repeat",
-            "Tile, with every second copy reversed, so that edges meet without a seam.", "1.4", "Mirror"),
+            "Tiles with every second copy reversed, so that edges meet without a seam.", "1.4", "Mirror"),
     wrapRow(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", "Clamp to edge",
-            "Outside of the image its outermost texel goes on for ever.", "1.2", "Edge"),
+            "The outermost texels of the image continue outside of it.", "1.2", "Edge"),
     wrapRow(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", "Clamp to border",
-            "Outside of the image there is the border colour.", "1.3", "Border"),
+            "Outside the image is the border colour.", "1.3", "Border"),
     wrapRow(
         Wrap::Clamp, "GL_CLAMP", "Clamp (legacy)",
-        "Clamp the coordinate to [0, 1]: under a linear filter the edge is half image, half border colour.",
+        "Clamps the coordinate to [0, 1]. With a linear filter the edge is half image, half border colour.",
         "1.0", "Clamp"),
 };
 
@@ -121,23 +123,23 @@ inline constexpr std::array targetRows{
     row(Target::Texture1D, "GL_TEXTURE_1D", "1D", "A line of texels, indexed by s alone.", "1.0"),
     row(Target::Texture2D, "GL_TEXTURE_2D", "2D", "An image, indexed by s and t.", "1.0"),
     row(Target::Texture3D, "GL_TEXTURE_3D", "3D",
-        "A volume of slices, indexed by s, t and r; a picture is a volume of one slice.", "1.2"),
+        "A volume of slices, indexed by s, t and r. An image is a volume of one slice.", "1.2"),
     row(Target::CubeMap, "GL_TEXTURE_CUBE_MAP", "Cube map",
-        "Six square faces around a centre: s, t and r are a direction, and the face that it hits is "
-        "sampled. A picture of 6:1, 1:6, 4:3 or 3:4 is cut up into faces; any other is on all six.",
+        "Six square faces around a centre. s, t and r are a direction, and the face that it hits is "
+        "sampled. An image of 6:1, 1:6, 4:3 or 3:4 is cut into faces; any other is used for all six.",
         "1.3"),
 };
 
 inline constexpr std::array cubeFaceRows{
-    row(CubeFace::PositiveX, "GL_TEXTURE_CUBE_MAP_POSITIVE_X", "+x", "What lies to the right of the centre.",
+    row(CubeFace::PositiveX, "GL_TEXTURE_CUBE_MAP_POSITIVE_X", "+x", "The face to the right of the centre.",
         "1.3"),
-    row(CubeFace::NegativeX, "GL_TEXTURE_CUBE_MAP_NEGATIVE_X", "-x", "What lies to the left of the centre.",
+    row(CubeFace::NegativeX, "GL_TEXTURE_CUBE_MAP_NEGATIVE_X", "-x", "The face to the left of the centre.",
         "1.3"),
-    row(CubeFace::PositiveY, "GL_TEXTURE_CUBE_MAP_POSITIVE_Y", "+y", "What lies above the centre.", "1.3"),
-    row(CubeFace::NegativeY, "GL_TEXTURE_CUBE_MAP_NEGATIVE_Y", "-y", "What lies below the centre.", "1.3"),
+    row(CubeFace::PositiveY, "GL_TEXTURE_CUBE_MAP_POSITIVE_Y", "+y", "The face above the centre.", "1.3"),
+    row(CubeFace::NegativeY, "GL_TEXTURE_CUBE_MAP_NEGATIVE_Y", "-y", "The face below the centre.", "1.3"),
     row(CubeFace::PositiveZ, "GL_TEXTURE_CUBE_MAP_POSITIVE_Z", "+z",
-        "What lies before the centre, towards the viewer.", "1.3"),
-    row(CubeFace::NegativeZ, "GL_TEXTURE_CUBE_MAP_NEGATIVE_Z", "-z", "What lies behind the centre.", "1.3"),
+        "The face in front of the centre, towards the viewer.", "1.3"),
+    row(CubeFace::NegativeZ, "GL_TEXTURE_CUBE_MAP_NEGATIVE_Z", "-z", "The face behind the centre.", "1.3"),
 };
 
 template<>

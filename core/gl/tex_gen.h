@@ -1,6 +1,6 @@
 #pragma once
 
-// Texture coordinates that OpenGL makes itself: OpenGL 2.1, section 2.11.4.
+// Generated texture coordinates: OpenGL 2.1, section 2.11.4.
 
 #include "core/gl/enum_row.h"
 
@@ -14,22 +14,23 @@ enum class TexGenMode : std::uint32_t {
     ReflectionMap = 0x8512,
 };
 
-/// Ordered so that each coordinate's modes are the first ones: q has the first two, r the first four, s and t
-/// all five.
+/// In this order, the modes of each coordinate are the first ones: q has two, r four, s and t all five.
 inline constexpr std::array texGenModeRows{
     row(TexGenMode::EyeLinear, "GL_EYE_LINEAR", "Eye linear",
-        "The distance of the vertex from a plane that stands still before the camera: models slide through "
-        "the texture. GL's initial value.",
+        "The distance of the vertex from a plane that is fixed to the camera, so models slide through the "
+        "texture. GL's initial value.",
         "1.0"),
     row(TexGenMode::ObjectLinear, "GL_OBJECT_LINEAR", "Object linear",
-        "The distance of the vertex from a plane that is fixed to the model: the texture sticks to it.",
+        "The distance of the vertex from a plane that is fixed to the model, so the texture sticks to it.",
         "1.0"),
     row(TexGenMode::ReflectionMap, "GL_REFLECTION_MAP", "Reflection map",
-        "The direction in which the vertex mirrors the eye, as a vector for a cube map.", "1.3"),
+        "The direction of the eye's reflection at the vertex, as a vector for a cube map.", "1.3"),
     row(TexGenMode::NormalMap, "GL_NORMAL_MAP", "Normal map",
         "The vertex's normal in eye coordinates, as a vector for a cube map.", "1.3"),
     row(TexGenMode::SphereMap, "GL_SPHERE_MAP", "Sphere map",
-        "Where the mirrored direction falls on the photograph of a mirror ball: polished metal.", "1.0"),
+        "The place of the reflected direction in the photograph of a mirror ball. Looks like polished "
+        "metal.",
+        "1.0"),
 };
 
 template<>

@@ -35,7 +35,7 @@ void split(std::string_view text, char separator, auto each) {
 Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
     for (const ShaderFile& wanted : embeddedShaderFiles()) {
         if (std::ranges::find(files, wanted.name, &ShaderFile::name) == files.end())
-            return fail(ErrorCode::NotFound, "the shaders need this file, and it is missing", wanted.name);
+            return fail(ErrorCode::NotFound, "the shaders need this file, which is missing", wanted.name);
     }
     ShaderPieces pieces;
     for (const ShaderFile& file : files) {
@@ -73,7 +73,7 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
             piece.lines.pop_back(); // after the last line's end
         finish();
         if (!twice.empty())
-            return fail(ErrorCode::Malformed, fmt::format("the piece \"{}\" is there twice", twice),
+            return fail(ErrorCode::Malformed, fmt::format("the piece \"{}\" is defined twice", twice),
                         file.name);
     }
     return pieces;

@@ -10,32 +10,32 @@
 
 namespace texplorer::glsl {
 
-/// One of the files of shaders/.
+/// A file of shaders/.
 struct ShaderFile {
     std::string name; ///< "lighting.glsl"
     std::string text;
 };
 
-/// The files as they were when the program was built.
+/// The files as embedded in the program.
 [[nodiscard]] const std::vector<ShaderFile>& embeddedShaderFiles();
 
-/// A part of a file, of which sources are put together.
+/// A part of a file; sources are assembled from pieces.
 struct ShaderPiece {
     std::vector<std::string> lines;
     int firstLine = 1; ///< in its file, counted from 1
 };
 
-/// The pieces of all files. A line "//@ name | another name" begins one; what stands before the first is for
-/// the reader of the file.
+/// The pieces of all files. A line "//@ name | another name" begins a piece; text before the first is a
+/// comment.
 class ShaderPieces {
 public:
-    /// Refused: a file that is missing, one of more than a megabyte, a name that is given twice in a file.
+    /// Errors: a missing file, a file of more than a megabyte, a name that occurs twice in a file.
     [[nodiscard]] static Result<ShaderPieces> parse(std::span<const ShaderFile> files);
 
-    /// Those of the embedded files.
+    /// The pieces of the embedded files.
     [[nodiscard]] static const ShaderPieces& embedded();
 
-    /// nullptr where there is none.
+    /// Returns nullptr if there is none.
     [[nodiscard]] const ShaderPiece* find(std::string_view file, std::string_view name) const;
 
 private:

@@ -310,7 +310,7 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
         body.add("combine", "undefined", {{"UNIT", index}});
 }
 
-/// The primary or secondary colour, where it isn't an input as it stands.
+/// The primary or secondary colour, if it is not an unchanged input.
 void writeVaryingColor(Writer& body, const Plan& plan, const std::string& which) {
     if (plan.twoSided() || plan.affineColors())
         body.add("fragment", fmt::format("{} color{}{}", which, plan.twoSided() ? " of the side" : "",

@@ -5,7 +5,7 @@
 
 namespace texplorer::glsl {
 
-/// Where a line of a source was written.
+/// The origin of a line of source.
 struct SourceLine {
     std::string file; ///< "lighting.glsl"
     int line = 0;     ///< counted from 1

@@ -28,11 +28,11 @@ struct Leaving {
 Result<void> checkFramebuffer(const Image& image) {
     if (image.width < 1 || image.height < 1 || image.depth != 1)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a framebuffer with pixels, found one of {} x {} x {}", image.width,
+                    fmt::format("expected a framebuffer with pixels, found one of {} × {} × {}", image.width,
                                 image.height, image.depth));
     if (image.pixels.size() != image.byteCount())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("a framebuffer of {} x {} pixels needs {}, found {}", image.width,
+                    fmt::format("a framebuffer of {} × {} pixels needs {}, found {}", image.width,
                                 image.height, countOf(image.byteCount(), "byte"), image.pixels.size()));
     return {};
 }
@@ -81,8 +81,8 @@ Result<GoldenCheck> failed(std::string sentence, const fs::path& golden, std::sp
                                            : "not written: " + printable(describe(saved.error())));
     }
     check.message +=
-        "\n  If the new one is right: TEXPLORER_UPDATE_GOLDENS=1 in the environment of this test "
-        "writes the golden.";
+        "\n"
+        "  If the new one is correct, run this test with TEXPLORER_UPDATE_GOLDENS=1 to write the golden.";
     return check;
 }
 
@@ -90,7 +90,7 @@ Result<GoldenCheck> failed(std::string sentence, const fs::path& golden, std::sp
 
 bool goldensAreUpdated() {
     const char* value =
-        std::getenv("TEXPLORER_UPDATE_GOLDENS"); // NOLINT(concurrency-mt-unsafe): nobody changes it
+        std::getenv("TEXPLORER_UPDATE_GOLDENS"); // NOLINT(concurrency-mt-unsafe): it is not changed
     return value != nullptr && *value != '\0' && std::string_view(value) != "0";
 }
 
@@ -148,7 +148,7 @@ Result<GoldenCheck> checkGolden(int width, int height, std::span<const std::byte
     Image framebuffer{PixelFormat::Rgba8, width, height, 1, {}};
     if (width < 1 || height < 1 || rgba.size() != framebuffer.byteCount())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a framebuffer of {} x {} pixels with 4 bytes each, found {}", width,
+                    fmt::format("expected a framebuffer of {} × {} pixels with 4 bytes each, found {}", width,
                                 height, countOf(rgba.size(), "byte")));
     framebuffer.pixels.assign(rgba.begin(), rgba.end());
     if (options.rowsTopFirst)

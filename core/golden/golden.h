@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether what a program has drawn is the picture that was stored: the golden.
+// Compares a drawn picture with a stored one, the golden.
 
 #include "core/base/result.h"
 #include "core/compare/criterion.h"
@@ -15,42 +15,40 @@ namespace texplorer {
 
 struct GoldenOptions {
     Criterion criterion{};
-    /// A picture of the same size: where it is black or wholly transparent, pixels don't count. Empty: all
-    /// count.
+    /// A picture of the same size: pixels where it is black or fully transparent are not compared. Empty: all
+    /// are.
     std::filesystem::path mask{};
-    /// Where the pictures of a failure go, which is made where it is missing; empty: the current folder.
-    /// Their names come from the golden's, so goldens of one name need folders of their own.
+    /// The folder for the pictures of a failure, created if needed; empty: the current folder. Their names
+    /// are made from the golden's, so goldens with equal names need different folders.
     std::filesystem::path failures{};
-    bool rowsTopFirst = false; ///< of raw pixels: Vulkan's and Direct3D's order instead of OpenGL's
-    bool update = false;       ///< a golden that is missing, different or unreadable is written
+    bool rowsTopFirst = false; ///< of raw pixels: the order of Vulkan and Direct3D instead of OpenGL's
+    bool update = false;       ///< writes a golden that is missing, different or unreadable
 };
 
-/// Whether the environment variable TEXPLORER_UPDATE_GOLDENS asks for GoldenOptions::update: it is there,
-/// neither empty nor 0.
+/// Whether the environment variable TEXPLORER_UPDATE_GOLDENS requests GoldenOptions::update: it is set, not
+/// empty and not 0.
 [[nodiscard]] bool goldensAreUpdated();
 
 struct GoldenCheck {
-    bool alike = false; ///< or it is now, as the golden was written
+    bool alike = false; ///< also true if the golden was written
     bool written = false;
-    /// What differs, where and how much; which pictures were left, a line for each; how the golden is taken
-    /// over.
+    /// What differs, where and how much; the written pictures, one per line; and how to update the golden.
     std::string message;
 };
 
-/// Holds a picture against the golden, a file of any format that is read. Where it isn't there or isn't
-/// alike, NAME-actual.png, NAME-expected.png and NAME-difference.png (core/compare/comparison.h: its map) lie
-/// in the folder of failures afterwards, as far as there are such pictures; NAME is the golden's file without
-/// its extension. What an earlier check has left under these names is removed. A golden is written as a whole
-/// or not at all, in the format of its extension (core/codec/texture_file.h), its folder made where it is
-/// missing.
-/// Errors: OutOfRange for a framebuffer without pixels or with another number of bytes, and what
-/// comparePictures says; those of loadTexture for the golden and the mask, Unsupported for one of faces or
-/// slices; Unwritable, Unsupported for what can't be written.
+/// Compares a picture with the golden, a file of any supported format. If the golden is missing or different,
+/// writes NAME-actual.png, NAME-expected.png and NAME-difference.png (the map of core/compare/comparison.h),
+/// as far as these pictures exist, into the folder of failures; NAME is the golden's file name without
+/// extension. Files of these names from an earlier check are removed. A golden is written completely or not
+/// at all, in the format of its extension (core/codec/texture_file.h); its folder is created if needed.
+/// Errors: OutOfRange for a framebuffer without pixels or with a wrong number of bytes, and the errors of
+/// comparePictures; those of loadTexture for the golden and the mask, Unsupported if they have faces or
+/// slices; Unwritable or Unsupported for files that cannot be written.
 [[nodiscard]] Result<GoldenCheck> checkGolden(const Image& framebuffer, const std::filesystem::path& golden,
                                               const GoldenOptions& options = {});
 
-/// The same of RGBA with 8 bits each, without padding between rows, as glReadPixels gives it with
-/// GL_PACK_ALIGNMENT of 4 or less: the bottom row first, unless options say otherwise.
+/// The same for RGBA with 8 bits each, without padding between rows, as glReadPixels returns it with
+/// GL_PACK_ALIGNMENT of 4 or less: the bottom row first, unless the options say otherwise.
 [[nodiscard]] Result<GoldenCheck> checkGolden(int width, int height, std::span<const std::byte> rgba,
                                               const std::filesystem::path& golden,
                                               const GoldenOptions& options = {});

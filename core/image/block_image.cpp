@@ -14,7 +14,7 @@ Result<void> checkBlocks(const BlockImage& image) {
         return {};
     return fail(
         ErrorCode::Malformed,
-        fmt::format("a compressed picture of {} x {} x {} texels needs {} bytes of blocks, there are {}",
+        fmt::format("a compressed picture of {} × {} × {} texels needs {} bytes of blocks, there are {}",
                     image.width, image.height, image.depth, needed, image.blocks.size()));
 }
 

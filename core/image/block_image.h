@@ -6,8 +6,8 @@
 
 namespace texplorer {
 
-/// A compressed picture or volume: rows of ceil(width / 4) blocks, ceil(height / 4) rows, `depth` slices.
-/// Which way up the rows are is said by its owner (TextureImage::topFirst).
+/// A compressed picture or volume: rows of ceil(width / 4) blocks, ceil(height / 4) rows, `depth` slices. Its
+/// owner defines the order of the rows (TextureImage::topFirst).
 struct BlockImage {
     BlockFormat format = BlockFormat::Dxt1;
     int width = 0;
@@ -20,7 +20,7 @@ struct BlockImage {
         image.blocks.resize(image.byteCount());
         return image;
     }
-    /// How many bytes `blocks` has, or would have in an outline.
+    /// The size of `blocks`, or what it would be in an outline.
     [[nodiscard]] std::size_t byteCount() const {
         return blockRowBytes() * blockRows() * static_cast<std::size_t>(depth);
     }
@@ -32,7 +32,7 @@ struct BlockImage {
     bool operator==(const BlockImage&) const = default;
 };
 
-/// Malformed where `blocks` has not the size that the extents ask for, or an extent is not positive.
+/// Malformed if the size of `blocks` does not match the extents, or an extent is not positive.
 [[nodiscard]] Result<void> checkBlocks(const BlockImage& image);
 
 } // namespace texplorer

@@ -8,7 +8,7 @@
 namespace texplorer {
 
 /// A pixel as OpenGL sees it (OpenGL 2.1, table 3.6): missing colours are 0, a missing alpha is 255,
-/// luminance is all three colours. A depth is a grey.
+/// luminance is copied to all three colours. A depth is a grey.
 [[nodiscard]] inline std::array<std::uint8_t, 4> rgbaOf(PixelFormat format, const std::byte* pixel) {
     const auto value = [pixel](int i) { return std::to_integer<std::uint8_t>(pixel[i]); };
     switch (format) {
@@ -30,7 +30,7 @@ namespace texplorer {
     return {value(0), value(1), value(2), value(3)};
 }
 
-/// The colours of an Rgba8 image without its alpha, as Rgb8. An image of another format is returned as it is.
+/// Returns the colours of an Rgba8 image as Rgb8. Images of other formats are returned unchanged.
 [[nodiscard]] Image withoutAlpha(Image image);
 
 } // namespace texplorer

@@ -17,12 +17,12 @@ std::uint32_t depthOf(PixelFormat format, const std::byte* pixel) {
 
 Image depthsOf(const Image& image, int bits) {
     Image depths = Image::uninitialised(PixelFormat::Depth32, image.width, image.height, image.depth);
-    const std::uint64_t most = (std::uint64_t{1} << bits) - 1;
+    const std::uint64_t max = (std::uint64_t{1} << bits) - 1;
     const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
     const std::byte* from = image.pixels.data();
     for (std::size_t at = 0; at < depths.pixels.size(); at += sizeof(std::uint32_t), from += step) {
         const std::uint64_t kept =
-            (depthOf(image.format, from) * most + farthestDepth32 / 2) / farthestDepth32;
+            (depthOf(image.format, from) * max + farthestDepth32 / 2) / farthestDepth32;
         storeDepth(widenedDepth(static_cast<std::uint32_t>(kept), bits), depths.pixels.data() + at);
     }
     return depths;

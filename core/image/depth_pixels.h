@@ -1,6 +1,6 @@
 #pragma once
 
-// Images of depths: one number of 32 bits a pixel, from 0, the nearest, to 2^32 - 1, the farthest.
+// Images of depths: one number of 32 bits per pixel, from 0, the nearest, to 2^32 - 1, the farthest.
 
 #include "core/image/image.h"
 
@@ -22,26 +22,26 @@ inline void storeDepth(std::uint32_t depth, std::byte* pixel) {
     std::memcpy(pixel, &depth, sizeof depth);
 }
 
-/// A depth of so many bits, 8 to 32, as the nearest of 32: both ends stay ends, and to cut the lower bits off
-/// again or to round gives the same.
+/// Extends a depth of 8 to 32 bits to 32 bits: both ends stay ends, and truncation and rounding to the old
+/// number of bits give the old value.
 [[nodiscard]] constexpr std::uint32_t widenedDepth(std::uint32_t depth, int bits) {
-    const std::uint64_t most = (std::uint64_t{1} << bits) - 1;
-    return static_cast<std::uint32_t>((depth * std::uint64_t{farthestDepth32} + most / 2) / most);
+    const std::uint64_t max = (std::uint64_t{1} << bits) - 1;
+    return static_cast<std::uint32_t>((depth * std::uint64_t{farthestDepth32} + max / 2) / max);
 }
 
-/// The nearest of 255ths.
+/// Rounded to 255ths.
 [[nodiscard]] constexpr int greyOfDepth(std::uint32_t depth) {
     return static_cast<int>((depth * std::uint64_t{255} + farthestDepth32 / 2) / farthestDepth32);
 }
 
-/// How many of them count in what the light sees (core/reference/light_depth.h).
+/// The number of bits in the light's view (core/reference/light_depth.h).
 inline constexpr int lightDepthBits = 24;
 
-/// The image's red, or its depths, as a texture of `bits` bits a depth (16 or 24) keeps them: Depth32. An
-/// image of alpha alone has no red: 0.
+/// Returns the image's red, or its depths, as a texture with `bits` bits per depth (16 or 24) stores them:
+/// Depth32. The red of an alpha image is 0.
 [[nodiscard]] Image depthsOf(const Image& image, int bits);
 
-/// Depths as greys: Luminance8. An image of another format is returned as it is.
+/// Converts depths to Luminance8. Images of other formats are returned unchanged.
 [[nodiscard]] Image greysOf(Image image);
 
 } // namespace texplorer

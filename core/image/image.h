@@ -10,8 +10,8 @@
 
 namespace texplorer {
 
-/// An image is a value: width x height x depth pixels without padding between rows. As in OpenGL, row 0 is
-/// the bottom row (t = 0) and slice 0 the one at r = 0. A line has height 1, a picture depth 1.
+/// width x height x depth pixels without padding between rows; a value type. As in OpenGL, row 0 is the
+/// bottom row (t = 0), and slice 0 is at r = 0. A line has height 1, a picture depth 1.
 struct Image {
     PixelFormat format = PixelFormat::Rgba8;
     int width = 0;
@@ -19,14 +19,14 @@ struct Image {
     int depth = 1;
     Bytes pixels; ///< byteCount() bytes
 
-    /// An image whose pixels are not initialised: for a caller that fills every byte next.
+    /// Creates an image with uninitialised pixels, for a caller that then fills every byte.
     [[nodiscard]] static Image uninitialised(PixelFormat format, int width, int height, int depth = 1) {
         Image image{format, width, height, depth, {}};
         image.pixels.resize(image.byteCount());
         return image;
     }
 
-    /// How many bytes `pixels` has, or would have in an outline.
+    /// The size of `pixels`, or what it would be in an outline.
     [[nodiscard]] std::size_t byteCount() const {
         return rowBytes() * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
     }
@@ -44,7 +44,7 @@ struct Image {
 
     bool operator==(const Image&) const = default;
 
-    /// Where that pixel's bytes begin in `pixels`.
+    /// The offset of that pixel in `pixels`.
     [[nodiscard]] std::size_t offset(int x, int y, int z) const {
         assert(x >= 0 && x < width && y >= 0 && y < height && z >= 0 && z < depth);
         const auto rows =
@@ -54,7 +54,7 @@ struct Image {
     }
 };
 
-/// Level 0 first; each next level has max(1, floor(n / 2)) of every extent where the chain is complete.
+/// Level 0 first. In a complete chain, each next level has max(1, floor(n / 2)) of every extent.
 using MipChain = std::vector<Image>;
 
 } // namespace texplorer

@@ -7,7 +7,7 @@
 
 namespace texplorer {
 
-/// Which of a pixel's components is alpha, or -1.
+/// The index of the alpha component, or -1.
 [[nodiscard]] constexpr int alphaComponent(PixelFormat format) {
     switch (format) {
     case PixelFormat::Alpha8:
@@ -24,14 +24,14 @@ namespace texplorer {
     return -1;
 }
 
-/// The curve of sRGB (IEC 61966-2-1) between stored values of 8 bits and light of 16 bits, both ways. Every
-/// stored value comes back as itself.
+/// The curve of sRGB (IEC 61966-2-1) between stored values of 8 bits and linear light of 16 bits. Every
+/// stored value converts back to itself.
 struct LinearLight {
     std::array<std::uint16_t, 256> light{};
     std::array<float, 256> exactLight{}; ///< 0 to 1
-    std::vector<std::uint8_t> stored;    ///< 65536, for every amount of light
+    std::vector<std::uint8_t> stored;    ///< 65536 entries, one for each amount of light
 
-    static const LinearLight& table(); ///< made when it is first asked for
+    static const LinearLight& table(); ///< computed on first use
 };
 
 } // namespace texplorer

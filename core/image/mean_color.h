@@ -6,7 +6,7 @@
 
 namespace texplorer {
 
-/// Of an Rgba8 image, 0 to 1; 0 of an empty one.
+/// The mean colour of an Rgba8 image, 0 to 1; 0 for an empty one.
 [[nodiscard]] glm::vec4 meanColor(const Image& image);
 
 } // namespace texplorer

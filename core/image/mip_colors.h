@@ -5,8 +5,8 @@
 
 namespace texplorer {
 
-/// The colour that the coloured mip set gives to a level, opaque; it repeats after the last of eight colours.
-/// level 0 red, 1 orange, 2 yellow, 3 green, 4 cyan, 5 blue, 6 violet, 7 white.
+/// The opaque colour of a level in the coloured mip set; the eight colours repeat: level 0 red, 1 orange, 2
+/// yellow, 3 green, 4 cyan, 5 blue, 6 violet, 7 white.
 [[nodiscard]] std::array<std::uint8_t, 4> mipColor(int level);
 
 } // namespace texplorer

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the levels of a mip chain are made of the image.
+// How the levels of a mip chain are computed.
 
 #include "core/gl/enum_row.h"
 
@@ -11,31 +11,31 @@ enum class NpotPolicy : std::uint32_t { Keep, PowerOfTwo };
 
 struct MipOptions {
     MipFilter filter = MipFilter::Box;
-    bool linearLight = false; ///< colours are averaged as light (sRGB's curve); alpha as it is
+    bool linearLight = false; ///< averages colours as linear light (sRGB's curve); alpha is not converted
     NpotPolicy npot = NpotPolicy::Keep;
 
     bool operator==(const MipOptions&) const = default;
 };
 
-// A Kaiser window, which texture tools like, is not among them: stb_image_resize has none.
+// A Kaiser window, common in texture tools, is missing: stb_image_resize has none.
 inline constexpr std::array mipFilterRows{
     row(MipFilter::Box, "box", "Box",
-        "The average of the texels that lie below: what glGenerateMipmap and gluBuild2DMipmaps do."),
+        "The average of the 2 × 2 texels of the level before, as in glGenerateMipmap and gluBuild2DMipmaps."),
     row(MipFilter::Triangle, "triangle", "Triangle",
-        "Near texels count more than far ones, over twice the width: smoother than a box."),
+        "Near texels weigh more than far ones, over twice the width. Smoother than a box."),
     row(MipFilter::Cubic, "cubic", "Cubic B-spline",
-        "A smooth bell: no ringing at all, and the softest levels of all."),
+        "A smooth bell curve. No ringing, and the softest levels."),
     row(MipFilter::CatmullRom, "catmull-rom", "Catmull-Rom",
-        "Sharp: it overshoots at edges, so that small levels stay crisp."),
+        "Sharp. It overshoots at edges, so small levels stay crisp."),
     row(MipFilter::Mitchell, "mitchell", "Mitchell-Netravali",
         "Between the B-spline and Catmull-Rom: little blur, little ringing."),
 };
 
 inline constexpr std::array npotPolicyRows{
     row(NpotPolicy::Keep, "keep", "Keep",
-        "Any size, as OpenGL 2.0 and later take it; an odd level is halved with rounding down."),
+        "Any size, as in OpenGL 2.0 and later. Odd sizes are halved and rounded down."),
     row(NpotPolicy::PowerOfTwo, "power-of-two", "Nearest power of two",
-        "The image is scaled first, as gluBuild2DMipmaps does it: 640 becomes 512, 800 becomes 1024."),
+        "The image is scaled first, as in gluBuild2DMipmaps: 640 becomes 512, 800 becomes 1024."),
 };
 
 template<>

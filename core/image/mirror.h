@@ -4,7 +4,7 @@
 
 namespace texplorer {
 
-/// Turns every row around, left to right, in place. Upside down: flipVertically (core/image/texture_image.h).
+/// Reverses every row in place. For upside down, see flipVertically (core/image/texture_image.h).
 void mirror(Image& image);
 
 } // namespace texplorer

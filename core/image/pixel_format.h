@@ -8,8 +8,8 @@
 
 namespace texplorer {
 
-/// Eight bits a component, tightly packed, in this order in memory; or one depth of 32 bits, 0 to 1, as the
-/// processor stores it (core/image/depth_pixels.h), which no file holds.
+/// Eight bits per component, tightly packed, in this order in memory; or one depth of 32 bits, 0 to 1, in the
+/// processor's byte order (core/image/depth_pixels.h), which files cannot store.
 enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8, Depth32 };
 
 struct PixelFormatRow {
@@ -27,12 +27,12 @@ inline constexpr std::array pixelFormatRows{
     PixelFormatRow{PixelFormat::Depth32, 4, "depth, 32 bits"},
 };
 
-/// Those of files.
+/// The formats of files.
 inline constexpr std::span<const PixelFormatRow> colorFormatRows = std::span(pixelFormatRows).first(5);
 
 static_assert(pixelFormatRows.size() == 6);
 
-/// The rows stand in the order of the enumerators, so a format is its row's index.
+/// The rows are in the order of the enumerators, so a format is its row's index.
 [[nodiscard]] constexpr const PixelFormatRow& rowOf(PixelFormat format) {
     return pixelFormatRows[static_cast<std::size_t>(format)];
 }

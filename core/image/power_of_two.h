@@ -4,7 +4,7 @@
 
 namespace texplorer {
 
-/// Extents below 1 are none.
+/// False for extents below 1.
 [[nodiscard]] constexpr bool isPowerOfTwo(int extent) {
     return extent > 0 && std::has_single_bit(static_cast<unsigned>(extent));
 }

@@ -52,7 +52,7 @@ bool isGrey(PixelFormat format) {
     return format == PixelFormat::Luminance8 || format == PixelFormat::LuminanceAlpha8;
 }
 
-PixelFormat leastFormat(bool grey, bool alpha) {
+PixelFormat smallestFormat(bool grey, bool alpha) {
     if (grey)
         return alpha ? PixelFormat::LuminanceAlpha8 : PixelFormat::Luminance8;
     return alpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8;
@@ -97,7 +97,7 @@ Image transferred(const Image& image, const glm::vec4& factor, const glm::vec4& 
             color[i] = tables[i][color[i]];
         return color;
     };
-    return eachTexel(image, isBlack ? PixelFormat::Alpha8 : leastFormat(grey, alpha), change);
+    return eachTexel(image, isBlack ? PixelFormat::Alpha8 : smallestFormat(grey, alpha), change);
 }
 
 Image inverted(Image image) {
@@ -111,7 +111,7 @@ Image inverted(Image image) {
 }
 
 Image toLuminance(const Image& image) {
-    return eachTexel(image, leastFormat(true, alphaComponent(image.format) >= 0),
+    return eachTexel(image, smallestFormat(true, alphaComponent(image.format) >= 0),
                      [](const Components& color, std::size_t) {
                          const std::uint8_t grey = luminanceOf(color);
                          return Components{grey, grey, grey, color[3]};
@@ -119,7 +119,7 @@ Image toLuminance(const Image& image) {
 }
 
 Image luminanceToAlpha(const Image& image) {
-    return eachTexel(image, leastFormat(isGrey(image.format), true), [](Components color, std::size_t) {
+    return eachTexel(image, smallestFormat(isGrey(image.format), true), [](Components color, std::size_t) {
         color[3] = luminanceOf(color);
         return color;
     });
@@ -133,7 +133,7 @@ Image alphaFrom(const Image& image, const Image& other) {
         });
     const Image fitted = scaleByCoverage(luminance, image.width, image.height, image.depth);
     const PixelFormat format =
-        image.format == PixelFormat::Alpha8 ? image.format : leastFormat(isGrey(image.format), true);
+        image.format == PixelFormat::Alpha8 ? image.format : smallestFormat(isGrey(image.format), true);
     return eachTexel(image, format, [&fitted](Components color, std::size_t i) {
         color[3] = valueOf(fitted.pixels[i]);
         return color;

@@ -9,15 +9,15 @@
 
 namespace texplorer {
 
-/// A surface that was made, or one that another program has, too: what is taken as it is, need not be copied.
-/// Compares by what it holds.
+/// A surface that is either owned or shared, which saves a copy. Compares by content.
 class SharedSurface {
 public:
     template<class Made>
-    requires std::constructible_from<Surface, Made> SharedSurface(Made&& made) // NOLINT: a surface is one
+    requires std::constructible_from<Surface, Made>
+    SharedSurface(Made&& made) // NOLINT: implicit, as a surface is one
         : held_(std::in_place_type<Surface>, std::forward<Made>(made)) {}
 
-    /// Not null.
+    /// Shared; must not be null.
     explicit SharedSurface(std::shared_ptr<const Surface> lent)
         : held_(std::move(lent)) {}
 
@@ -25,12 +25,12 @@ public:
         const Surface* made = std::get_if<Surface>(&held_);
         return made ? *made : *std::get<std::shared_ptr<const Surface>>(held_);
     }
-    operator const Surface&() const { return **this; } // NOLINT: for what asks a surface
+    operator const Surface&() const { return **this; } // NOLINT: implicit, for functions of surfaces
 
-    /// Moved where it was made, copied where it is lent.
+    /// Moves an owned surface, copies a shared one.
     [[nodiscard]] Surface take() && {
         Surface* made = std::get_if<Surface>(&held_);
-        if (made) // a conditional expression would copy it: its other side is const
+        if (made) // a conditional expression would copy: its other side is const
             return std::move(*made);
         return **this;
     }

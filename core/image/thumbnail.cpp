@@ -57,20 +57,20 @@ struct Span {
     }
 };
 
-int scaled(int extent, int longest, int largest) {
-    const double size = static_cast<double>(extent) * longest / largest;
+int scaled(int extent, int maxExtent, int largest) {
+    const double size = static_cast<double>(extent) * maxExtent / largest;
     return std::max(1, static_cast<int>(std::lround(size)));
 }
 
 } // namespace
 
-Image thumbnailOf(const Image& image, int longest) {
+Image thumbnailOf(const Image& image, int maxExtent) {
     if (image.empty())
         return {};
-    const int largest = std::max({image.width, image.height, longest});
-    Image small = Image::uninitialised(PixelFormat::Rgba8, scaled(image.width, longest, largest),
-                                       scaled(image.height, longest, largest));
-    if (largest == longest)
+    const int largest = std::max({image.width, image.height, maxExtent});
+    Image small = Image::uninitialised(PixelFormat::Rgba8, scaled(image.width, maxExtent, largest),
+                                       scaled(image.height, maxExtent, largest));
+    if (largest == maxExtent)
         small = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height);
     for (int y = 0; y < small.height; ++y) {
         const Span rows(y, small.height, image.height);

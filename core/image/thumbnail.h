@@ -4,9 +4,9 @@
 
 namespace texplorer {
 
-/// A small picture of an image: its first slice, Rgba8, the longer side at most `longest` pixels and none
-/// less than 1; an image that is small enough keeps its size. Every texel counts by the area that it covers,
-/// colours by their alpha. ALPHA images show as white that fades. An empty image stays empty.
-[[nodiscard]] Image thumbnailOf(const Image& image, int longest);
+/// Returns a small copy of an image: its first slice, Rgba8, with the longer side at most `maxExtent` pixels
+/// and the shorter at least 1; smaller images keep their size. Texels are weighted by area, colours also by
+/// alpha. Alpha images show as transparent white. An empty image stays empty.
+[[nodiscard]] Image thumbnailOf(const Image& image, int maxExtent);
 
 } // namespace texplorer

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the transparency of a texture comes from: the choices of glpng, the PNG loader of many OpenGL
-// courses (pngBind's `trans`, pngSetStencil), as an operation on any image.
+// Ways to make the alpha of a texture: the choices of glpng, the PNG loader of many OpenGL courses (pngBind's
+// `trans`, pngSetStencil), for any image.
 
 #include "core/gl/enum_row.h"
 #include "core/image/image.h"
@@ -24,16 +24,15 @@ enum class Transparency : std::uint32_t {
 };
 
 inline constexpr std::array transparencyRows{
-    row(Transparency::File, "file", "As in the file",
-        "The picture has transparency exactly where its file says so (glpng: PNG_ALPHA)."),
+    row(Transparency::File, "file", "As in the file", "Alpha as stored in the file (glpng: PNG_ALPHA)."),
     row(Transparency::Solid, "solid", "Solid",
-        "No transparency: the alpha of the file is left out (glpng: PNG_SOLID)."),
+        "No transparency. The alpha of the file is ignored (glpng: PNG_SOLID)."),
     row(Transparency::Alpha, "alpha", "Alpha, always",
-        "The alpha of the file, and an opaque one where the file has none, so that there always is one."),
+        "The alpha of the file, or opaque where the file has none."),
     row(Transparency::Stencil, "stencil", "Stencil by colour",
         "Texels of exactly the chosen colour are invisible, all others opaque (glpng: PNG_STENCIL)."),
     row(Transparency::Blend1, "blend1", "a = r + g + b",
-        "The darker, the more transparent: the sum of the components, at most 255 (glpng: PNG_BLEND1)."),
+        "Dark colours are transparent: the sum of the components, at most 255 (glpng: PNG_BLEND1)."),
     row(Transparency::Blend2, "blend2", "a = (r + g + b) / 2",
         "Half the sum of the components, at most 255 (glpng: PNG_BLEND2)."),
     row(Transparency::Blend3, "blend3", "a = (r + g + b) / 3",
@@ -58,13 +57,13 @@ struct EnumTable<Transparency> {
 
 static_assert(transparencyRows.size() == 12);
 
-/// The image with the alpha that a choice gives it. Its colours stay, even where they become invisible.
+/// Returns the image with the alpha of a choice. Colours stay, even if they become invisible.
 /// - File: unchanged. Solid: Rgba8 becomes Rgb8, LuminanceAlpha8 becomes Luminance8.
 /// - All others: Rgb8 becomes Rgba8, Luminance8 becomes LuminanceAlpha8 (its red, green and blue are equal).
 /// - `stencil` is the colour that Stencil makes invisible: red, green, blue.
-/// The formulas work on the numbers 0 to 255, as glpng's do: they round down and stop at 255. (glpng's header
-/// has Blend7 as a quarter and Blend8 as the root; some of its releases computed the root for Blend7. Here
-/// the header counts.) An image of alpha alone has no colours and is returned as it is.
+/// The formulas work on the numbers 0 to 255, as in glpng: they round down and clamp at 255. (glpng's header
+/// defines Blend7 as a quarter and Blend8 as the root; some of its releases computed the root for Blend7.
+/// Here the header is followed.) An image of alpha alone has no colours and is returned unchanged.
 [[nodiscard]] Image applyTransparency(Image image, Transparency choice,
                                       std::array<std::uint8_t, 3> stencil = {0, 0, 0});
 

@@ -85,14 +85,13 @@ void checkTask(const Predict& predict, const LessonScene& start, const std::stri
             problems.push_back(at(where, picture.error()));
         else if (std::ranges::any_of(pictures, [&](const Image& other) { return areAlike(other, *picture); }))
             problems.push_back(
-                {ErrorCode::Malformed, "its picture can't be told from that of another answer", where});
+                {ErrorCode::Malformed, "its picture looks like that of another answer", where});
         else
             pictures.push_back(*std::move(picture));
     }
 }
 
-/// The shapes in which a picture that is to be reached is drawn: beside the task, on a page, in a high
-/// window.
+/// The shapes of a picture to reach: next to the task, on a page, in a high window.
 constexpr std::array shapes{PictureSize{smallWidth, smallHeight}, PictureSize{320, 240},
                             PictureSize{smallHeight, smallWidth}};
 
@@ -108,7 +107,7 @@ void checkTask(const Match& match, const LessonScene& start, const std::string& 
             return problems.push_back(at(where, given ? wanted.error() : given.error()));
         if (areAlike(*given, *wanted))
             return problems.push_back({ErrorCode::Malformed,
-                                       fmt::format("its picture of {} x {} is that of the step's own scene",
+                                       fmt::format("its picture of {} × {} is that of the step's own scene",
                                                    shape.width, shape.height),
                                        where});
     }
@@ -119,11 +118,11 @@ void checkFallback(const LessonFolder& folder, const Lesson& lesson, std::size_t
                    Problems& problems) {
     const std::string where = placeOf(step) + "/fallback";
     if (!wordsIn(lesson.steps[step].fallback->text).empty())
-        problems.push_back({ErrorCode::Malformed,
-                            "expected no word in braces: it is said where no picture is", where + "/text"});
+        problems.push_back(
+            {ErrorCode::Malformed, "expected no word in braces: this text has no picture", where + "/text"});
     if (unitsUsed(start) < 2)
         return problems.push_back(
-            {ErrorCode::Malformed, "the step's scene uses one texture unit, so nothing needs it", where});
+            {ErrorCode::Malformed, "the step's scene uses one texture unit, so it is not needed", where});
     const Result<LessonScene> instead = startOf(folder, lesson, step, StepImages::Leave, 1);
     if (!instead)
         problems.push_back(instead.error());

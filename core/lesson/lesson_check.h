@@ -6,12 +6,11 @@
 
 namespace texplorer::lesson {
 
-/// Everything in a lesson that can be wrong, by place: scenes and images that aren't there, edits that can't
-/// be made, parameters that there aren't; answers whose pictures can't be told apart, a picture that is
-/// reached before anything was done, in one shape of the picture at least; a fallback that nothing needs, or
-/// that needs as many texture units. In pictures of several sizes: a mark on nothing, or where two texels or
-/// levels are equally near, so that renderers differ; a word that has no number; a number that is typed, but
-/// is another one in a picture of another size. Empty: nothing.
+/// Returns all errors of a lesson, by place: missing scenes and images, impossible edits, unknown parameters;
+/// answers whose pictures look equal, or a picture that is reached without changes, in at least one aspect
+/// ratio; a fallback that is never needed, or that needs as many texture units. For pictures of several
+/// sizes: a mark on the background, or on a tie between two texels or levels, where renderers differ; a word
+/// without a number; a literal number in a text that depends on the size. Empty: no errors.
 [[nodiscard]] std::vector<Error> checkLesson(const LessonFolder& folder, const Lesson& lesson);
 
 } // namespace texplorer::lesson

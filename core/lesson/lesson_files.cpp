@@ -93,11 +93,11 @@ Result<void> LessonFolder::checkInside(std::string_view file) const {
     return {};
 }
 
-Result<Bytes> LessonFolder::read(std::string_view file, std::size_t most) const {
+Result<Bytes> LessonFolder::read(std::string_view file, std::size_t maxBytes) const {
     if (const Result<void> inside = checkInside(file); !inside)
         return fail(inside.error());
     if (!path_.empty())
-        return readFile(path_ / file, most);
+        return readFile(path_ / file, maxBytes);
     const LessonFile* found = findLessonFile(name_ + "/" + std::string(file));
     if (!found)
         return fail(ErrorCode::NotFound, "the lesson has no such file", std::string(file));

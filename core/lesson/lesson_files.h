@@ -12,32 +12,32 @@
 
 namespace texplorer::lesson {
 
-/// A file of assets/lessons, which is part of the program: "wrap/lesson.json", "dds/dxt1.dds".
+/// A file of assets/lessons, embedded in the program: "wrap/lesson.json", "dds/dxt1.dds".
 struct LessonFile {
     std::string_view name;
-    std::string_view text; ///< of an image its bytes
+    std::string_view text; ///< the text, or the bytes of an image
 };
 [[nodiscard]] const std::vector<LessonFile>& lessonFiles();
 
 /// The file that makes a folder a lesson.
 inline constexpr std::string_view lessonFileName = "lesson.json";
 
-/// The longest image of a lesson.
+/// The largest image of a lesson.
 inline constexpr std::size_t maxLessonFileBytes = std::size_t{32} << 20;
-/// The longest scene or catalogue, which are read while the window waits.
+/// The largest scene or catalogue; these are read while the window waits.
 inline constexpr std::size_t maxLessonTextBytes = std::size_t{8} << 20;
 
-/// Where Debian's package xplanet-images has the pictures of installedImages.
+/// The folder of installedImages in Debian's package xplanet-images.
 inline constexpr std::string_view installedImageFolder = "/usr/share/xplanet/images";
-/// Photographs that are too large to come with the program. A lesson's scene may name them: those of the
-/// program take them from there, and nobody else's do.
+/// Photographs that are too large to embed. Scenes of built-in lessons can use them from the installed
+/// package; other lessons cannot.
 inline constexpr std::array<std::string_view, 2> installedImages{"earth.jpg", "night.jpg"};
 
-/// Where a lesson's files are: in the program, or in a folder.
+/// The files of a lesson, embedded in the program or in a folder.
 class LessonFolder {
 public:
-    /// One of the program's own. NotFound, with the names that there are. `installed` is where
-    /// installedImages are, if they are there.
+    /// A built-in lesson. Error: NotFound, with the existing names. `installed` is the folder of
+    /// installedImages, if they are installed.
     [[nodiscard]] static Result<LessonFolder> builtIn(std::string_view name,
                                                       std::filesystem::path installed = installedImageFolder);
 
@@ -46,21 +46,21 @@ public:
 
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Empty: in the program.
+    /// Empty for a built-in lesson.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
     [[nodiscard]] bool has(std::string_view file) const;
 
-    /// Where a file of installedImages would be; empty: nowhere, for a folder on disk has its own.
+    /// The path of a file of installedImages; empty for a folder on disk.
     [[nodiscard]] std::filesystem::path installed(std::string_view file) const;
 
-    /// Whether a name is that of a file in the folder itself: OutOfRange for one that leads out of it, as a
-    /// link may do, too. The file need not be there.
+    /// Checks that a name is a file in the folder itself: OutOfRange if it leads out of the folder, also by a
+    /// link. The file need not exist.
     [[nodiscard]] Result<void> checkInside(std::string_view file) const;
 
-    /// A file of the folder, by its name alone. Errors: OutOfRange for a name that leads out of the folder,
-    /// as a link may do, too; NotFound, Unreadable, TooLarge. `where` is the file.
-    [[nodiscard]] Result<Bytes> read(std::string_view file, std::size_t most = maxLessonFileBytes) const;
+    /// Reads a file of the folder by its name. Errors: OutOfRange for a name that leads out of the folder,
+    /// also by a link; NotFound, Unreadable, TooLarge. `where` is the file.
+    [[nodiscard]] Result<Bytes> read(std::string_view file, std::size_t maxBytes = maxLessonFileBytes) const;
     [[nodiscard]] Result<std::string> readText(std::string_view file) const;
 
 private:
@@ -71,10 +71,11 @@ private:
     std::filesystem::path installed_;
 };
 
-/// The program's lessons, in the order in which they are taught.
+/// The names of the built-in lessons, in teaching order.
 [[nodiscard]] std::vector<std::string> builtInLessons();
 
-/// lesson.json of a folder. Errors: those of LessonFolder::read and parseLesson, with the file in `where`.
+/// Reads lesson.json of a folder. Errors: those of LessonFolder::read and parseLesson, with the file in
+/// `where`.
 [[nodiscard]] Result<Lesson> readLesson(const LessonFolder& folder);
 
 } // namespace texplorer::lesson

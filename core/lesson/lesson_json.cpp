@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int deepest = 16;
+constexpr int maxDepth = 16;
 
-/// The members of an object are taken one by one; what nobody took is unknown. The first problem stays.
+/// Reads the members of an object one by one; those that were not read are unknown. Keeps the first problem.
 class Members {
 public:
     Members(const Json& json, std::string where, std::optional<Error>& problem)
@@ -61,12 +61,12 @@ public:
     }
 
     template<class Take>
-    void list(const char* key, std::size_t fewest, std::size_t most, const Take& take) {
+    void list(const char* key, std::size_t min, std::size_t max, const Take& take) {
         const Json* value = find(key);
         const std::size_t count = value && value->is_array() ? value->size() : 0;
-        if ((value && !value->is_array()) || count < fewest || count > most) {
-            if (value || fewest > 0)
-                refuse(key, fmt::format("a list of {} to {}", fewest, most));
+        if ((value && !value->is_array()) || count < min || count > max) {
+            if (value || min > 0)
+                refuse(key, fmt::format("a list of {} to {}", min, max));
             return;
         }
         for (std::size_t i = 0; i < count; ++i)
@@ -107,8 +107,8 @@ std::string keyNameList() {
     return names;
 }
 
-void readEdits(Members& members, std::vector<Edit>& edits, std::size_t fewest) {
-    members.list("edits", fewest, maxEdits, [&](const Json& json, const std::string& where) {
+void readEdits(Members& members, std::vector<Edit>& edits, std::size_t min) {
+    members.list("edits", min, maxEdits, [&](const Json& json, const std::string& where) {
         constexpr std::string_view preset = "preset:";
         const std::string text = json.is_string() ? json.get<std::string>() : std::string();
         const std::size_t equals = text.find('=');
@@ -144,7 +144,7 @@ void readPredict(const Json& json, const std::string& where, std::optional<Error
                  Predict& predict) {
     Members members(json, where, problem);
     members.text("question", predict.question, true);
-    members.list("answers", fewestAnswers, mostAnswers, [&](const Json& each, const std::string& place) {
+    members.list("answers", minAnswers, maxAnswers, [&](const Json& each, const std::string& place) {
         Members answer(each, place, problem);
         answer.text("text", predict.answers.emplace_back().text, true);
         readEdits(answer, predict.answers.back().edits, 0);
@@ -253,7 +253,7 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
 std::string mistakeOf(const Json::exception& error) {
     constexpr int numberOverflow = 406;
     if (error.id == numberOverflow)
-        return "expected a number that isn't as large";
+        return "expected a smaller number";
     std::string_view said = error.what();
     said = said.substr(0, said.find("; last read"));
     const std::size_t syntax = said.find("syntax error");
@@ -261,7 +261,7 @@ std::string mistakeOf(const Json::exception& error) {
 }
 
 tl::unexpected<Error> tooDeep() {
-    return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", deepest));
+    return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxDepth));
 }
 
 Result<Json> parseJson(std::string_view text) {
@@ -272,7 +272,7 @@ Result<Json> parseJson(std::string_view text) {
         return fail(whole.error());
     bool isTooDeep = false;
     const auto shallow = [&isTooDeep](int depth, Json::parse_event_t, const Json&) {
-        isTooDeep = isTooDeep || depth > deepest;
+        isTooDeep = isTooDeep || depth > maxDepth;
         return !isTooDeep;
     };
     try {

@@ -73,13 +73,13 @@ bool turn(ChosenChoices& chosen, const std::vector<LessonKey>& keys, const std::
 
 void findChoices(const Scene& scene, const std::vector<LessonKey>& keys,
                  const std::vector<std::size_t>& group, ChosenChoices& chosen) {
-    constexpr int mostTried = 512;
+    constexpr int maxTried = 512;
     if (holds(scene, keys, chosen, group))
         return;
     ChosenChoices tried = chosen;
     for (const std::size_t key : group)
         tried[key] = 0;
-    for (int i = 0; i < mostTried; ++i) {
+    for (int i = 0; i < maxTried; ++i) {
         if (holds(scene, keys, tried, group)) {
             chosen = tried;
             return;
@@ -124,8 +124,8 @@ void keepAngles(Scene& scene, const Scene& before, double time) {
         for (int axis = 0; axis < 3; ++axis) {
             const float faster = model.spin[axis] - before.models[i].spin[axis];
             if (faster != 0)
-                model.rotation[axis] = static_cast<float>(
-                    std::remainder(static_cast<double>(model.rotation[axis]) - faster * time, full));
+                model.rotation[axis] = static_cast<float>(std::remainder(
+                    static_cast<double>(model.rotation[axis]) - static_cast<double>(faster) * time, full));
         }
     }
 }

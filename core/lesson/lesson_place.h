@@ -1,6 +1,6 @@
 #pragma once
 
-// Where in a lesson.json an error is.
+// The position of an error in a lesson.json.
 
 #include "core/base/result.h"
 

@@ -137,7 +137,7 @@ std::vector<std::string> imageNotes(const LessonScene& step) {
         notes.push_back(fmt::format("Photographs of {}: {}.", folder, found));
     if (!missing.empty())
         notes.push_back(fmt::format(
-            "Computed pictures stand for {}, which Debian's package xplanet-images would have.", missing));
+            "Computed pictures replace {}, which Debian's package xplanet-images contains.", missing));
     return notes;
 }
 

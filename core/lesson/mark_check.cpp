@@ -24,7 +24,7 @@ using reference::isLinear;
 using reference::UnitExplanation;
 using reference::wantsMipmaps;
 
-/// Beside a question, on a page, in a window of 1280 x 800. Where a side is odd, a pixel's centre is in the
+/// Next to a question, on a page, in a window of 1280 x 800. Where a side is odd, a pixel's centre is in the
 /// middle of the picture.
 constexpr std::array triedSizes{PictureSize{smallWidth, smallHeight}, pageSize, PictureSize{583, 402},
                                 PictureSize{401, 301}};
@@ -37,7 +37,7 @@ constexpr double nearLambda = 0.02;
 using Marked = std::vector<Explanation>;
 
 std::string sizeOf(const Explanation& explanation) {
-    return fmt::format("{} x {}", explanation.width, explanation.height);
+    return fmt::format("{} × {}", explanation.width, explanation.height);
 }
 
 Result<Marked> markedIn(const LessonScene& scene, const Look& look) {
@@ -98,8 +98,8 @@ void checkPlace(const Marked& marked, const std::string& whose, const std::strin
             const std::string tie = tieOf(seen->units[i]);
             if (!tie.empty())
                 return problems.push_back({ErrorCode::OutOfRange,
-                                           fmt::format("at the mark {}, in {} of {}: renderers may round it "
-                                                       "either way",
+                                           fmt::format("at the mark {}, in {} of {}: renderers may round "
+                                                       "it differently",
                                                        tie, whose, sizeOf(each)),
                                            where});
         }
@@ -137,7 +137,7 @@ void checkWordsHaveNumbers(const PlacedText& text, std::vector<Error>& problems)
         if (text.marked->empty())
             return problems.push_back(
                 {ErrorCode::NotFound,
-                 fmt::format("{{{}}} is a number of the mark, and look has no probe", word), text.where});
+                 fmt::format("{{{}}} is a number of the mark, but look has no probe", word), text.where});
         for (const Explanation& each : *text.marked) {
             if (Numbers(each).of(word).empty())
                 return problems.push_back(
@@ -162,8 +162,8 @@ bool hasNumber(std::string_view text, std::string_view number) {
     return false;
 }
 
-/// How somebody may type it: as it is, and a length or lambda with one digit after the point, but for wholes
-/// and halves, which are there by themselves.
+/// The forms in which a text may contain it: as it is, and a length or lambda with one decimal place, except
+/// for integers and halves, which are common for other reasons.
 std::vector<std::string> typedForms(std::string_view number) {
     std::vector<std::string> forms{std::string(number)};
     double value = 0;

@@ -7,7 +7,7 @@
 
 namespace texplorer::lesson {
 
-/// The part of checkLesson that is about a step's mark, and the numbers of its texts; `place` is the step's.
+/// The part of checkLesson for a step's mark and the numbers in its texts; `place` is the step's.
 void checkMark(const LessonScene& start, const Step& step, const std::string& place,
                std::vector<Error>& problems);
 

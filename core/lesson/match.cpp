@@ -8,9 +8,9 @@
 namespace texplorer::lesson {
 namespace {
 
-constexpr int bound = 2;           // of a component, in 255ths
-constexpr double mostOver = 0.001; // of the pixels
-constexpr std::size_t mostHints = 64;
+constexpr int bound = 2;               // of a component, in 255ths
+constexpr double maxShareOver = 0.001; // of the pixels
+constexpr std::size_t maxHints = 64;
 
 /// Of two pictures of the same size.
 double distance(const Image& a, const Image& b) {
@@ -34,7 +34,7 @@ Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop, PictureS
 
 bool areAlike(const Image& a, const Image& b) {
     const Result<Difference> difference = compare(a, b, bound, Compared::Rgb);
-    return difference && difference->shareOver() <= mostOver;
+    return difference && difference->shareOver() <= maxShareOver;
 }
 
 namespace {
@@ -73,7 +73,7 @@ Result<std::optional<SceneChange>> hintFor(const Scene& scene, const Scene& targ
     const std::vector<SceneChange> changes = changesBetween(scene, target);
     double best = distance(both->given, both->wanted);
     std::optional<SceneChange> hint;
-    for (std::size_t i = 0; i < std::min(changes.size(), mostHints); ++i) {
+    for (std::size_t i = 0; i < std::min(changes.size(), maxHints); ++i) {
         Scene nearer = scene;
         if (!takeOver(nearer, target, changes[i].path))
             continue;

@@ -9,7 +9,7 @@
 
 namespace texplorer::lesson {
 
-/// Pictures that are compared and shown beside a question: Rgba8, opaque, drawn by the reference at time 0.
+/// Pictures that are compared, or shown next to a question: Rgba8, opaque, drawn by the reference at time 0.
 inline constexpr int smallWidth = 192;
 inline constexpr int smallHeight = 144;
 
@@ -17,23 +17,23 @@ inline constexpr int smallHeight = 144;
 [[nodiscard]] Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop = {},
                                       PictureSize size = {smallWidth, smallHeight});
 
-/// Whether nobody could tell two such pictures apart: as conform holds two renderers to its rule for the
-/// edges of texels, at most a pixel in a thousand differs by more than 2.
+/// Whether two such pictures look equal: at most one pixel in a thousand differs by more than 2, as in
+/// conform's rule for texel edges.
 [[nodiscard]] bool areAlike(const Image& a, const Image& b);
 
-/// How near a scene is to the one that is to be reached.
+/// How close a scene is to the target.
 struct Grade {
     bool passed = false;
-    double share = 0; ///< of the pixels that still differ, 0 to 1
+    double share = 0; ///< share of pixels that differ, 0 to 1
 };
 
 /// Errors: those of the drawing.
 [[nodiscard]] Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSource& images,
                                        std::stop_token stop = {});
 
-/// The one parameter whose change brings the picture nearest to that of the target; where no single one does,
-/// the first that differs; none: the scenes are the same. Its `to` is the value that is looked for. A picture
-/// is drawn for each parameter that differs. Errors: those of the drawing.
+/// Returns the one parameter whose change brings the picture closest to the target; if no single one does,
+/// the first that differs; empty if the scenes are equal. Its `to` is the target's value. Draws a picture for
+/// each parameter that differs. Errors: those of drawing.
 [[nodiscard]] Result<std::optional<SceneChange>>
 hintFor(const Scene& scene, const Scene& target, const ImageSource& images, std::stop_token stop = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The numbers in a step's texts: "{lambda}" stands for what a pixel of the picture that is shown has, however
-// large that picture is.
+// Numbers in a step's texts: "{lambda}" is replaced by the value at a pixel of the shown picture, for any
+// size of the picture.
 
 #include "core/lesson/lesson_scene.h"
 #include "core/reference/explain/explanation.h"
@@ -13,55 +13,56 @@
 
 namespace texplorer::lesson {
 
-/// Of the picture of a step on a page. Its numbers stand where no picture is shown, too.
+/// The picture of a step on a page. Its numbers are also used where no picture is shown.
 inline constexpr PictureSize pageSize{320, 240};
 
-/// Where a mark, in thousandths from the top left of a picture in the shape of the lessons', lies in a
-/// picture of any shape: the middle stays, and both show the same height.
+/// Converts a mark, in thousandths from the top left of a picture of the lessons' aspect ratio, to a pixel of
+/// a picture of any size: the centre and the visible height stay the same.
 [[nodiscard]] reference::PixelPlace pixelOf(int x, int y, PictureSize picture);
 
-/// What the words stand for. {color} the pixel's bytes, {fragment} what lighting or glColor gave; of its
-/// first unit {s} {t} the coordinates, {side} {up} how many texels lie between it and the next pixel to the
-/// side and above, {rho}, {lambda}, {level} the levels that it reads, {probes} how many an anisotropic filter
-/// takes, {texels} how many texels were read, {texel} the filtered colour.
+/// The values of the words. {color} the pixel's bytes, {fragment} the colour of lighting or glColor; of its
+/// first unit: {s} {t} the coordinates, {side} {up} the distances in texels to the next pixel to the side and
+/// above, {rho}, {lambda}, {level} the levels that are read, {probes} the number of samples of an anisotropic
+/// filter, {texels} the number of texels read, {texel} the filtered colour.
 class Numbers {
 public:
-    /// Nothing is known: a sign stands for each.
+    /// No values: each word is replaced by a sign.
     Numbers() = default;
     explicit Numbers(std::string_view sign);
 
-    /// Those of the pixel that an explanation is about. What it hasn't is a dash.
+    /// The values of an explained pixel. Missing ones are a dash.
     explicit Numbers(const reference::Explanation& explanation);
 
-    /// The text with its numbers.
+    /// Replaces the words of a text.
     [[nodiscard]] std::string in(std::string_view text) const;
 
-    /// The word's number; empty: there is none.
+    /// The value of a word; empty: unknown word.
     [[nodiscard]] std::string_view of(std::string_view word) const;
 
 private:
     std::string_view sign_ = "–";
-    std::vector<std::string> values_; ///< of each word, in their order; empty: none
+    std::vector<std::string> values_; ///< of each word, in order; empty: none
 };
 
-/// Of the pixel that is marked in a picture of this size; dashes where none is. Errors: those of probe().
+/// Returns the values at the marked pixel in a picture of this size; dashes without a mark. Errors: those of
+/// probe().
 [[nodiscard]] Result<Numbers> numbersOf(const LessonScene& scene, const Look& look, PictureSize picture,
                                         std::stop_token stop = {});
 
-/// Of all texts of a step.
+/// The values for all texts of a step.
 struct StepNumbers {
-    Numbers start;    ///< of the scene that it begins with: its text, task, question and answers
-    Numbers answered; ///< of the right answer's scene: the reason
+    Numbers start;    ///< for the starting scene: text, task, question and answers
+    Numbers answered; ///< for the scene of the right answer: the reason
 };
 
 /// Errors: those of withEdits and numbersOf.
 [[nodiscard]] Result<StepNumbers> numbersOf(const LessonScene& start, const Step& step, PictureSize picture,
                                             std::stop_token stop = {});
 
-/// The words of a text, without braces; known or not.
+/// Returns the words of a text, without braces, known or not.
 [[nodiscard]] std::vector<std::string_view> wordsIn(std::string_view text);
 
-/// Malformed: a word that there isn't.
+/// Malformed: an unknown word.
 [[nodiscard]] Result<void> checkWords(std::string_view text);
 
 } // namespace texplorer::lesson

@@ -24,7 +24,7 @@ bool readAll(std::istream& file, std::span<std::byte> to) {
 
 } // namespace
 
-std::size_t mostSceneFileBytes(ByteView start) {
+std::size_t maxSceneFileBytes(ByteView start) {
     return hasPngSignature(start) ? defaultMaxFileBytes : maxSceneBytes;
 }
 
@@ -38,21 +38,21 @@ Result<std::string> sceneTextIn(ByteView file) {
         return **std::move(text);
     return fail(
         ErrorCode::NotFound,
-        fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword));
+        fmt::format("expected a scene, found a PNG without a scene: it has no text \"{}\"", sceneKeyword));
 }
 
 Result<std::string> readSceneText(const std::filesystem::path& file) {
     const Result<Bytes> start = readFileStart(file, pngSignature.size());
     if (!start)
         return fail(start.error());
-    const Result<Bytes> bytes = readFile(file, mostSceneFileBytes(*start));
+    const Result<Bytes> bytes = readFile(file, maxSceneFileBytes(*start));
     if (!bytes)
         return fail(bytes.error());
     Result<std::string> text = sceneTextIn(*bytes);
     return text ? text : fail(text.error().code, text.error().message, file.string());
 }
 
-bool isPictureWithScene(const std::filesystem::path& path, std::size_t mostChunks) {
+bool isPictureWithScene(const std::filesystem::path& path, std::size_t maxChunks) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) // a pipe would be waited for
         return false;
@@ -62,7 +62,7 @@ bool isPictureWithScene(const std::filesystem::path& path, std::size_t mostChunk
         return false;
     const std::string_view keyword(sceneKeyword);
     std::array<std::byte, 8> head{}; // length and type
-    for (std::size_t looked = 0; looked < mostChunks && readAll(file, head); ++looked) {
+    for (std::size_t looked = 0; looked < maxChunks && readAll(file, head); ++looked) {
         PngChunk chunk;
         chunk.length = bigEndian32(head, 0);
         chunk.type.assign(reinterpret_cast<const char*>(head.data()) + 4, 4);

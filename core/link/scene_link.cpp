@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view scheme = "texplorer:";
 constexpr std::string_view version = "1:";
-constexpr int smallestLevel = 12; // of libdeflate: the text is short, and is to stay so
+constexpr int compressionLevel = 12; // of libdeflate: the text is short, and is to stay so
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
@@ -65,13 +65,13 @@ std::optional<std::string> fromBase64(std::string_view text) {
 }
 
 Error damaged() {
-    return {ErrorCode::Malformed, "the link is damaged, or its end is missing", {}};
+    return {ErrorCode::Malformed, "the link is damaged or incomplete", {}};
 }
 
 Result<std::string> unpack(std::string_view packed) {
     const Decompressor unpacker(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
     if (!unpacker)
-        return fail(ErrorCode::TooLarge, "there is no memory for the scene of the link");
+        return fail(ErrorCode::TooLarge, "not enough memory for the scene of the link");
     std::string text;
     for (std::size_t room = std::size_t{1} << 16;; room = std::min(room * 4, maxSceneBytes)) {
         text.resize(room);
@@ -99,17 +99,17 @@ bool isSceneLink(std::string_view text) {
 
 Result<std::string> writeSceneLink(const Scene& scene) {
     const std::string json = writeScene(scene);
-    const Compressor packer(libdeflate_alloc_compressor(smallestLevel), libdeflate_free_compressor);
+    const Compressor packer(libdeflate_alloc_compressor(compressionLevel), libdeflate_free_compressor);
     if (!packer)
-        return fail(ErrorCode::TooLarge, "there is no memory for the link");
+        return fail(ErrorCode::TooLarge, "not enough memory for the link");
     std::string packed(libdeflate_zlib_compress_bound(packer.get(), json.size()), '\0');
     packed.resize(
         libdeflate_zlib_compress(packer.get(), json.data(), json.size(), packed.data(), packed.size()));
     std::string link = std::string(scheme).append(version).append(toBase64(packed));
     if (json.size() > maxSceneBytes || link.size() > maxLinkBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("the scene is too large for a link: it would take {} letters, at most {} are "
-                                "read; save it as a file",
+                    fmt::format("the scene is too large for a link: it has {} letters, at most {} are "
+                                "allowed; save it as a file",
                                 link.size(), maxLinkBytes));
     return link;
 }

@@ -3,7 +3,7 @@
 namespace texplorer {
 
 Mesh makeCube() {
-    // Each face as it looks to someone in front of it. The lids open towards the front: what lies at the
+    // Each face as seen from in front of it. The lids open towards the front: what is at the
     // upper edge of Top is the back, what lies at the upper edge of Bottom the front.
     Mesh mesh;
     addPatch(mesh, "Front", {.lowerLeft = {-1, -1, 1}, .right = {2, 0, 0}, .up = {0, 2, 0}});

@@ -20,8 +20,8 @@ int clampSlices(int slices) {
     return std::clamp(slices, minSlices, maxSubdivision);
 }
 int clampStacks(Shape shape, int stacks) {
-    const int least = shape == Shape::Torus ? 3 : minStacks; // a tube of two sides is flat
-    return std::clamp(stacks, least, shape == Shape::Teapot ? maxTeapotStacks : maxSubdivision);
+    const int min = shape == Shape::Torus ? 3 : minStacks; // a tube of two sides is flat
+    return std::clamp(stacks, min, shape == Shape::Teapot ? maxTeapotStacks : maxSubdivision);
 }
 float clampRadius(float radius, float greatest) {
     return std::fmin(std::fmax(radius, 0.0F), greatest); // what is no number becomes 0

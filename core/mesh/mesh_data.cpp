@@ -83,8 +83,8 @@ enum class Outline : std::uint8_t {
 struct Assembly {
     Primitive primitive;
     void (*assemble)(Mesh& mesh, Order order);
-    std::size_t least; ///< so many vertices make the first part
-    std::size_t step;  ///< and so many more another one
+    std::size_t minVertices; ///< so many vertices make the first part
+    std::size_t step;        ///< and so many more another one
     Outline outline;
     const char* face;
     bool closed; ///< whether a face leads back to its first vertex
@@ -123,9 +123,9 @@ std::vector<std::uint32_t> drawnOrder(const MeshData& data) {
 
 /// The vertices that complete a part.
 Order completeParts(Order order, const Assembly& assembly) {
-    if (order.size() < assembly.least)
+    if (order.size() < assembly.minVertices)
         return {};
-    return order.first(order.size() - (order.size() - assembly.least) % assembly.step);
+    return order.first(order.size() - (order.size() - assembly.minVertices) % assembly.step);
 }
 
 void addPartFaces(Mesh& mesh, Order order, const Assembly& assembly) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// One function per shape, each in its own file. makeMesh is the only caller.
+// One function per shape, each in its own file; called only by makeMesh.
 
 #include "core/mesh/mesh.h"
 
@@ -14,7 +14,7 @@ namespace texplorer {
 [[nodiscard]] Mesh makeCube();
 [[nodiscard]] Mesh makeQuad();
 [[nodiscard]] Mesh makeFloor();
-// The options of these are within the limits of mesh.h.
+// The arguments must be within the limits of mesh.h.
 [[nodiscard]] Mesh makeSphere(int slices, int stacks);
 [[nodiscard]] Mesh makeCylinder(float topRadius, int slices, int stacks);
 [[nodiscard]] Mesh makeDisk(float innerRadius, int slices, int rings);
@@ -27,21 +27,23 @@ struct Circle {
     float cosine;
 };
 
-/// At an angle in quarter turns. Whole ones are exact, so that poles are points and seams have no gap.
+/// A point of the unit circle, at an angle in quarter turns. Whole quarters are exact, so poles are points
+/// and seams have no gap.
 [[nodiscard]] Circle circleAt(double quarters);
 
 void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-/// Adds the two triangles of a quadrilateral, whose corners run counter-clockwise: see Mesh.
+/// Adds the two triangles of a quadrilateral with counter-clockwise corners: see Mesh.
 void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners);
 
-// Of meshes made of rows of slices + 1 vertices, which run eastwards; the next row lies on their left.
+// For meshes of rows of slices + 1 vertices, which run eastwards; the next row is on their left.
 
-/// Adds a face for each two of the rows from `firstRow` on, "Stack 1" and so on: along the first and back
+/// Adds a face for each two adjacent rows from `firstRow` on, "Stack 1" and so on: along the first and back
 /// along the second.
 void addBandFaces(Mesh& mesh, const char* name, int slices, int firstRow, int stacks);
 
-/// Adds the quadrilaterals between a row and the next, westwards, as the GL_QUAD_STRIPs of GLU's quadrics do.
+/// Adds the quadrilaterals between a row and the next, westwards, in the order of the GL_QUAD_STRIPs of GLU's
+/// quadrics.
 void addBandQuads(Mesh& mesh, int slices, int row);
 
 /// A circle around the y axis.
@@ -51,14 +53,14 @@ struct Ring {
     glm::vec2 normal; ///< outwards and up
 };
 
-/// The vertices of a shape that is turned about the y axis, a row for each ring from below or inside on, and
-/// the faces between them; no triangles. s = 0 at the back (-z) and grows eastwards: 0.25 at the left (-x),
-/// 0.5 at the front, 0.75 at the right. t grows evenly from row to row. The seam has two vertices, and a pole
-/// one for each s, because one position there needs several texture coordinates.
+/// Returns the vertices of a surface of revolution about the y axis, a row for each ring, from below or
+/// inside, and the faces between them; no triangles. s = 0 is at the back (-z) and grows eastwards: 0.25 at
+/// the left (-x), 0.5 at the front, 0.75 at the right. t grows evenly from row to row. The seam has two
+/// vertices, and a pole one for each s, as one position there needs several texture coordinates.
 [[nodiscard]] Mesh turned(std::span<const Ring> rings, int slices);
 
-/// Four corners of a plane rectangle. `right` and `up` lead from the lower left corner along s and t, so that
-/// the image stands upright for a viewer who looks against `normal`.
+/// A rectangle, by its corner and edges. `right` and `up` lead from the lower left corner along s and t, so
+/// that the image is upright for a viewer who looks against `normal`.
 struct Patch {
     glm::vec3 lowerLeft;
     glm::vec3 right;
@@ -67,7 +69,7 @@ struct Patch {
     glm::vec4 texUpperRight{1, 1, 0, 1};
 };
 
-/// Adds four vertices, two triangles and the face that they make, beginning at the lower left corner.
+/// Adds four vertices, two triangles and their face, beginning at the lower left corner.
 void addPatch(Mesh& mesh, std::string name, const Patch& patch);
 
 } // namespace texplorer

@@ -127,7 +127,7 @@ Section sectionOf(std::span<const Row, 4> rows, int arc, double share) {
     return section;
 }
 
-/// At a pole the row is a point and shows no direction around the part: that of the rows beside it counts.
+/// At a pole the row is a point and shows no direction around the part: that of the adjacent rows is used.
 glm::dvec3 normalOf(const glm::dvec3& around, const CurvePoint& onwards, double share) {
     if (around != glm::dvec3(0))
         return glm::normalize(glm::cross(around, onwards.position));

@@ -8,7 +8,7 @@
 
 namespace texplorer::objects {
 
-// The calls. Each means GL_TEXTURE_2D of the active unit.
+// The calls. Each uses GL_TEXTURE_2D of the active unit.
 
 struct GenTexture {
     bool operator==(const GenTexture&) const = default;
@@ -57,19 +57,19 @@ using Call = std::variant<GenTexture, BindTexture, DeleteTexture, IsTexture, Act
 [[nodiscard]] SetParameter setWrapS(Wrap wrap);
 [[nodiscard]] SetParameter setWrapT(Wrap wrap);
 
-/// What a call gives back.
+/// The result of a call.
 struct Answer {
-    std::optional<Name> name;      ///< glGenTextures'
-    std::optional<bool> isTexture; ///< glIsTexture's
+    std::optional<Name> name;      ///< of glGenTextures
+    std::optional<bool> isTexture; ///< of glIsTexture
 
     bool operator==(const Answer&) const = default;
 };
 
-/// What GL does. What it would refuse can't be said here, but for what it passes over: deleting 0, or what
-/// isn't there. A name that glGenTextures never gave is bound all the same, as OpenGL 2.1 lets one.
+/// Executes a call like OpenGL. Calls that OpenGL would refuse cannot be expressed; calls without effect can:
+/// deleting 0 or an unused name. A name that glGenTextures did not return can be bound, as OpenGL 2.1 allows.
 Answer apply(TextureNames& names, const Call& call);
 
-/// As C has it: "glBindTexture(GL_TEXTURE_2D, 1);", with what it gave back behind it: "// 1".
+/// The call in C, with its result as a comment: "glBindTexture(GL_TEXTURE_2D, 1);", "// 1".
 [[nodiscard]] std::string codeOf(const Call& call, const Answer& answer = {});
 
 } // namespace texplorer::objects

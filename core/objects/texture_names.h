@@ -1,7 +1,7 @@
 #pragma once
 
-// Names, texture objects and texture units as a value: what each of a dozen calls changes, and what it leaves
-// alone. OpenGL 2.1, sections 3.8.12 (texture objects) and 3.8.13 (environments), for GL_TEXTURE_2D alone.
+// Names, texture objects and texture units as a value, to show what each of a dozen calls changes. OpenGL
+// 2.1, sections 3.8.12 (texture objects) and 3.8.13 (environments), for GL_TEXTURE_2D only.
 
 #include "core/scene/scene.h"
 
@@ -17,15 +17,15 @@ using Name = std::uint32_t;
 
 inline constexpr std::size_t unitCount = 2;
 
-/// What glBindTexture brings back: all of it, and nothing else.
+/// The state that glBindTexture switches.
 struct TextureObject {
-    Texture state{};            ///< glTexParameter's, with GL's initial values
-    std::optional<int> picture; ///< which one glTexImage2D has given it; none: no image
+    Texture state{};            ///< of glTexParameter, with GL's initial values
+    std::optional<int> picture; ///< the picture of glTexImage2D; empty: no image
 
     bool operator==(const TextureObject&) const = default;
 };
 
-/// What stays whatever is bound.
+/// The state that does not depend on the bound texture.
 struct UnitState {
     Name bound = 0;
     bool enabled = false; ///< GL_TEXTURE_2D
@@ -34,34 +34,34 @@ struct UnitState {
     bool operator==(const UnitState&) const = default;
 };
 
-/// A context's names, objects and units.
+/// The names, objects and units of a context.
 struct TextureNames {
-    /// Nothing: glGenTextures has given the name away, and nobody has bound it yet, so there is no object.
-    /// Name 0 is the object that is there from the start; it can't be deleted, and glIsTexture denies it.
+    /// Empty: glGenTextures has returned the name, but it was never bound, so it has no object. Name 0 is the
+    /// default object; it cannot be deleted, and glIsTexture returns false for it.
     std::map<Name, std::optional<TextureObject>> names{{0, TextureObject{}}};
     std::array<UnitState, unitCount> units{};
-    std::size_t active = 0; ///< the unit that glBindTexture, glEnable and glTexEnv mean
+    std::size_t active = 0; ///< the unit of glBindTexture, glEnable and glTexEnv
 
     bool operator==(const TextureNames&) const = default;
 
     [[nodiscard]] const UnitState& activeUnit() const { return units.at(active); }
     [[nodiscard]] UnitState& activeUnit() { return units.at(active); }
-    /// What is bound to a unit.
+    /// The object bound to a unit.
     [[nodiscard]] const TextureObject& objectOf(std::size_t unit) const {
         return *names.at(units.at(unit).bound);
     }
 };
 
-/// What a unit does with a fragment.
+/// The effect of a unit on a fragment.
 enum class Sampled : std::uint8_t {
-    Off,       ///< GL_TEXTURE_2D isn't enabled
-    NoImage,   ///< the object has none: incomplete, as if off
-    NoMipmaps, ///< its minification filter wants levels that it hasn't: incomplete, as if off
+    Off,       ///< GL_TEXTURE_2D is disabled
+    NoImage,   ///< the object has no image: incomplete, as if disabled
+    NoMipmaps, ///< the minification filter needs missing levels: incomplete, as if disabled
     Textured,
 };
 [[nodiscard]] Sampled sampledBy(const TextureNames& names, std::size_t unit);
 
-/// The colour of a fragment after a unit, `texel` being what its texture has there: RGB images.
+/// The colour of a fragment after a unit with the filtered colour `texel`; all images are RGB.
 [[nodiscard]] glm::vec4 colorAfter(const TextureNames& names, std::size_t unit, glm::vec4 before,
                                    glm::vec4 texel);
 

@@ -60,12 +60,12 @@ Result<std::size_t> freeUnit(const PresetTarget& target) {
         if (const std::size_t unit = (target.place.unit + i) % maxUnits; isFree(unit))
             return unit;
     }
-    return fail(ErrorCode::TooLarge, fmt::format("all {} units of the pass are on", maxUnits));
+    return fail(ErrorCode::TooLarge, fmt::format("all {} units of the pass are in use", maxUnits));
 }
 
 Result<std::size_t> addTexture(Scene& scene, Texture texture) {
     if (scene.textures.size() >= maxTextures)
-        return fail(ErrorCode::TooLarge, fmt::format("the scene has its {} textures", maxTextures));
+        return fail(ErrorCode::TooLarge, fmt::format("the scene already has {} textures", maxTextures));
     scene.textures.push_back(std::move(texture));
     return scene.textures.size() - 1;
 }

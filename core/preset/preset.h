@@ -1,7 +1,6 @@
 #pragma once
 
-// Presets: what a textbook shows of a setting, as one edit. Whatever a scene was before, after it there is
-// something to see.
+// Presets: settings of textbook examples, as one edit each. After it, the effect is visible in any scene.
 
 #include "core/base/result.h"
 #include "core/scene/scene.h"
@@ -11,13 +10,13 @@
 
 namespace texplorer {
 
-/// The unit that a preset is about. Its texture is the one that is bound to it.
+/// The unit that a preset edits, with the texture bound to it.
 struct PresetPlace {
     std::size_t pass = 0;
     std::size_t unit = 0;
 };
 
-/// What a preset edits: everything is there, and the pass and the unit are on.
+/// The objects that a preset edits: they exist, and the pass and the unit are enabled.
 struct PresetTarget {
     Scene& scene;
     Pass& pass;
@@ -27,24 +26,24 @@ struct PresetTarget {
 };
 
 struct Preset {
-    std::string_view name;  ///< "alpha-test": for texshot's --preset
-    std::string_view group; ///< its caption in a menu; those of a group follow one another
-    std::string_view label; ///< "Alpha test > 0.5", of the step of undo, too
+    std::string_view name;  ///< "alpha-test": the argument of texshot's --preset
+    std::string_view group; ///< the heading in a menu; presets of a group are adjacent
+    std::string_view label; ///< "Alpha test > 0.5", also the name of the undo step
     std::string_view help;  ///< what it sets
-    std::string_view look;  ///< what there is to see afterwards
-    /// The error says what there is no room for.
+    std::string_view look;  ///< what to look at afterwards
+    /// The error says what the scene has no room for.
     Result<void> (*edit)(const PresetTarget& target);
 };
 
-/// Those of a group together, in the order of a menu.
+/// Sorted by group, in the order of the menu.
 [[nodiscard]] std::span<const Preset> presets();
 
-/// nullptr: there is none of this name.
+/// Returns nullptr for an unknown name.
 [[nodiscard]] const Preset* findPreset(std::string_view name);
 
-/// Switches the unit on, with a texture where it has none, and does what the preset says. Once more changes
-/// nothing. Errors: OutOfRange where there is no such unit, TooLarge where the scene has no room for what it
-/// needs; the scene is then what it was before.
+/// Enables the unit, with a new texture if it has none, and applies the preset. Applying it twice changes
+/// nothing more. Errors: OutOfRange if the unit does not exist, TooLarge if the scene has no room for what
+/// the preset needs; the scene is then unchanged.
 [[nodiscard]] Result<void> applyPreset(const Preset& preset, Scene& scene, const PresetPlace& place = {});
 
 } // namespace texplorer

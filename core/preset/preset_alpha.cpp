@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view alphaGroup = "Alpha test and blending";
 constexpr std::array alphaPatterns{Pattern::Tree, Pattern::LogoOpenGl, Pattern::LogoMultitexture};
 
-/// A picture of one's own stays, as a pattern with alpha does.
+/// A picture from a file stays, as does a pattern with alpha.
 void showAlpha(const PresetTarget& target) {
     Texture& texture = target.texture;
     generateNothing(target.unit);
@@ -75,27 +75,23 @@ Result<void> additiveGlow(const PresetTarget& target) {
 }
 
 constexpr std::array alphaRows{
-    Preset{
-        "alpha-blending", alphaGroup, "Alpha blending",
-        "GL_BLEND with GL_SRC_ALPHA and GL_ONE_MINUS_SRC_ALPHA, and an image that has alpha.",
-        "The background shows through where alpha is 0. Far sides are missing there unless they were drawn "
-        "first: transparent fragments write their depth all the same.",
-        alphaBlending},
-    Preset{
-        "alpha-test", alphaGroup, "Alpha test > 0.5",
-        "GL_ALPHA_TEST with GL_GREATER and 0.5, and an image that has alpha. Blending is off.",
-        "Fragments with an alpha up to 0.5 are gone, and their depth with them: through the holes one sees "
-        "the far sides.",
-        alphaTest},
+    Preset{"alpha-blending", alphaGroup, "Alpha blending",
+           "GL_BLEND with GL_SRC_ALPHA and GL_ONE_MINUS_SRC_ALPHA, and an image with alpha.",
+           "The background shows through where alpha is 0. Far sides are missing there unless they are drawn "
+           "first, because transparent fragments also write their depth.",
+           alphaBlending},
+    Preset{"alpha-test", alphaGroup, "Alpha test > 0.5",
+           "GL_ALPHA_TEST with GL_GREATER and 0.5, and an image with alpha. Blending is off.",
+           "Fragments with an alpha up to 0.5 are discarded, with their depth, so the far sides show through "
+           "the holes.",
+           alphaTest},
     Preset{"cut-out", alphaGroup, "Cut-out",
-           "One square with GL_REPLACE, GL_CLAMP_TO_EDGE and the alpha test, as plants and fences are drawn.",
-           "Nothing is left of the square but the shape in the image. Go near: its edge is hard.", cutOut},
-    Preset{
-        "additive-glow", alphaGroup, "Additive glow",
-        "GL_BLEND with GL_SRC_ALPHA and GL_ONE, without a depth test.",
-        "What is drawn is added to what is there: it glows, and in whichever order it is drawn, the sum is "
-        "the same.",
-        additiveGlow},
+           "One square with GL_REPLACE, GL_CLAMP_TO_EDGE and the alpha test, as used for plants and fences.",
+           "Only the shape in the image is left of the square. Move closer: its edge is hard.", cutOut},
+    Preset{"additive-glow", alphaGroup, "Additive glow",
+           "GL_BLEND with GL_SRC_ALPHA and GL_ONE, without a depth test.",
+           "Colours are added to the stored ones, so the model glows. The order of drawing does not matter.",
+           additiveGlow},
 };
 
 } // namespace

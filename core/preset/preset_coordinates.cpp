@@ -105,45 +105,43 @@ Result<void> shadowMap(const PresetTarget& target) {
     if (!unit)
         return fail(unit.error());
     if (!castShadows(scene, target.place.pass, *unit))
-        return fail(ErrorCode::TooLarge, "the scene has no room for another texture");
+        return fail(ErrorCode::TooLarge, "the scene cannot have another texture");
     return {};
 }
 
 constexpr std::array coordinateRows{
     Preset{"scroll", motionGroup, "Scroll",
-           "A translation of the texture matrix with a rate, in the place of its steps.",
-           "The image runs over the surface towards smaller s, as water or a conveyor belt does.", scroll},
-    Preset{"spin", motionGroup, "Spin",
-           "A rotation of the texture matrix with a rate, in the place of its steps.",
-           "The image turns about (0, 0), which is a corner of it: glRotatef knows no other axis.", spin},
+           "A translation of the texture matrix with a rate, instead of its steps.",
+           "The image moves over the surface towards smaller s, like water or a conveyor belt.", scroll},
+    Preset{"spin", motionGroup, "Spin", "A rotation of the texture matrix with a rate, instead of its steps.",
+           "The image turns about (0, 0), one of its corners: glRotatef has no other centre.", spin},
     Preset{"rotate-centre", motionGroup, "Rotate about the centre",
-           "The same with the pivot (0.5, 0.5): glTranslatef there, glRotatef, glTranslatef back.",
+           "The same about (0.5, 0.5): glTranslatef there, glRotatef, glTranslatef back.",
            "The centre of the image stays where it is.", rotateAboutCentre},
-    Preset{
-        "pulse", motionGroup, "Pulse",
-        "A scaling between two rotations that go against each other, about the centre.",
-        "The image swells and shrinks along an axis that turns. A factor below 1 shows less of it, larger.",
-        pulse},
+    Preset{"pulse", motionGroup, "Pulse", "A scale between two opposite rotations, about the centre.",
+           "The image grows and shrinks along a turning axis. A factor below 1 shows a smaller part, larger.",
+           pulse},
     Preset{"sphere-map", generatedGroup, "Sphere map",
-           "glTexGen with GL_SPHERE_MAP for s and t, and the picture of a mirror ball.",
-           "The surface mirrors a picture. Orbit: the picture goes with the eye, not with the surface.",
+           "glTexGen with GL_SPHERE_MAP for s and t, and the image of a mirror ball.",
+           "The surface reflects an image. Orbit: the reflection moves with the eye, not with the surface.",
            sphereMap},
     Preset{"contours", generatedGroup, "Contour lines",
            "glTexGen with GL_OBJECT_LINEAR for s, and a one-dimensional texture.",
            "Equal heights have one colour: s is three times the y of each vertex.", contours},
     Preset{"reflection", generatedGroup, "Cube map reflection",
            "glTexGen with GL_REFLECTION_MAP for s, t and r, and a cube map.",
-           "The surface mirrors the face that its reflected line of sight meets, which names its axis.",
+           "The surface reflects the face that the reflected line of sight hits. Each face shows the name "
+           "of its axis.",
            reflection},
-    Preset{
-        "projector", generatedGroup, "Slide projector",
-        "glTexGen with GL_EYE_LINEAR for s, t, r and q, and a texture matrix that is the light's camera.",
-        "The light throws one picture over all models, and what is turned away from it stays dark. Beyond the "
-        "picture the white border leaves them as they are.",
-        projector},
+    Preset{"projector", generatedGroup, "Slide projector",
+           "glTexGen with GL_EYE_LINEAR for s, t, r and q, and a texture matrix for the light's view.",
+           "The light projects one image over all models. Surfaces that face away from it stay dark. Outside "
+           "the image, the white border leaves colours unchanged.",
+           projector},
     Preset{"shadow-map", generatedGroup, "Shadow map",
-           "A depth texture of what the light sees, in a unit of its own, and a floor to fall on.",
-           "What the light doesn't see is dark: r is compared with the depth that the light found there.",
+           "A depth texture of the light's view in a unit of its own, and a floor that receives shadows.",
+           "Surfaces that the light does not see are dark: r is compared with the depth stored by the "
+           "light.",
            shadowMap},
 };
 

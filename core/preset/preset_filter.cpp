@@ -17,7 +17,7 @@ void showFloor(const PresetTarget& target) {
     takeGivenCoordinates(target.unit);
 }
 
-/// With a board on it, or a picture of one's own, trilinear: what there is to see is the levels.
+/// With a checkerboard or a picture from a file, trilinear: the levels are visible.
 void showTrilinearFloor(const PresetTarget& target) {
     showFloor(target);
     showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
@@ -86,33 +86,31 @@ Result<void> anisotropy(const PresetTarget& target) {
 
 constexpr std::array filterRows{
     Preset{"shimmer", filterGroup, "Shimmer",
-           "A checkerboard into the distance with GL_NEAREST minification, moving.",
-           "Far away the squares break into noise that flickers: each pixel takes one texel of many.",
-           shimmer},
-    Preset{
-        "shimmer-cure", filterGroup, "Shimmer, cured",
-        "Mipmaps, and GL_LINEAR_MIPMAP_LINEAR, for the texture of this unit.",
-        "Far away the texture fades to its mean: each pixel takes a level whose texels are as large as it is.",
-        shimmerCure},
+           "A moving checkerboard that recedes into the distance, with GL_NEAREST minification.",
+           "Far squares turn into flickering noise: each pixel reads one texel of many.", shimmer},
+    Preset{"shimmer-cure", filterGroup, "Shimmer, cured",
+           "Mipmaps, and GL_LINEAR_MIPMAP_LINEAR, for the texture of this unit.",
+           "Far away the texture fades to its mean: each pixel reads a level with texels of its own size.",
+           shimmerCure},
     Preset{"blocks", filterGroup, "Blocky magnification",
            "An image of 16 × 16 texels, with GL_NEAREST magnification.",
-           "Each texel is a block of pixels: a magnified texture has nothing finer to show.", blocks},
+           "Each texel is a block of pixels: a magnified texture has no finer detail.", blocks},
     Preset{"blocks-cure", filterGroup, "Blocky magnification, cured",
            "GL_LINEAR magnification for the texture of this unit.",
-           "The blocks blend into each other: smooth, and no sharper than the texels are.", blocksCure},
+           "The blocks blend into each other: smooth, but no sharper than the texels.", blocksCure},
     Preset{"seam", filterGroup, "Seam of GL_CLAMP",
            "GL_CLAMP with GL_LINEAR, an image of 16 × 16 texels and a magenta border colour.",
-           "A magenta seam where the image ends: GL_CLAMP lets half of the border's colour into the edge.",
+           "A magenta seam where the image ends: GL_CLAMP mixes half of the border colour into the edge.",
            seam},
     Preset{"seam-cure", filterGroup, "Seam of GL_CLAMP, cured",
            "GL_CLAMP_TO_EDGE for the texture of this unit.",
-           "The seam is gone: the outermost texels go on, and the border's colour is never read.", seamCure},
+           "The seam is gone: the outermost texels continue, and the border colour is never read.", seamCure},
     Preset{"coloured-levels", filterGroup, "Coloured mip levels",
-           "A floor into the distance whose levels above the base have a colour each.",
+           "A floor that recedes into the distance. Each level above the base has its own colour.",
            "Each band of colour is a level. Change the LOD bias, and the bands move.", colouredLevels},
     Preset{"anisotropy", filterGroup, "Anisotropy on a far floor",
-           "A floor into the distance, trilinear, with GL_TEXTURE_MAX_ANISOTROPY_EXT 16.",
-           "The board stays sharp far into the distance: more probes along the way that a pixel covers.",
+           "A trilinear floor that recedes into the distance, with GL_TEXTURE_MAX_ANISOTROPY_EXT 16.",
+           "The board stays sharp far into the distance: more samples along the footprint of each pixel.",
            anisotropy},
 };
 

@@ -47,7 +47,7 @@ Result<Unit*> heightsIn(const PresetTarget& target, bool embossed) {
     if (!free)
         return fail(free.error());
     if (*free < target.place.unit)
-        return fail(ErrorCode::TooLarge, "all units behind this one are on");
+        return fail(ErrorCode::TooLarge, "all units after this one are in use");
     const Result<std::size_t> texture = addTexture(target.scene, heights());
     if (!texture)
         return fail(texture.error());
@@ -90,18 +90,19 @@ Result<void> emboss(const PresetTarget& target) {
 
 constexpr std::array unitRows{
     Preset{"decal", unitGroup, "Decal with alpha",
-           "GL_DECAL with an image that has alpha, over an orange glColor.",
-           "Where the image's alpha is 0 the lit colour shows, where it is 1 the image, unlit.", decal},
-    Preset{
-        "detail", unitGroup, "Detail texture",
-        "A second unit: GL_COMBINE with GL_MODULATE and GL_RGB_SCALE 2, repeated four times as often.",
-        "Fine grain over the image: go near, and the surface keeps its detail. Grey of 0.5 changes nothing.",
-        detail},
-    Preset{
-        "emboss", unitGroup, "Embossed bumps",
-        "Two units show heights on a cube, the second inverted and moved towards the light, with GL_ADD_SIGNED.",
-        "Bricks stand out of a grey surface: slopes towards the light are bright. Orbit, and they follow it.",
-        emboss},
+           "GL_DECAL with an image with alpha, over an orange glColor.",
+           "Where the image's alpha is 0 the lit colour shows; where it is 1, the unlit image.", decal},
+    Preset{"detail", unitGroup, "Detail texture",
+           "A second unit: GL_COMBINE with GL_MODULATE and GL_RGB_SCALE 2, repeated four times as often.",
+           "Fine grain over the image: the surface keeps its detail from close by. A grey of 0.5 changes "
+           "nothing.",
+           detail},
+    Preset{"emboss", unitGroup, "Embossed bumps",
+           "Two units show heights on a cube, the second one inverted and moved towards the light, with "
+           "GL_ADD_SIGNED.",
+           "Bricks stand out of a grey surface. Slopes towards the light are bright and follow it when you "
+           "orbit.",
+           emboss},
 };
 
 } // namespace

@@ -17,9 +17,9 @@ Result<const UnitState*> askedUnit(std::span<const PassState> passes, int pass, 
                     fmt::format("expected a unit from 0 to {}, found {}", maxUnits - 1, unit));
     const UnitState& found = passes[static_cast<std::size_t>(pass)].units[static_cast<std::size_t>(unit)];
     if (!found.texture)
-        return fail(ErrorCode::Unsupported,
-                    fmt::format("{} samples nothing: it is off, or its texture can't be drawn",
-                                unitName(pass, unit)));
+        return fail(
+            ErrorCode::Unsupported,
+            fmt::format("{} samples nothing: it is off or its texture can't be drawn", unitName(pass, unit)));
     return &found;
 }
 

@@ -11,8 +11,8 @@ namespace texplorer::reference {
 /// "passes[0].units[1]"
 [[nodiscard]] std::string unitName(int pass, int unit);
 
-/// A unit that somebody asks about. Errors: OutOfRange where the pass or the unit does not exist; Unsupported
-/// where the unit samples nothing.
+/// Returns the unit of a question. Errors: OutOfRange if the pass or the unit does not exist; Unsupported if
+/// the unit samples nothing.
 [[nodiscard]] Result<const UnitState*> askedUnit(std::span<const PassState> passes, int pass, int unit);
 
 } // namespace texplorer::reference

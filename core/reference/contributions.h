@@ -1,6 +1,6 @@
 #pragma once
 
-// The probe the other way round: which pixels a texel has a share in.
+// The inverse of a probe: the pixels that a texel contributes to.
 
 #include "core/reference/draw.h"
 #include "core/reference/raster/triangle.h"
@@ -11,7 +11,7 @@
 
 namespace texplorer::reference {
 
-/// A texel as a unit of a pass sees it.
+/// A texel, as a unit of a pass samples it.
 struct TexelQuestion {
     int pass = 0;
     int unit = 0;
@@ -20,23 +20,23 @@ struct TexelQuestion {
     bool operator==(const TexelQuestion&) const = default;
 };
 
-/// What one texel gives to each pixel of a picture.
+/// The contribution of one texel to each pixel of a picture.
 struct Contributions {
     int width = 0;
     int height = 0;
-    /// One a pixel, bottom row first: the texel's weight in the filtered colour of the fragment that one sees
-    /// there. Where later fragments were blended over it, the largest weight counts.
+    /// One per pixel, bottom row first: the texel's weight in the filtered colour of the visible fragment. If
+    /// later fragments were blended over it, the largest weight.
     std::vector<float> weights;
-    std::vector<std::string> problems; ///< sentences: what could not be drawn
+    std::vector<std::string> problems; ///< sentences about what could not be drawn
 };
 
-/// Errors: OutOfRange for a bad size, or where the pass, the unit, the level or the texel does not exist;
-/// Unsupported where the unit samples nothing; TooLarge without memory; Cancelled after a stop request.
-/// Texels of the border count from -1 to the level's extent.
+/// Errors: OutOfRange for an invalid size, or if the pass, the unit, the level or the texel does not exist;
+/// Unsupported if the unit samples nothing; TooLarge without memory; Cancelled after a stop request. With a
+/// border, texels are counted from -1 to the level's extent.
 [[nodiscard]] Result<Contributions> contributions(const DrawRequest& request, const TexelQuestion& question,
                                                   const DrawOptions& options = {});
 
-/// For a caller that keeps a TextureStore.
+/// For a caller with a TextureStore.
 [[nodiscard]] Result<Contributions> findContributions(const DrawRequest& request,
                                                       const TexelQuestion& question,
                                                       const DrawOptions& options, TextureStore& textures);

@@ -33,11 +33,11 @@ tl::unexpected<Error> stopped() {
 struct ReferenceRenderer::State {
     TextureStore textures;
     LightDepths lightDepths;
-    DrawRequest seen;                ///< the scene as it stands then, with what the light sees
+    DrawRequest seen;                ///< the scene at that time, with the light's view
     std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
 
-    /// What is to be drawn in fact: the scene as it stands at the request's time, with what the light sees
-    /// where something shows it. The same request where neither is anything to do.
+    /// The request with the scene evaluated at its time, and with the light's view if a texture uses it; the
+    /// same request if both change nothing.
     const DrawRequest& standing(const DrawRequest& request, const DrawOptions& options) {
         const StandingScene scene(request.scene, request.time);
         const bool lit = showsLightDepths(*scene);
@@ -85,7 +85,7 @@ struct ReferenceRenderer::State {
 namespace {
 
 std::string extents(int width, int height) {
-    return fmt::format("{} x {}", width, height);
+    return fmt::format("{} × {}", width, height);
 }
 
 Result<void> checkSize(const DrawRequest& request) {
@@ -93,13 +93,13 @@ Result<void> checkSize(const DrawRequest& request) {
     if (width >= 1 && height >= 1 && width <= maxPictureExtent && height <= maxPictureExtent)
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("a picture has 1 x 1 to {} pixels, not {}",
+                fmt::format("a picture has 1 × 1 to {} pixels, not {}",
                             extents(maxPictureExtent, maxPictureExtent), extents(width, height)));
 }
 
 tl::unexpected<Error> noMemory(const DrawRequest& request) {
     return fail(ErrorCode::TooLarge,
-                fmt::format("there is no memory for the scene's textures and a picture of {} pixels",
+                fmt::format("not enough memory for the scene's textures and a picture of {} pixels",
                             extents(request.width, request.height)));
 }
 
@@ -134,7 +134,7 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
         state_->textures.keepOnly(standing.scene);
         return explainPixel(standing, pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
+        return fail(ErrorCode::TooLarge, "not enough memory for the scene's textures");
     }
 }
 

@@ -18,27 +18,27 @@ struct TexelQuestion;
 struct LevelMap; // see level_map.h
 struct LevelQuestion;
 
-/// How a frame is come by: it is the same whatever these are.
+/// Options of the computation, which do not change the result.
 struct DrawOptions {
-    unsigned threads = 0; ///< 0: as many as the processor has
-    /// Draws every pixel by itself, with the functions that are written to be read (shade.h, sampler.h), many
-    /// times as slowly. The same bytes: this is what proves it.
+    unsigned threads = 0; ///< 0: one per processor
+    /// Draws each pixel on its own, with the simple functions of shade.h and sampler.h; many times slower.
+    /// The result is the same: the tests compare both.
     bool literal = false;
-    const Kernel* kernel = nullptr; ///< nullptr: the fastest that this processor has
+    const Kernel* kernel = nullptr; ///< nullptr: the fastest that the processor supports
     LevelWork levels{};             ///< for textures that are compressed at run time
     std::stop_token stop{};
 
-    /// By either token.
+    /// Whether either token was stopped.
     [[nodiscard]] bool isStopped() const { return stop.stop_requested() || levels.stop.stop_requested(); }
 };
 
-/// The largest picture, on each axis.
+/// The largest picture along each axis.
 inline constexpr int maxPictureExtent = 16384;
 
-/// Draws Scenes on the processor as the OpenGL 2.1 specification says, without OpenGL. Holds the textures of
-/// the last scene, so that the next picture of it is ready sooner. An object serves one thread at a time, and
-/// draws with several of its own; several objects, as the functions below, any number of threads at once:
-/// scenes and images are only read.
+/// Draws scenes on the processor as defined by the OpenGL 2.1 specification, without OpenGL. Caches the
+/// textures of the last scene for the next picture. An object must be used by one thread at a time; it draws
+/// with several threads of its own. Several objects, and the functions below, can be used by any number of
+/// threads at once: scenes and images are only read.
 class ReferenceRenderer {
 public:
     ReferenceRenderer();
@@ -48,23 +48,23 @@ public:
     ReferenceRenderer& operator=(const ReferenceRenderer&) = delete;
     ~ReferenceRenderer();
 
-    /// An Rgba8 image of the request's size. Errors: OutOfRange for a size below 1 or above
+    /// Draws an Rgba8 image of the request's size. Errors: OutOfRange for a size below 1 or above
     /// maxPictureExtent, TooLarge without memory, Cancelled after a stop request.
     [[nodiscard]] Result<Frame> draw(const DrawRequest& request, const DrawOptions& options = {});
 
-    /// Why one pixel of that picture has its colour, without drawing the others: see probe.h.
+    /// Explains the colour of one pixel of that picture, without drawing the others: see probe.h.
     [[nodiscard]] Result<Explanation> probe(const DrawRequest& request, PixelPlace pixel,
                                             const DrawOptions& options = {});
 
-    /// Which pixels of that picture a texel has a share in: see contributions.h.
+    /// Finds the pixels of that picture that a texel contributes to: see contributions.h.
     [[nodiscard]] Result<Contributions>
     contributions(const DrawRequest& request, const TexelQuestion& question, const DrawOptions& options = {});
 
-    /// Which levels the pixels of that picture read: see level_map.h.
+    /// Finds the levels that the pixels of that picture read: see level_map.h.
     [[nodiscard]] Result<LevelMap> levels(const DrawRequest& request, const LevelQuestion& question,
                                           const DrawOptions& options = {});
 
-    /// Gives back the memory that it holds for the next picture.
+    /// Frees the memory that is cached for the next picture.
     void rest();
 
 private:
@@ -72,7 +72,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// One frame.
+/// Draws one frame.
 [[nodiscard]] Result<Frame> drawReference(const DrawRequest& request, const DrawOptions& options = {});
 
 } // namespace texplorer::reference

@@ -6,17 +6,17 @@
 
 namespace texplorer::reference {
 
-/// A frame that somebody wants to see. How it is come by is in DrawOptions.
+/// A frame to draw. DrawOptions has the options of the computation.
 struct DrawRequest {
     Scene scene;
     ImageSource images{};
-    double time = 0; ///< seconds; what of the scene has key frames is drawn as it stands then
+    double time = 0; ///< seconds; key frames are evaluated at this time
     int width = 1;   ///< pixels
     int height = 1;
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
     RhoMethod rho = RhoMethod::Ideal;
-    /// GL_SUBPIXEL_BITS of a driver that computes everything from corners that it has snapped to as many; 0:
-    /// what is interpolated is exact, and edges have 8.
+    /// GL_SUBPIXEL_BITS of a driver that computes everything from snapped corners; 0: interpolation is exact,
+    /// and edges have 8 bits.
     int cornerBits = 0;
     bool zeroSwitchOver = false; ///< see SampleOptions
 
@@ -27,8 +27,8 @@ struct DrawRequest {
     bool operator==(const DrawRequest&) const = default;
 };
 
-/// Whether the levels of one's textures serve the other: the images are the same, and what is made of them
-/// (imageSettings). How they are sampled may differ.
+/// Whether both requests can use the same texture levels: the images and the settings that change texels
+/// (imageSettings) are equal. Sampling parameters may differ.
 [[nodiscard]] bool sameLevels(const DrawRequest& a, const DrawRequest& b);
 
 } // namespace texplorer::reference

@@ -10,41 +10,40 @@
 
 namespace texplorer::reference {
 
-/// Draws for a window that must not wait: on a thread of its own, first coarsely where the whole picture
-/// takes long, then the whole. A new request ends the drawing of the last one; a coarse picture is ended only
-/// where other levels are needed (sameLevels), so that there is something to see while a user drags or a
-/// scene moves. All functions are to be called from one thread; the first request starts the other one.
+/// Draws for a window without blocking it, on a thread of its own; if the whole picture takes long, a coarse
+/// one first. A new request stops the current drawing. A coarse picture is stopped only if other levels are
+/// needed (sameLevels), so that pictures keep coming while a user drags or a scene moves. All functions must
+/// be called from one thread; the first request starts the other.
 class DrawWorker {
 public:
-    using When = texplorer::When; ///< AtOnce: the whole picture
+    using When = texplorer::When; ///< AtOnce: whole pictures only
 
-    /// `wake` is called on the working thread whenever `frame` has something new to give; it must not
-    /// throw. Textures that are compressed at run time are made as `levels` says; its `stop` ends a drawing
-    /// AtOnce.
+    /// `wake` is called on the working thread whenever `frame` has a new result; it must not throw. `levels`
+    /// are the options for textures that are compressed at run time; its `stop` ends drawing AtOnce.
     explicit DrawWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
     DrawWorker(const DrawWorker&) = delete;
     DrawWorker& operator=(const DrawWorker&) = delete;
-    /// Ends what is being drawn, and waits for that.
+    /// Stops the current drawing and waits for it.
     ~DrawWorker();
 
     struct Frame {
-        /// Bottom row first; nullptr: none yet. Smaller than was asked for where it is coarse. Of an earlier
-        /// request until there is one of this.
+        /// Bottom row first; nullptr: none yet. A coarse picture is smaller than requested. Until there is a
+        /// picture of this request, that of an earlier one.
         std::shared_ptr<const Image> image;
-        std::vector<std::string> problems; ///< as of texplorer::Frame, or why it can't be drawn
-        double milliseconds = 0;           ///< how long it took
-        bool whole = false;                ///< it is what drawReference makes of this request
+        std::vector<std::string> problems; ///< as in texplorer::Frame, or why it cannot be drawn
+        double milliseconds = 0;           ///< the duration of drawing
+        bool whole = false;                ///< it equals drawReference of this request
     };
-    /// The newest picture of what is wanted now.
+    /// Requests a picture and returns the newest one.
     [[nodiscard]] const Frame& frame(const DrawRequest& request);
 
-    /// Nobody looks any more: ends what is being drawn, and forgets the picture and the textures.
+    /// Stops drawing, and frees the picture and the textures. For a hidden view.
     void rest();
 
-    /// Whether a picture is still to come.
+    /// Whether a picture is pending.
     [[nodiscard]] bool isDrawing() const;
 
-    /// Sleeps until none is, and what is to be forgotten is.
+    /// Blocks until nothing is pending.
     void wait() const;
 
 private:
@@ -52,8 +51,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// How many times smaller, on each axis, the first picture is: as fine as is expected to be there before the
-/// user notices, 1 where the whole one is.
+/// Returns the factor per axis by which the first picture is smaller: chosen so that it appears without
+/// noticeable delay; 1 if the whole picture does.
 [[nodiscard]] int coarseness(double expectedMilliseconds);
 
 } // namespace texplorer::reference

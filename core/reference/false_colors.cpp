@@ -15,7 +15,7 @@ std::array<std::uint8_t, 4> lambdaColor(float lambda, int steps) {
 }
 
 std::array<std::uint8_t, 4> ratioColor(float ratio) {
-    return viridis(std::log2(std::max(1.0F, ratio)) / std::log2(largestShownRatio));
+    return viridis(std::log2(std::max(1.0F, ratio)) / std::log2(maxShownRatio));
 }
 
 int stepsOf(const LevelMap& map) {

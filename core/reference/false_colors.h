@@ -9,31 +9,31 @@
 
 namespace texplorer::reference {
 
-/// What a view shows of a scene: its picture, or of one texture unit a number for each pixel, as a colour.
+/// What a view shows: the scene's picture, or a number of one texture unit for each pixel, as a colour.
 enum class Shown : std::uint32_t { Picture, Lambda, Anisotropy };
 
 inline constexpr std::array shownRows{
-    row(Shown::Picture, "picture", "Picture", "What the renderers draw."),
+    row(Shown::Picture, "picture", "Picture", "The picture of the renderer."),
     row(Shown::Lambda, "lambda", "λ",
-        "The level of detail at each pixel, from the base level, dark violet, to the last one, yellow; black where "
-        "λ is 0 or less: magnified."),
+        "The level of detail at each pixel, from dark violet (base level) to yellow (last level). Black "
+        "where magnified (λ is 0 or less)."),
     row(Shown::Anisotropy, "anisotropy", "Anisotropy",
-        "How many times as long as wide the footprint of each pixel is in the texture: 1 is dark violet, 16 and "
-        "more yellow."),
+        "The ratio of length to width of each pixel's footprint in the texture, from dark violet (1) to "
+        "yellow (16 and more)."),
 };
 
-inline constexpr float largestShownRatio = 16; ///< what is beyond has the same colour
+inline constexpr float maxShownRatio = 16; ///< larger ratios have the same colour
 
-/// The colour of a level of detail where `steps` levels, at least 1, lie above the base. Opaque.
+/// The opaque colour of a level of detail in a texture with `steps` levels, at least 1, above the base.
 [[nodiscard]] std::array<std::uint8_t, 4> lambdaColor(float lambda, int steps);
 
-/// The colour of a footprint's ratio: equal steps from 1 to 2, to 4, to 8 and to 16. Opaque.
+/// The opaque colour of a footprint's ratio, with equal steps from 1 to 2, to 4, to 8 and to 16.
 [[nodiscard]] std::array<std::uint8_t, 4> ratioColor(float ratio);
 
-/// How many levels above the base the colours of λ are for: 1 where there is none.
+/// The number of levels above the base in the colour scale of λ; at least 1.
 [[nodiscard]] int stepsOf(const LevelMap& map);
 
-/// Each pixel as its colour: Rgba8, bottom row first, transparent where nothing was sampled.
+/// The colour of each pixel: Rgba8, bottom row first, transparent where nothing was sampled.
 [[nodiscard]] Image falseColors(const LevelMap& map, Shown shown);
 
 } // namespace texplorer::reference

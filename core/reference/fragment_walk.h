@@ -12,8 +12,8 @@
 
 namespace texplorer::reference {
 
-/// The fragments of a picture in the order of drawing, for those who want to know something else of them than
-/// their colour: what the alpha and the depth test (sections 4.1.4 and 4.1.5) leave of them.
+/// Visits the fragments of a picture in drawing order, for results other than colours: those that pass the
+/// alpha and the depth test (sections 4.1.4 and 4.1.5).
 class FragmentWalk {
 public:
     FragmentWalk(Viewport viewport, std::stop_token stop)
@@ -22,8 +22,8 @@ public:
         , depth_(static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height),
                  farthestDepth) {}
 
-    /// Calls work(number of the pixel, its offset as shade.h has it) for each fragment of a triangle that
-    /// passes its tests. Leaves out the rest after a stop request.
+    /// Calls work(pixel index, offset as in shade.h) for each fragment of a triangle that passes the tests.
+    /// Ends early after a stop request.
     template<class Work>
     void draw(const Triangle& triangle, const Work& work) {
         const Box whole{0, viewport_.width - 1, 0, viewport_.height - 1};

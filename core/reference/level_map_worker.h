@@ -12,14 +12,14 @@ namespace texplorer::reference {
 struct LevelMapRequest {
     DrawRequest picture;
     LevelQuestion unit;
-    Shown shown = Shown::Picture; ///< the false colours that are wanted; Picture: none
+    Shown shown = Shown::Picture; ///< the false colours to make; Picture: none
 
     bool operator==(const LevelMapRequest&) const = default;
 };
 
-/// Maps levels for a window that must not wait, on a thread of its own. A new request ends the work on the
-/// last one only where it needs other levels (sameLevels): while a scene moves there is always something to
-/// see. All functions are to be called from one thread; the first request starts the other one.
+/// Computes level maps for a window without blocking it, on a thread of its own. A new request stops the work
+/// on the last one only if it needs other levels (sameLevels), so that results keep coming while a scene
+/// moves. All functions must be called from one thread; the first request starts the other.
 class LevelMapWorker {
 public:
     using When = texplorer::When;
@@ -29,20 +29,21 @@ public:
     explicit LevelMapWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
     LevelMapWorker(const LevelMapWorker&) = delete;
     LevelMapWorker& operator=(const LevelMapWorker&) = delete;
-    ~LevelMapWorker(); ///< ends what is being worked on, and waits for that
+    ~LevelMapWorker(); ///< stops the current work and waits for it
 
     struct Answer {
-        LevelMapRequest request; ///< what it answers
+        LevelMapRequest request; ///< the request of this answer
         Result<LevelMap> map;
-        std::shared_ptr<const Image> colors{}; ///< falseColors, where they are wanted and there is a map
+        std::shared_ptr<const Image> colors{}; ///< falseColors, if requested and there is a map
     };
-    /// The newest answer: to this request, or to an earlier one until there is one; nullptr: none yet.
+    /// Requests an answer and returns the newest one, which may be that of an earlier request; nullptr: none
+    /// yet.
     [[nodiscard]] std::shared_ptr<const Answer> answer(const LevelMapRequest& request);
 
-    /// Nobody asks any more: ends what is being worked on, and forgets the answer and the textures.
+    /// Stops the work, and frees the answer and the textures. For a hidden view.
     void rest();
 
-    /// Sleeps until what was asked last is answered, or forgotten.
+    /// Blocks until the last request is answered or cancelled.
     void wait() const;
 
 private:

@@ -85,7 +85,7 @@ struct Cover {
 
 class Prober {
 public:
-    /// Explains mostExplainedFragments from number `first` on, and draws all.
+    /// Explains maxExplainedFragments from number `first` on, and draws all.
     Prober(Explanation& explanation, const Scene& scene, Viewport viewport, std::size_t first)
         : explanation_(explanation)
         , scene_(scene)
@@ -106,7 +106,7 @@ public:
     /// The number of the first fragment to explain, so that the last one is that which one sees.
     [[nodiscard]] std::size_t firstWanted() const {
         const std::size_t end = seen_ ? *seen_ + 1 : explanation_.fragmentCount;
-        return end - std::min(end, mostExplainedFragments);
+        return end - std::min(end, maxExplainedFragments);
     }
 
 private:
@@ -214,7 +214,7 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
         }
         for (const Cover& covering : cover(corners, pass, model)) {
             const std::size_t count = explanation_.fragmentCount++;
-            const bool isExplained = count >= first_ && count - first_ < mostExplainedFragments;
+            const bool isExplained = count >= first_ && count - first_ < maxExplainedFragments;
             FragmentExplanation fragment;
             // The picture's own arithmetic has the last word: it may round otherwise than what explains it.
             fragment.color = fragmentColor(covering.triangle, offsetOf(covering.triangle));

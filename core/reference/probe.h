@@ -7,14 +7,13 @@
 
 namespace texplorer::reference {
 
-/// Why the pixel has the colour that drawReference gives it: nothing else is drawn. Errors: OutOfRange for a
-/// bad size or a pixel outside of the picture, TooLarge without memory, Cancelled after a stop request.
-/// ReferenceRenderer::probe keeps the textures for the next one.
+/// Explains the colour that drawReference gives a pixel, without drawing others. Errors: OutOfRange for an
+/// invalid size or a pixel outside of the picture, TooLarge without memory, Cancelled after a stop request.
+/// ReferenceRenderer::probe caches the textures.
 [[nodiscard]] Result<Explanation> probe(const DrawRequest& request, PixelPlace pixel,
                                         const DrawOptions& options = {});
 
-/// The same for a caller that keeps a TextureStore, and has seen that the picture has the pixel. Error:
-/// Cancelled.
+/// The same for a caller with a TextureStore, who has checked that the pixel exists. Error: Cancelled.
 [[nodiscard]] Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel,
                                                const DrawOptions& options, TextureStore& textures);
 

@@ -9,7 +9,7 @@ namespace texplorer::reference {
 
 namespace {
 
-constexpr FailureWords probingFailure{"there is no memory for the answer", "there is no answer"};
+constexpr FailureWords probingFailure{"not enough memory for the answer", "the pixel can't be explained"};
 
 std::shared_ptr<const ProbeWorker::Answer> answerProbe(ReferenceRenderer& renderer, const ProbeRequest& asked,
                                                        const DrawOptions& options) {

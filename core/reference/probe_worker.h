@@ -10,19 +10,19 @@
 
 namespace texplorer::reference {
 
-/// What a window wants to know of a picture.
+/// What a window asks about a picture.
 struct ProbeRequest {
     DrawRequest picture;
-    std::optional<PixelPlace> pixel{};    ///< explain it
-    std::optional<TexelQuestion> texel{}; ///< find where it has a share
+    std::optional<PixelPlace> pixel{};    ///< to explain
+    std::optional<TexelQuestion> texel{}; ///< to find its contributions
 
     bool operator==(const ProbeRequest&) const = default;
 };
 
-/// Explains pixels for a window that must not wait, on a thread of its own: the first question of a scene
-/// makes its textures' levels. A new request ends the work on the last one where it needs other levels
-/// (sameLevels), or asks for another texel, or no longer for one: to find its pixels can take long. All
-/// functions are to be called from one thread; the first request starts the other one.
+/// Explains pixels for a window without blocking it, on a thread of its own: the first question about a scene
+/// makes its textures' levels. A new request stops the work on the last one if it needs other levels
+/// (sameLevels), another texel, or no texel any more, as finding contributions can take long. All functions
+/// must be called from one thread; the first request starts the other.
 class ProbeWorker {
 public:
     using When = texplorer::When;
@@ -32,20 +32,21 @@ public:
     explicit ProbeWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
     ProbeWorker(const ProbeWorker&) = delete;
     ProbeWorker& operator=(const ProbeWorker&) = delete;
-    ~ProbeWorker(); ///< ends what is being worked on, and waits for that
+    ~ProbeWorker(); ///< stops the current work and waits for it
 
     struct Answer {
-        ProbeRequest request; ///< what it answers
+        ProbeRequest request; ///< the request of this answer
         std::optional<Result<Explanation>> explanation{};
         std::optional<Result<Contributions>> contributions{};
     };
-    /// The newest answer: to this request, or to an earlier one until there is one; nullptr: none yet.
+    /// Requests an answer and returns the newest one, which may be that of an earlier request; nullptr: none
+    /// yet.
     [[nodiscard]] std::shared_ptr<const Answer> answer(const ProbeRequest& request);
 
-    /// Nobody asks any more: ends what is being worked on, and forgets the answer and the textures.
+    /// Stops the work, and frees the answer and the textures. For a hidden view.
     void rest();
 
-    /// Sleeps until what was asked last is answered, or forgotten.
+    /// Blocks until the last request is answered or cancelled.
     void wait() const;
 
 private:

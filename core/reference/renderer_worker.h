@@ -10,16 +10,16 @@
 
 namespace texplorer::reference {
 
-/// A renderer on a thread of its own that answers the newest request: what workers for a window have in
-/// common whose answers replace each other whole.
+/// A renderer on a thread of its own that answers only the newest request. It is the base of window workers
+/// whose new answer replaces the old one.
 template<class Request, class Answer>
 class RendererWorker {
-    using Job = std::optional<Request>; ///< nothing: give the renderer's memory back
+    using Job = std::optional<Request>; ///< empty: free the renderer's memory
     using Answered = std::shared_ptr<const Answer>;
     using Asking = Worker<Job, Answered>;
 
 public:
-    /// Asks the renderer; nullptr where it was stopped.
+    /// Calls the renderer; returns nullptr if it was stopped.
     using Work = Answered (*)(ReferenceRenderer& renderer, const Request& request,
                               const DrawOptions& options);
 
@@ -29,11 +29,11 @@ public:
         , worker_(
               {when, JobOrder::NewestWins, words, std::move(wake), levels_.stop},
               [this](const typename Asking::Task& task) { return answerOf(task); },
-              // What was answered last stays.
+              // The last answer stays.
               [](const Job&, const Error&) { return Answered(); }) {}
 
-    /// The newest answer; nullptr: none yet. Of a new request, `isUseless(earlier)` says whether the work on
-    /// an earlier one is to end.
+    /// Returns the newest answer; nullptr: none yet. For a new request, `isUseless(earlier)` decides whether
+    /// the work on an earlier one is stopped.
     template<class IsUseless>
     [[nodiscard]] Answered answer(const Request& request, const IsUseless& isUseless) {
         if (wanted_ != request) {
@@ -48,7 +48,7 @@ public:
         return newest_;
     }
 
-    /// Nobody asks any more: ends what is being worked on, and forgets the answer and the textures.
+    /// Stops the work, and frees the answer and the textures. For a hidden view.
     void rest() {
         if (!wanted_)
             return;
@@ -72,16 +72,16 @@ private:
         return made ? std::optional(std::move(made)) : std::nullopt;
     }
 
-    // Of the thread that asks.
+    // Used by the calling thread.
     std::optional<Request> wanted_;
     Answered newest_;
 
-    // Of the thread that works.
+    // Used by the working thread.
     const Work work_;
     const LevelWork levels_;
     ReferenceRenderer renderer_;
 
-    Asking worker_; // last: it ends before the rest does
+    Asking worker_; // last: it ends before the other members
 };
 
 } // namespace texplorer::reference

@@ -5,7 +5,7 @@
 
 namespace texplorer::report {
 
-/// A file of assets/report, which is part of the program: "index.html".
+/// A file of assets/report, embedded in the program: "index.html".
 struct Asset {
     std::string_view name;
     std::string_view text;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A report's page as files of one folder, which a browser opens from a file: URL.
+// Writes a report's page as files of one folder, which works in a browser with file: URLs.
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -13,25 +13,25 @@
 namespace texplorer::report {
 
 struct File {
-    std::string name; ///< within the folder; a picture's has slashes if Picture::file has
+    std::string name; ///< relative to the folder; with slashes if Picture::file has them
     Bytes bytes;
 };
 
-/// index.html with its style sheet and scripts, the page's texts as report-data.js, and of each picture with
-/// bytes its PNG and its pixels. Error: OutOfRange for a file's name that leads out of the folder, is no
-/// UTF-8, or is that of another file.
+/// Makes index.html with its style sheet and scripts, the page's texts as report-data.js, and for each
+/// picture with bytes its PNG and its pixels. Error: OutOfRange for a file name that leads out of the folder,
+/// is not UTF-8, or is used twice.
 [[nodiscard]] Result<std::vector<File>> filesOf(const Page& page);
 
-/// Whether a file's name stays in the folder that it is in, and shows as it is written: no control
-/// characters.
+/// Whether a file name stays in its folder and contains no control characters.
 [[nodiscard]] bool staysInside(std::string_view file);
 
-/// The names of those of them that every page has.
+/// The names of the files that every page has.
 [[nodiscard]] std::vector<std::string> pageFileNames();
 
-/// What lets the page read a picture's pixels: a browser shows a page the images beside it and doesn't let it
-/// read them. It is loaded when the case is looked at. For who writes pictures one by one, as they come: with
-/// Picture::pixels the page asks for it. `file` is as Picture::file, the new one's name is `file` with ".js".
+/// Makes the file that lets the page read a picture's pixels: browsers do not let pages read the pixels of
+/// local images. It is loaded when the case is shown. For programs that write pictures one by one: with
+/// Picture::pixels, the page loads it. `file` is as in Picture::file, the new file's name is `file` with
+/// ".js".
 [[nodiscard]] File pixelsOf(std::string_view file, ByteView png);
 
 } // namespace texplorer::report

@@ -1,6 +1,6 @@
 #pragma once
 
-// What came of a case, as a report shows it.
+// The results of cases, as a report shows them.
 
 #include "core/gl/enum_row.h"
 
@@ -10,8 +10,8 @@
 
 namespace texplorer::report {
 
-/// In the order in which one wants to see them: what is worst comes first, what says nothing last. Their
-/// labels are the words of a run's summary.
+/// In order of interest: the worst first, the least informative last. The labels are those of a run's
+/// summary.
 enum class State : std::uint8_t {
     Crashed,
     TimedOut,
@@ -28,31 +28,31 @@ enum class State : std::uint8_t {
     Skipped,
 };
 
-/// Which of the page's colours a state has. It is never told by colour alone: its label stands beside it.
+/// The colour of a state on the page. States are never shown by colour alone, but with their label.
 enum class Tone : std::uint8_t { Bad, Look, Quiet, Good };
 
 inline constexpr std::array stateRows{
-    row(State::Crashed, "crashed", "Crashed", "The process that drew it ended by a signal."),
-    row(State::TimedOut, "timed-out", "Timed out", "It took longer than it may."),
+    row(State::Crashed, "crashed", "Crashed", "A signal ended the process that drew it."),
+    row(State::TimedOut, "timed-out", "Timed out", "It took longer than allowed."),
     row(State::Error, "error", "In error", "It could not be drawn or compared."),
-    row(State::Failed, "failed", "Failed", "The picture differs from the expected one by more than it may."),
-    row(State::Differ, "differ", "Differ", "The two pictures differ by more than they may."),
+    row(State::Failed, "failed", "Failed", "The picture differs from the expected one by more than allowed."),
+    row(State::Differ, "differ", "Differ", "The two pictures differ by more than allowed."),
     row(State::Resized, "resized", "Resized", "The picture has another size than the expected one."),
-    row(State::Missing, "missing", "Missing", "There is no picture for what is expected."),
-    row(State::Extra, "extra", "Extra", "There is a picture that nobody expects."),
-    row(State::New, "new", "New", "There is nothing yet to compare the picture with."),
+    row(State::Missing, "missing", "Missing", "The expected picture has no actual picture."),
+    row(State::Extra, "extra", "Extra", "The actual picture has no expected picture."),
+    row(State::New, "new", "New", "There is no expected picture yet."),
     row(State::NotRun, "not-run", "Not run", "The run ended before it."),
     row(State::Passed, "passed", "Passed", "The picture is as expected."),
     row(State::Agree, "agree", "Agree", "The two pictures are alike."),
-    row(State::Skipped, "skipped", "Skipped", "It was not compared, for a reason that is given."),
+    row(State::Skipped, "skipped", "Skipped", "It was not compared, for the given reason."),
 };
 
-/// Their names are classes of the page's style sheet.
+/// The names are classes of the page's style sheet.
 inline constexpr std::array toneRows{
-    row(Tone::Bad, "bad", "Wrong", "Something is wrong."),
-    row(Tone::Look, "look", "To be looked at", "Somebody has to look at it."),
-    row(Tone::Quiet, "quiet", "Nothing found", "Nothing was found out."),
-    row(Tone::Good, "good", "Good", "All is as it should be."),
+    row(Tone::Bad, "bad", "Wrong", "There is an error."),
+    row(Tone::Look, "look", "To review", "It needs a review."),
+    row(Tone::Quiet, "quiet", "Nothing found", "There is no result."),
+    row(Tone::Good, "good", "Good", "There is no problem."),
 };
 
 [[nodiscard]] constexpr Tone toneOf(State state) {

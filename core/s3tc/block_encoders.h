@@ -1,6 +1,6 @@
 #pragma once
 
-// One block at a time, behind core/s3tc/encode.h.
+// Encoders of single blocks, for core/s3tc/encode.h.
 
 #include "core/s3tc/encode.h"
 
@@ -9,10 +9,10 @@
 
 namespace texplorer {
 
-/// Compresses 16 Rgba8 texels, row by row, into one block. May overwrite the texels. Thread-safe.
+/// Compresses 16 Rgba8 texels, row by row, to one block. May overwrite the texels. Thread-safe.
 using BlockEncoder = void (*)(std::uint8_t* texels, std::byte* block);
 
-/// The encoder of a format and quality, or nullptr for signed formats.
+/// Returns the encoder of a format and quality, or nullptr for signed formats.
 ///
 ///               Fast                     Normal                      Best
 ///   DXT1        stb_dxt                  stb_dxt, refined twice      cluster fit or Normal's
@@ -22,16 +22,16 @@ using BlockEncoder = void (*)(std::uint8_t* texels, std::byte* block);
 ///   DXT5        stb_dxt                  stb_dxt, refined twice      cluster fit or Normal's
 ///   BC4, BC5    stb_dxt                  libsquish or Fast's         as Normal
 ///
-/// The cluster fit is libsquish's. Of two, each block, and each of its halves for itself, gets the one that
-/// is nearer to its texels: on slopes stb_dxt is up to 1 dB better, else the cluster fit is.
+/// The cluster fit is libsquish's. Where two are named, each block (and each half of it) gets the result that
+/// is closer to its texels: on gradients stb_dxt is up to 1 dB better, elsewhere the cluster fit is.
 ///
-/// Measured on one core, as DXT1, of the pattern "planet" (512 x 256) and of 1/f noise (512 x 512):
+/// Measured on one core, as DXT1, with the pattern "planet" (512 x 256) and with 1/f noise (512 x 512):
 ///
 ///   stb_dxt                 62 and 41 Mpix/s     39.48 and 32.64 dB
 ///   stb_dxt, refined twice  58 and 23 Mpix/s     39.61 and 32.71 dB
 ///   libsquish cluster fit   0.8 and 0.4 Mpix/s   39.84 and 32.89 dB
 ///
-/// Left out: libsquish's range fit (16 and 18 Mpix/s, 36.46 and 31.07 dB), worse and slower than stb_dxt, and
+/// Not used: libsquish's range fit (16 and 18 Mpix/s, 36.46 and 31.07 dB), worse and slower than stb_dxt, and
 /// its iterative cluster fit (up to twice the time for 0.01 dB).
 [[nodiscard]] BlockEncoder blockEncoder(BlockFormat format, EncodeQuality quality);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How one block is turned around: the bit work behind core/s3tc/flip.h.
+// Flips single blocks, for core/s3tc/flip.h.
 
 #include "core/gl/block_format.h"
 
@@ -10,7 +10,7 @@
 
 namespace texplorer {
 
-/// Swaps the bits under `low` with those `shift` places higher.
+/// Swaps the bits in the mask `low` with those `shift` places higher.
 struct FieldSwap {
     std::uint64_t low = 0;
     unsigned shift = 0;
@@ -21,14 +21,14 @@ struct FieldSwap {
     }
 };
 
-/// What turns a block around: up to two swaps for the rows and two for the columns, on each 8 bytes of a
-/// block. Blocks of 8 bytes have both halves alike, so 16 bytes are always flipped the same way. The swaps of
-/// a half can be done in any order.
+/// The swaps that flip a block: up to two for the rows and two for the columns, for each 8 bytes of a block.
+/// Blocks of 8 bytes have both halves equal, so 16 bytes are always flipped in the same way. The swaps of a
+/// half can be done in any order.
 struct BlockFlip {
     std::array<std::array<FieldSwap, 4>, 2> halves{};
     std::size_t blockBytes = 8;
 
-    /// The same for vectors: a shuffle of 16 bytes that does every swap of whole bytes, then the other swaps,
+    /// The same for vectors: a shuffle of 16 bytes for all swaps of whole bytes, then the other swaps,
     /// `partCount` of them, step by step for both halves.
     struct PartSwaps {
         std::array<std::uint64_t, 2> low{};
@@ -38,7 +38,7 @@ struct BlockFlip {
     std::array<PartSwaps, 4> parts{};
     std::size_t partCount = 0;
 
-    /// @param rows     how many texel rows are turned around: 1 (none), 2 or 3 (the first ones) or 4
+    /// @param rows     how many texel rows are reversed: 1 (none), 2 or 3 (the first ones) or 4
     /// @param columns  the same for texel columns
     BlockFlip(BlockFormat format, int rows, int columns);
 
@@ -49,19 +49,19 @@ struct BlockFlip {
     }
 };
 
-/// Swaps two runs of blocks and flips each: first[i] becomes flip(second[i]) and the other way round. The two
-/// may be the same run, which then is flipped in place, but must not overlap otherwise. Takes the widest
-/// vectors that this processor has.
+/// Swaps two runs of blocks and flips each block: first[i] becomes flip(second[i]) and vice versa. The two
+/// may be the same run, which is then flipped in place, but must not overlap otherwise. Uses the widest
+/// vectors of the processor.
 void swapFlipped(const BlockFlip& flip, std::byte* first, std::byte* second, std::size_t bytes);
 
-/// The same in plain arithmetic: what processors without vectors run, and what tests compare with.
+/// The same without vectors: for processors without them, and for tests.
 void swapFlippedPlain(const BlockFlip& flip, std::byte* first, std::byte* second, std::size_t bytes);
 
-/// The same for as many bytes as fill vectors; returns how many, which is none on processors without AVX2.
+/// The same for as many bytes as fill vectors; returns their number, which is 0 on processors without AVX2.
 [[nodiscard]] std::size_t swapFlippedInVectors(const BlockFlip& flip, std::byte* first, std::byte* second,
                                                std::size_t bytes);
 
-/// Reverses the order of a run of blocks and flips each.
+/// Reverses the order of a run of blocks and flips each block.
 void reverseFlipped(const BlockFlip& flip, std::byte* blocks, std::size_t bytes);
 
 } // namespace texplorer

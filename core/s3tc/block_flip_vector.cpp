@@ -9,7 +9,7 @@
 
 #define TEXPLORER_AVX2 [[gnu::target("avx2")]]
 #define TEXPLORER_AVX512 [[gnu::target("avx512vl")]]
-// Compiled for whatever the function that calls it is compiled for.
+// Compiled for the same processor as the calling function.
 #define TEXPLORER_INLINE [[gnu::target("avx2"), gnu::always_inline]] inline
 
 namespace texplorer {

@@ -45,7 +45,7 @@ TEXPLORER_SSSE3 void store(void* bytes, Bytes16 value) {
 enum class Colors {
     Opaque,       ///< DXT1
     PunchThrough, ///< DXT1 with 1-bit alpha
-    WithoutAlpha, ///< four colours whatever their order, and alpha 0 for someone else to fill in
+    WithoutAlpha, ///< four colours in any order, and alpha 0, which the caller fills in
 };
 
 /// The four colours of a block as Rgba8. Works on two colours of four 16-bit lanes: r g b a, r g b a.

@@ -56,15 +56,15 @@ void gather(const Image& image, int left, int top, Texels& texels) {
 }
 
 Result<void> check(const Image& image, BlockFormat format) {
-    const std::string extents = fmt::format("{} x {} x {}", image.width, image.height, image.depth);
+    const std::string extents = fmt::format("{} × {} × {}", image.width, image.height, image.depth);
     if (image.width <= 0 || image.height <= 0 || image.depth <= 0)
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("a picture to compress needs at least 1 x 1 x 1 pixels, this one has {}", extents));
+            fmt::format("a picture to compress needs at least 1 × 1 × 1 pixels, this one has {}", extents));
     const std::size_t needed =
         image.rowBytes() * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.depth);
     if (image.pixels.size() != needed)
-        return fail(ErrorCode::Malformed, fmt::format("a picture of {} pixels needs {} bytes, there are {}",
+        return fail(ErrorCode::Malformed, fmt::format("a picture of {} pixels needs {} bytes, but has {}",
                                                       extents, needed, image.pixels.size()));
     if (image.depth > 1)
         return fail(ErrorCode::Unsupported,

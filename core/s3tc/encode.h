@@ -11,20 +11,19 @@
 
 namespace texplorer {
 
-/// To be raised with every change of the blocks that encodeBlocks makes: a cache of blocks compares it.
+/// Must be increased with every change of the blocks that encodeBlocks makes: caches of blocks compare it.
 inline constexpr std::uint32_t encoderVersion = 3;
 
-/// Called after rows of blocks with the share that is done, 0 to 1, on the thread that asked for the
-/// encoding.
+/// Called after rows of blocks with the finished share, 0 to 1, on the thread that called the encoder.
 using Progress = std::function<void(float done)>;
 
 /// Compresses a picture of any size and pixel format (edge blocks repeat the edge). DXT1 ignores alpha; DXT1
-/// with 1-bit alpha makes alpha below 128 a hole; BC4 keeps red, BC5 red and green. Rows of blocks are
-/// encoded on several threads, `threads` of them (0: as many as the processor has); the result is the same
-/// with any number. Returns when it is done: a caller that must not wait calls it on a thread of its own.
+/// with 1-bit alpha makes texels with alpha below 128 transparent; BC4 keeps red, BC5 red and green. Rows of
+/// blocks are encoded on `threads` threads (0: one per processor); the result does not depend on their
+/// number. Blocks until it is done.
 ///
-/// Errors: OutOfRange for a picture without pixels, Malformed where `pixels` has not the size that the
-/// extents ask for, Unsupported for signed formats and volumes, Cancelled after a stop request.
+/// Errors: OutOfRange for a picture without pixels, Malformed if the size of `pixels` does not match the
+/// extents, Unsupported for signed formats and volumes, Cancelled after a stop request.
 [[nodiscard]] Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQuality quality,
                                               const Progress& progress = {}, std::stop_token stop = {},
                                               unsigned threads = 0);

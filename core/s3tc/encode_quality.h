@@ -4,15 +4,15 @@
 
 namespace texplorer {
 
-/// How much time is spent on a block.
+/// The effort per block.
 enum class EncodeQuality : std::uint32_t { Fast, Normal, Best };
 
 inline constexpr std::array encodeQualityRows{
-    row(EncodeQuality::Fast, "fast", "Fast", "For trying things out: tens of megatexels a second."),
+    row(EncodeQuality::Fast, "fast", "Fast", "For quick trials: tens of megatexels a second."),
     row(EncodeQuality::Normal, "normal", "Balanced",
-        "Each block's end colours are refined twice: somewhat better, and nearly as quick."),
+        "Refines the end colours of each block twice: slightly better and nearly as fast."),
     row(EncodeQuality::Best, "best", "Best",
-        "Cluster fit: the best picture, about half a megatexel a second."),
+        "Cluster fit: the best quality, about half a megatexel a second."),
 };
 
 template<>

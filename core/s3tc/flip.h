@@ -1,9 +1,9 @@
 #pragma once
 
-// Turning a compressed picture around without decompressing it.
+// Flips compressed pictures without decompression.
 //
-// A block row of texels is a field of bits of the same width in every block, so a flip moves fields and never
-// touches colours: what is flipped twice is byte for byte what it was.
+// A row of texels in a block is a bit field of the same width in every block, so a flip moves fields and
+// never changes colours: flipping twice restores every byte.
 
 #include "core/base/result.h"
 #include "core/image/block_image.h"
@@ -13,24 +13,24 @@
 
 namespace texplorer {
 
-/// Turns a compressed image upside down in place without decompressing it: the blocks' rows are swapped, and
-/// the texel rows within each block. Lossless for height 1, 2, 3 and every multiple of 4 (each slice of a
-/// volume). For every other height the rows of the last, partial block row would have to move between blocks:
-/// refused (ErrorCode::Unsupported), nothing is changed. Refused too (ErrorCode::Malformed) where `blocks`
-/// has not the size that the extents ask for.
+/// Flips a compressed image upside down in place, without decompression: the rows of blocks are swapped, and
+/// the texel rows in each block. Lossless for height 1, 2, 3 and every multiple of 4 (for each slice of a
+/// volume). For other heights, the rows of the last, partial block row would have to move between blocks:
+/// refused (ErrorCode::Unsupported), and the image is unchanged. ErrorCode::Malformed if the size of `blocks`
+/// does not match the extents.
 ///
-/// A picture lower than a block is turned around within its one row of blocks: of height 2 the first two
-/// texel rows change places, of height 3 the first and the third, and of height 1 nothing changes. Rows that
-/// lie outside of the picture keep their bits.
+/// A picture lower than a block is flipped in its one row of blocks: for height 2, the first two texel rows
+/// are swapped; for height 3, the first and the third; for height 1, nothing changes. Rows outside of the
+/// picture keep their bits.
 [[nodiscard]] Result<void> flipVertically(BlockImage& image);
 
-/// Left to right, under the same rule for the width.
+/// Flips left to right, with the same rule for the width.
 [[nodiscard]] Result<void> flipHorizontally(BlockImage& image);
 
-/// Both: turned by 180 degrees.
+/// Flips both: rotates by 180 degrees.
 [[nodiscard]] Result<void> rotateHalfTurn(BlockImage& image);
 
-/// Whether a flip along an axis of this extent is lossless; `losslessExtents` names those that are.
+/// Whether a flip along an axis of this extent is lossless; `losslessExtents` describes these extents.
 [[nodiscard]] constexpr bool flipsWithoutLoss(int extent) {
     return (extent >= 1 && extent <= 3) || extent % 4 == 0;
 }
@@ -39,9 +39,9 @@ inline constexpr std::string_view losslessExtents = "1, 2, 3 or a multiple of 4"
 
 enum class FlipAxis : std::uint8_t { Vertical, Horizontal, Both };
 
-/// The lossy way, for extents that the functions above refuse: decompresses, turns the pixels around and
-/// compresses them again. What is lost depends on `quality`. Errors are those of encodeBlocks: signed formats
-/// and volumes can't be turned around this way.
+/// Flips with loss, for extents that the functions above refuse: decompresses, flips the pixels and
+/// compresses them again. The loss depends on `quality`. Errors: those of encodeBlocks; signed formats and
+/// volumes are not supported.
 [[nodiscard]] Result<BlockImage> decodeFlipEncode(const BlockImage& image, FlipAxis axis,
                                                   EncodeQuality quality, const Progress& progress = {},
                                                   std::stop_token stop = {});

@@ -1,6 +1,6 @@
 #pragma once
 
-// flipVertically() of core/s3tc/flip.h, one step after the other: what a drawing of it shows.
+// The steps of flipVertically() of core/s3tc/flip.h, to show them.
 
 #include "core/base/result.h"
 #include "core/image/block_image.h"
@@ -13,26 +13,25 @@ namespace texplorer {
 
 struct FlipStep {
     enum class Act : std::uint8_t {
-        AsStored,      ///< the beginning
-        SwapBlockRows, ///< the rows of blocks `first` and `second` change places; their bytes stay as they
-                       ///< are
-        TurnRows,      ///< in every block of row `first`, the rows of texels change places
-        Recompress,    ///< instead of all of that: decompressed, turned around and compressed again
+        AsStored,      ///< the start
+        SwapBlockRows, ///< the rows of blocks `first` and `second` are swapped; their bytes stay
+        TurnRows,      ///< in every block of row `first`, the rows of texels are swapped
+        Recompress,    ///< instead of all that: decompressed, flipped and compressed again
     };
     Act act = Act::AsStored;
     int first = 0;
     int second = 0;
-    BlockImage after; ///< what the image is then
+    BlockImage after; ///< the image after the step
 };
 
-/// The steps for one picture. The last one has what flipVertically() makes of it. Of a height that
-/// flipVertically() refuses, the steps are those for the next multiple of 4, which shows what is wrong with
-/// it, and then decodeFlipEncode() from the picture as it was. Errors: Malformed where `blocks` has not the
-/// size that the extents ask for, and those of decodeFlipEncode().
+/// Returns the steps for a picture; the last one has the result of flipVertically(). For a height that it
+/// refuses, the steps are those for the next multiple of 4, which show what is wrong with it, and then
+/// decodeFlipEncode() of the original picture. Errors: Malformed if the size of `blocks` does not match the
+/// extents, and those of decodeFlipEncode().
 [[nodiscard]] Result<std::vector<FlipStep>> flipSteps(const BlockImage& image,
                                                       EncodeQuality quality = EncodeQuality::Best);
 
-/// How many texel rows of a block are turned around in a picture of this height: 1 (none), 2, 3 or 4.
+/// The number of texel rows of a block that are reversed in a picture of this height: 1 (none), 2, 3 or 4.
 [[nodiscard]] constexpr int turnedRows(int height) {
     return height < 4 ? height : 4;
 }

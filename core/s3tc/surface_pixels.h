@@ -4,10 +4,10 @@
 
 namespace texplorer {
 
-/// A surface as pixels, decompressed where it is compressed; rows in the order they have.
+/// Returns a surface as pixels, decompressed if needed; the order of rows stays.
 [[nodiscard]] Image toImage(Surface surface);
 
-/// Level 0 of face 0 as pixels, bottom row first: what a program wants that just shows the picture.
+/// Returns level 0 of face 0 as pixels, bottom row first: for programs that only show the picture.
 [[nodiscard]] Image uprightImage(TextureImage texture);
 
 } // namespace texplorer

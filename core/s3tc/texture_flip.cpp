@@ -44,7 +44,7 @@ Result<BlockImage> compressAgain(const Surface& surface, const FlipOptions& opti
     return decodeFlipEncode(std::get<BlockImage>(surface), options.axis, options.quality, options.progress,
                             options.stop);
 } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::TooLarge, "there is not enough memory to compress it again");
+    return fail(ErrorCode::TooLarge, "not enough memory to compress it again");
 }
 
 } // namespace
@@ -73,7 +73,7 @@ Result<void> flip(TextureImage& texture, const FlipOptions& options) try {
     }
     return {};
 } catch (const std::bad_alloc&) { // before anything was turned
-    return fail(ErrorCode::TooLarge, "there is not enough memory to turn the texture around");
+    return fail(ErrorCode::TooLarge, "not enough memory to turn the texture around");
 }
 
 } // namespace texplorer

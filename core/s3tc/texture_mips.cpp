@@ -61,7 +61,7 @@ Result<void> buildMips(TextureImage& texture, const MipOptions& options, EncodeQ
     texture.surfaces = std::move(surfaces);
     return {};
 } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::TooLarge, "there is not enough memory for the mip levels");
+    return fail(ErrorCode::TooLarge, "not enough memory for the mip levels");
 }
 
 } // namespace texplorer

@@ -9,14 +9,14 @@
 
 namespace texplorer {
 
-/// Replaces the levels above the base of every face by a full chain, down to 1 x 1 (x 1), made of the base as
-/// buildMipChain says (core/image/mipmaps.h). Levels of a compressed texture are made of the decompressed
-/// base and compressed to the same format; the base keeps its blocks. With NpotPolicy::PowerOfTwo a base of
+/// Replaces the levels above the base of every face by a full chain, down to 1 x 1 (x 1), built from the base
+/// by buildMipChain (core/image/mipmaps.h). Levels of a compressed texture are built from the decompressed
+/// base and compressed to the same format; the base keeps its blocks. With NpotPolicy::PowerOfTwo, a base of
 /// another size is scaled, and compressed again.
 ///
-/// Errors leave the texture as it was: Malformed where the base of a face is missing or has not the bytes
-/// that its extents ask for (an outline has none), Unsupported for compressed signed formats and volumes,
-/// TooLarge without memory.
+/// On errors, the texture is unchanged: Malformed if the base of a face is missing or its bytes do not match
+/// its extents (an outline has none), Unsupported for compressed signed formats and volumes, TooLarge without
+/// memory.
 [[nodiscard]] Result<void> buildMips(TextureImage& texture, const MipOptions& options = {},
                                      EncodeQuality quality = EncodeQuality::Normal);
 

@@ -9,20 +9,20 @@
 
 namespace texplorer {
 
-// What depends on the scene time, in seconds, but for what has key frames: these functions are given the
-// scene as it stands then (sceneAt). The same inputs give the same matrices in every renderer.
+// Functions of the scene time, in seconds, except for key frames: the scene must already be evaluated at that
+// time (sceneAt). Equal inputs give equal matrices in every renderer.
 
-/// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
-/// section 2.11.2). A step that loads a matrix makes those before it void.
-/// `light` gives what MatrixOp::Projector multiplies by.
+/// The GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
+/// section 2.11.2). A step that loads a matrix discards those before it. `light` defines the matrix of
+/// MatrixOp::Projector.
 [[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time, const Light& light);
 
-/// What the light sees: its modelview matrix, which starts from eye coordinates, and its projection, whose
-/// picture is square. Both are finite whatever the light is: one in its target looks along -z.
+/// The light's view: its modelview matrix, which starts from eye coordinates, and its projection, whose
+/// picture is square. Both are finite for any light: one at its target looks along -z.
 struct LightView {
     glm::dmat4 view;
     glm::dmat4 projection;
-    double extent; ///< from the middle of its picture to a side: what glOrtho and glFrustum take
+    double extent; ///< from the centre of its picture to a side, as for glOrtho and glFrustum
     double nearest;
     double farthest;
 };
@@ -32,29 +32,30 @@ struct LightView {
 /// rotation + spin * time.
 [[nodiscard]] glm::mat4 modelMatrix(const Model& model, double time);
 
-/// The axes of its rotations, 0 to 2 for x to z, as glRotate is called: the last one turns the model first.
+/// The axes of its rotations, 0 to 2 for x to z, in the order of the glRotate calls: the last one is applied
+/// first.
 [[nodiscard]] std::array<int, 3> rotationAxes(RotationOrder order);
 
 [[nodiscard]] glm::mat4 viewMatrix(const View& view);
 
-/// GL_MODELVIEW of a model: view * model, or the model's alone where it is attached to the eye.
+/// The GL_MODELVIEW matrix of a model: view * model, or the model's alone if it is attached to the eye.
 [[nodiscard]] glm::mat4 modelViewMatrix(const View& view, const Model& model, double time);
 
-/// How far away the near and the far plane are: they follow the distance. An orthographic view reaches from
-/// -far to far.
+/// The distances of the near and the far plane, which depend on the camera's distance. An orthographic view
+/// ranges from -far to far.
 struct ClipPlanes {
     double near;
     double far;
 };
 [[nodiscard]] ClipPlanes clipPlanes(const View& view);
 
-/// Half of what a view shows of the plane through its target, from the middle to the top.
+/// Half the visible height in the plane through the view's target.
 [[nodiscard]] double halfHeightAtTarget(const View& view);
 
 /// `aspect` is width / height of the viewport.
 [[nodiscard]] glm::mat4 projectionMatrix(const View& view, float aspect);
 
-/// Whether anything in the scene changes with time, key frames among them.
+/// Whether anything in the scene changes with time, including key frames.
 [[nodiscard]] bool isAnimated(const Scene& scene);
 
 } // namespace texplorer

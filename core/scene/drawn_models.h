@@ -6,11 +6,11 @@
 
 namespace texplorer {
 
-/// The models that a pass draws, as indices and in its order: those that it names or else all, without the
-/// invisible ones. None where the pass is off.
+/// The indices of the models that a pass draws, in its order: those that it names, or all, without invisible
+/// ones. Empty if the pass is off.
 [[nodiscard]] std::vector<std::size_t> drawnModels(const Scene& scene, const Pass& pass);
 
-/// What a model is called: its own name, or its shape's.
+/// The name of a model: its own, or its shape's.
 [[nodiscard]] std::string nameOf(const Model& model);
 
 /// Whether any pass draws a model.
@@ -19,13 +19,13 @@ namespace texplorer {
 /// Whether a pass draws anything.
 [[nodiscard]] bool drawsAnything(const Scene& scene, const Pass& pass);
 
-/// A model has been removed from the scene, or one with this index will be put in: passes go on naming the
-/// same ones. A pass that named the removed one alone is switched off, for naming none it would draw all.
+/// Updates the passes after a model was removed, or before one with this index is inserted: they keep naming
+/// the same models. A pass that named only the removed one is switched off; without names it would draw all.
 void modelRemoved(Scene& scene, std::size_t index);
 void modelInserted(Scene& scene, std::size_t index);
-/// Passes that name their models draw this one, too.
+/// Adds a model to the passes that name their models.
 void drawEverywhere(Scene& scene, std::size_t model);
-/// Two have changed places.
+/// Updates the passes after two models were swapped.
 void modelsSwapped(Scene& scene, std::size_t one, std::size_t other);
 
 } // namespace texplorer

@@ -7,10 +7,10 @@
 
 namespace texplorer {
 
-/// What a renderer made of a scene.
+/// The result of drawing a scene.
 struct Frame {
     Image image;                       ///< Rgba8, bottom row first
-    std::vector<std::string> problems; ///< sentences: what could not be drawn, or was done otherwise
+    std::vector<std::string> problems; ///< sentences about what could not be drawn or was done differently
 };
 
 } // namespace texplorer

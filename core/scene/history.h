@@ -10,40 +10,40 @@
 
 namespace texplorer {
 
-/// Undo as a list of Scenes. `record` is called after an edit; edits with the same non-empty `what` that
-/// follow each other without a `seal` between them are one step (a drag is one step, not a hundred).
+/// Undo and redo as a list of Scenes. Call `record` after each edit; consecutive edits with the same
+/// non-empty `what` and no `seal` between them are one step (a drag is one step, not a hundred).
 class History {
 public:
-    /// Remembers `limit` steps, of large scenes as many as take `maxBytes`, and one in any case.
+    /// Keeps `limit` steps; of large scenes as many as fit in `maxBytes`, but at least one.
     explicit History(Scene initial, std::size_t limit = 200, std::size_t maxBytes = std::size_t{512} << 20);
 
     [[nodiscard]] const Scene& current() const { return steps_[position_].scene; }
     void record(const Scene& scene, std::string_view what);
     void seal();
-    /// The last edit never was: it has no step, and what could be redone before it can be redone again.
-    /// For one that isn't sealed yet; nothing happens otherwise. Returns current().
+    /// Discards the last edit if it is not sealed: it leaves no step, and redo is as before it. Returns
+    /// current().
     const Scene& takeBack();
-    /// Every step whose camera is `from` has `to` from now on. For what isn't an edit: a camera that follows
-    /// the shape of its view.
+    /// Replaces the camera `from` by `to` in every step. For changes that are not edits: a camera that
+    /// follows the shape of its view.
     void replaceView(const View& from, const View& to);
 
     [[nodiscard]] bool canUndo() const { return position_ > 0; }
     [[nodiscard]] bool canRedo() const { return position_ + 1 < steps_.size(); }
-    const Scene& undo(); ///< returns current(); does nothing where there is nothing to undo
+    const Scene& undo(); ///< returns current(); does nothing if there is nothing to undo
     const Scene& redo();
 
-    [[nodiscard]] std::string_view undoName() const; ///< what undo would take back; empty where nothing
+    [[nodiscard]] std::string_view undoName() const; ///< the name of the step that undo reverts; empty: none
     [[nodiscard]] std::string_view redoName() const;
 
-    // The steps as a list, the oldest first. The first one has no name: it is where all began, or the oldest
-    // that is still remembered.
+    // The number of steps, oldest first. The first has no name: it is the beginning, or the oldest that is
+    // kept.
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
     [[nodiscard]] std::size_t position() const { return position_; } ///< of `current`
     [[nodiscard]] const std::string& nameOf(std::size_t step) const { return steps_[step].what; }
     [[nodiscard]] const Scene& sceneOf(std::size_t step) const { return steps_[step].scene; }
-    const Scene& goTo(std::size_t step); ///< as many undos or redos; returns current()
+    const Scene& goTo(std::size_t step); ///< undoes or redoes up to that step; returns current()
 
-    /// A small picture of a step; nullptr: nobody has made one. It is given up when the step goes on.
+    /// A small picture of a step; nullptr: none was set. It is dropped when the step changes.
     [[nodiscard]] const std::shared_ptr<const Image>& pictureOf(std::size_t step) const {
         return steps_[step].picture;
     }
@@ -52,13 +52,13 @@ public:
 private:
     struct Step {
         Scene scene;
-        std::string what; ///< the edit that led here
+        std::string what; ///< the edit that led to this step
         std::shared_ptr<const Image> picture{};
     };
     void forgetOldest();
 
     std::vector<Step> steps_;
-    std::vector<Step> redone_; ///< what the edit in progress took away: steps behind it
+    std::vector<Step> redone_; ///< steps after it that the current edit removed
     std::size_t position_ = 0;
     std::size_t limit_;
     std::size_t maxBytes_;

@@ -4,8 +4,8 @@
 
 namespace texplorer {
 
-/// The scene with every parameter at its initial value and every list as long as in `scene`: the same paths
-/// lead to the initial values.
+/// Returns the scene with every parameter at its initial value and every list as long as in `scene`, so that
+/// the same paths exist.
 [[nodiscard]] Scene initialLike(const Scene& scene);
 
 } // namespace texplorer

@@ -57,7 +57,7 @@ void insertLike(Model& model, std::size_t vertex, std::size_t at) {
 
 Result<void> turnIntoMesh(Model& model) {
     if (model.shape == Shape::Mesh)
-        return fail(ErrorCode::OutOfRange, "it is a mesh already");
+        return fail(ErrorCode::OutOfRange, "it already is a mesh");
     const std::string_view shape = rowOf(model.shape).name;
     if (const std::size_t count = vertexCountOf(model); count > maxMeshVertices)
         return fail(ErrorCode::TooLarge, fmt::format("the {} has {} vertices, a mesh has at most {}", shape,

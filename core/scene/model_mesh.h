@@ -4,25 +4,25 @@
 
 namespace texplorer {
 
-/// The mesh that a model is drawn as: that of its shape, or its own.
+/// Returns the mesh of a model: that of its shape, or its own.
 [[nodiscard]] Mesh meshOf(const Model& model);
 
-/// How many vertices it has, without making it.
+/// The number of its vertices, without making the mesh.
 [[nodiscard]] std::size_t vertexCountOf(const Model& model);
 
-/// What the shape is made from.
+/// The parameters of the shape.
 [[nodiscard]] ShapeOptions shapeOptions(const Model& model);
 
-/// How many corners the parts of a primitive have: 1 of points, 2 of lines, 3 of all that become triangles.
+/// The number of corners of a primitive's parts: 1 for points, 2 for lines, 3 for all others.
 [[nodiscard]] int partCorners(Primitive primitive);
 
-/// The same of what a model is drawn as.
+/// The same for a model.
 [[nodiscard]] int partCorners(const Model& model);
 
-/// Whether one can't see the inner side of its faces, but for a gap under a teapot's lid.
+/// Whether the inner side of its faces is never visible, except for a gap under a teapot's lid.
 [[nodiscard]] bool isClosed(const Model& model);
 
-/// The model's own material where it has one, else the scene's. Its shading is always the scene's.
+/// The model's own material if it has one, else the scene's. The shading model is always the scene's.
 [[nodiscard]] const Material& materialOf(const Scene& scene, const Model& model);
 
 } // namespace texplorer

@@ -10,7 +10,8 @@
 
 namespace texplorer {
 
-// Points in a picture are fractions of it: (0, 0) is its top left corner, (1, 1) the bottom right one.
+// Positions in a picture are fractions of its size: (0, 0) is its top left corner, (1, 1) the bottom right
+// one.
 
 struct PickedVertex {
     std::size_t model;  ///< index into Scene::models
@@ -19,23 +20,23 @@ struct PickedVertex {
     bool operator==(const PickedVertex&) const = default;
 };
 
-/// How far from a vertex one may click, as a fraction of the picture's height.
+/// The maximum distance of a click from a vertex, as a fraction of the picture's height.
 inline constexpr float pickRadius = 0.03F;
 
-/// Where a vertex is in the picture, which may be outside of it. Nothing where it lies outside of the near
-/// and far planes, or where there is no such vertex. `aspect` is width / height of the picture.
+/// The position of a vertex in the picture, which can be outside of it. Empty if the vertex is outside of the
+/// near and far planes or does not exist. `aspect` is width / height of the picture.
 [[nodiscard]] std::optional<glm::vec2> projectVertex(const Scene& scene, std::size_t model,
                                                      std::size_t vertex, double time, float aspect);
 
-/// The same of several vertices of a model, whose mesh this is.
+/// The same for several vertices of a model with this mesh.
 [[nodiscard]] std::vector<std::optional<glm::vec2>> projectVertices(const Scene& scene, const Model& model,
                                                                     const Mesh& mesh,
                                                                     std::span<const std::size_t> vertices,
                                                                     double time, float aspect);
 
-/// The vertex nearest to a point, within `radius`, that one sees: on a visible model, not on the far side of
-/// its own cube or sphere, not behind another model. Where several coincide, as at a corner of the cube, it
-/// is the one whose face looks most towards the viewer.
+/// The nearest visible vertex within `radius`: on a visible model, not on the far side of its own cube or
+/// sphere, not behind another model. If several are at the same position, as at a corner of the cube, the one
+/// whose face is turned most towards the viewer.
 [[nodiscard]] std::optional<PickedVertex> pickVertex(const Scene& scene, double time, float aspect,
                                                      glm::vec2 point, float radius = pickRadius);
 

@@ -47,7 +47,7 @@ glm::vec2 onBox(const Vertex& vertex, const Extents& extents) {
     const float x = extents.share(vertex.position, 0);
     const float y = extents.share(vertex.position, 1);
     const float z = extents.share(vertex.position, 2);
-    // As the cube's faces look to someone in front of them.
+    // As the cube's faces are seen from in front of them.
     if (n.z >= n.x && n.z >= n.y)
         return {vertex.normal.z < 0 ? 1 - x : x, y};
     if (n.x >= n.y)

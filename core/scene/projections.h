@@ -1,6 +1,6 @@
 #pragma once
 
-// Texture coordinates from positions alone, as modelling programs project them.
+// Texture coordinates computed from positions, by the projections of modelling programs.
 
 #include "core/scene/scene.h"
 
@@ -13,9 +13,9 @@ enum class CoordProjection : std::uint32_t { Planar, Box, Spherical, Cylindrical
 
 inline constexpr std::array coordProjectionRows{
     row(CoordProjection::Planar, "planar", "Planar",
-        "Along z: s and t are x and y, from 0 to 1 across the mesh, as a slide is projected."),
+        "Along z: s and t are x and y, from 0 to 1 across the mesh, like a projected slide."),
     row(CoordProjection::Box, "box", "Box",
-        "Each vertex along the axis that its normal points along most: six slides, one for each side."),
+        "Each vertex along the main axis of its normal: six slides, one for each side."),
     row(CoordProjection::Spherical, "spherical", "Spherical",
         "s is the longitude about the y axis, t the latitude: from 0 to 1 around and from pole to pole."),
     row(CoordProjection::Cylindrical, "cylindrical", "Cylindrical",
@@ -29,15 +29,15 @@ struct EnumTable<CoordProjection> {
 
 static_assert(coordProjectionRows.size() == 4);
 
-/// `coords` with those of `vertices` projected anew; r becomes 0 and q 1. Both are those of the mesh. What is
-/// projected is as large as the box around the whole mesh; along an axis without extent it is 0. Longitude
-/// and latitude are about the origin, or where that lies beyond the box, about its middle.
+/// Returns `coords` with those of `vertices` replaced by a projection; r becomes 0 and q 1. Both belong to
+/// the mesh. The projection covers the bounding box of the whole mesh; along an axis without extent, the
+/// coordinate is 0. Longitude and latitude are relative to the origin, or to the centre of the box if the
+/// origin is outside.
 ///
-/// The box gives the cube's own coordinates, the sphere the sphere's, the cylinder the cylinder's. Longitudes
-/// are 0.5 at the front (+z) and grow eastwards. Where a mesh has a seam with vertices of its own on both
-/// sides, s goes on beyond it, to 1 and further; across vertices that both sides share it can't. Where a
-/// position has no longitude, as at a pole, the mesh's own s stays if it lies between those around it, else
-/// it is their mean.
+/// The box projection gives the cube's own coordinates, the sphere the sphere's, the cylinder the cylinder's.
+/// Longitudes are 0.5 at the front (+z) and grow eastwards. At a seam with separate vertices on both sides, s
+/// continues to 1 and beyond; across shared vertices it cannot. If a position has no longitude, as at a pole,
+/// the mesh's own s stays if it is between those around it, else it is their mean.
 [[nodiscard]] TexCoords projectedTexCoords(const Mesh& mesh, CoordProjection projection,
                                            std::span<const std::size_t> vertices, TexCoords coords);
 

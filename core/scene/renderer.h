@@ -4,21 +4,20 @@
 
 namespace texplorer {
 
-/// What draws a Scene. All draw the same; where they don't, one of them is wrong.
+/// The renderers. All must draw the same picture; a difference is an error in one of them.
 enum class RendererKind : std::uint32_t { Fixed, Shader, Reference };
 
 inline constexpr std::array rendererKindRows{
     EnumRow{0,
             "fixed",
             "Fixed function",
-            "OpenGL's own texture units, as programs used them before there were shaders.",
+            "OpenGL's texture units, as programs used them before shaders.",
             "1.0",
             {},
             "Fixed"},
-    row(RendererKind::Shader, "shader", "Shader", "The same written out in GLSL, one program for each pass.",
-        "3.3"),
+    row(RendererKind::Shader, "shader", "Shader", "The same in GLSL, with one program for each pass.", "3.3"),
     row(RendererKind::Reference, "reference", "Reference",
-        "The specification itself, worked out on the processor without OpenGL."),
+        "The specification, computed on the CPU without OpenGL."),
 };
 
 template<>

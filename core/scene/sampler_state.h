@@ -8,8 +8,8 @@
 
 namespace texplorer {
 
-/// How a texture object is read: the part of glTexParameter's state that filters, wraps and compares (OpenGL
-/// 2.1, section 3.8.4, with GL_TEXTURE_MAX_ANISOTROPY_EXT). The initial values are GL's.
+/// How a texture object is sampled: the parameters of glTexParameter for filters, wrap modes and comparison
+/// (OpenGL 2.1, section 3.8.4, with GL_TEXTURE_MAX_ANISOTROPY_EXT). The initial values are GL's.
 struct SamplerState {
     MagFilter magFilter = MagFilter::Linear;
     MinFilter minFilter = MinFilter::NearestMipmapLinear;
@@ -21,13 +21,13 @@ struct SamplerState {
     int maxLevel = 1000;
     float minLod = -1000;
     float maxLod = 1000;
-    float lodBias = 0; ///< the unit has one of its own, which is added
+    float lodBias = 0; ///< added to that of the unit
     float maxAnisotropy = 1;
-    CompareMode compareMode = CompareMode::None; ///< of depth textures, as the next two
+    CompareMode compareMode = CompareMode::None; ///< for depth textures, like the next two
     CompareFunc compareFunc = CompareFunc::LessEqual;
     DepthMode depthMode = DepthMode::Luminance;
 
-    /// Of s, t and r: 0 to 2.
+    /// For s, t and r: 0 to 2.
     [[nodiscard]] constexpr Wrap wrap(int axis) const {
         return axis == 0 ? wrapS : axis == 1 ? wrapT : wrapR;
     }

@@ -1,9 +1,8 @@
 #pragma once
 
-// The Scene: everything that decides what is drawn, as a value. It copies, compares and holds no handle.
-// Default member values are OpenGL's own initial values wherever GL has one (OpenGL 2.1, chapter 6.2, state
-// tables). What GL keeps in the texture object and what it keeps in the texture unit is kept apart in the
-// same way.
+// The Scene: everything that decides what is drawn. A value type without handles. Members default to OpenGL's
+// initial values where GL has one (OpenGL 2.1, chapter 6.2, state tables). State of texture objects and of
+// texture units is separate, as in GL.
 
 #include "core/gl/combine.h"
 #include "core/gl/environment.h"
@@ -37,7 +36,7 @@ inline constexpr std::size_t maxModels = 16;
 inline constexpr std::size_t maxTextures = 64;
 inline constexpr std::size_t maxPasses = 8;
 inline constexpr std::size_t maxMatrixSteps = 32;
-inline constexpr std::size_t maxGivenLevels = 15; ///< beside the base level
+inline constexpr std::size_t maxGivenLevels = 15; ///< in addition to the base level
 inline constexpr std::size_t maxImageSteps = 16;
 
 enum class Projection : std::uint32_t { Perspective, Orthographic };
@@ -50,31 +49,31 @@ enum class LightCarrier : std::uint32_t { Inverse, Transpose };
 /// The camera orbits around `target`.
 struct View {
     float azimuth = 0;   ///< degrees around the y axis; 0 looks along -z
-    float elevation = 0; ///< degrees above the horizon; beyond 90 the camera has gone over the pole
+    float elevation = 0; ///< degrees above the horizon; beyond 90 the camera is past the pole
     float roll = 0;      ///< degrees about the line of sight, clockwise as the camera turns
     float distance = 6;  ///< from camera to target, in scene units
     glm::vec3 target{0};
     Projection projection = Projection::Perspective;
-    float fieldOfView = 40; ///< vertical, degrees; orthographic views show the same height at the target
+    float fieldOfView = 40; ///< vertical, degrees; orthographic views have the same height at the target
     HintMode perspectiveHint = HintMode::DontCare; ///< GL_PERSPECTIVE_CORRECTION_HINT
     glm::vec4 background{0, 0, 0, 0};
 
     bool operator==(const View&) const = default;
 };
 
-/// What the light sees, as a slide projector or a camera in its place would: a square picture around the line
-/// from the light to `target`. A light that is a direction sees in parallel, from half way between nearest
-/// and farthest, what the angle shows there.
+/// The light's view, like that of a slide projector or a camera at its position: a square picture around the
+/// line from the light to `target`. A directional light looks at `target` from the middle of nearest and
+/// farthest, by a parallel projection of the extent that the angle has at that distance.
 struct Projector {
     glm::vec3 target{0, 0, -6}; ///< in eye coordinates
-    float fieldOfView = 45;     ///< degrees, both ways
-    float nearest = 1;          ///< distances between which depths are told apart
+    float fieldOfView = 45;     ///< degrees, horizontally and vertically
+    float nearest = 1;          ///< the range of distances with different depths
     float farthest = 20;
 
     bool operator==(const Projector&) const = default;
 };
 
-/// GL_LIGHT0 and the light model. The position is in eye coordinates (the light travels with the camera).
+/// GL_LIGHT0 and the light model. The position is in eye coordinates (the light moves with the camera).
 struct Light {
     glm::vec4 position{0, 0, 1, 0}; ///< w = 0: a direction towards the light
     glm::vec4 ambient{0, 0, 0, 1};
@@ -83,27 +82,27 @@ struct Light {
     glm::vec4 modelAmbient{0.2F, 0.2F, 0.2F, 1};
     ColorControl colorControl = ColorControl::Single;
     bool localViewer = false;
-    bool twoSide = false; ///< faces that look away are lit by the opposite normal
+    bool twoSide = false; ///< back faces are lit with the opposite normal
     Projector projector{};
 
     bool operator==(const Light&) const = default;
 };
 
-/// What glMaterial, glColor4f and glShadeModel set.
+/// The state of glMaterial, glColor4f and glShadeModel.
 struct Material {
     glm::vec4 color{1, 1, 1, 1}; ///< glColor4f
-    bool colorMaterial = true;   ///< under lighting `color` is the ambient and diffuse reflectance
+    bool colorMaterial = true;   ///< with lighting, `color` is the ambient and diffuse reflectance
     glm::vec4 ambient{0.2F, 0.2F, 0.2F, 1};
     glm::vec4 diffuse{0.8F, 0.8F, 0.8F, 1};
     glm::vec4 specular{0, 0, 0, 1};
     glm::vec4 emission{0, 0, 0, 1};
     float shininess = 0;
-    ShadeModel shadeModel = ShadeModel::Smooth; ///< the scene's counts for all models
+    ShadeModel shadeModel = ShadeModel::Smooth; ///< the scene's is used for all models
 
     bool operator==(const Material&) const = default;
 };
 
-/// The coordinates of every vertex for one texture unit; empty means: those of the mesh.
+/// The coordinates of every vertex for one texture unit; empty: those of the mesh.
 using TexCoords = std::vector<glm::vec4>;
 
 struct Model {
@@ -120,36 +119,36 @@ struct Model {
     glm::vec3 position{0};
     glm::vec3 rotation{0}; ///< degrees about x, y and z, at time 0
     RotationOrder rotationOrder = RotationOrder::Zyx;
-    glm::vec3 spin{0}; ///< degrees a second, added to `rotation`
+    glm::vec3 spin{0}; ///< degrees per second, added to `rotation`
     float size = 1;
-    glm::vec3 scale{1}; ///< of each axis, times `size`
+    glm::vec3 scale{1}; ///< for each axis, multiplied by `size`
     Attachment attachment = Attachment::World;
     float lineWidth = 1; ///< pixels
     float pointSize = 1; ///< pixels
     bool ownMaterial = false;
-    Material material{};                         ///< with ownMaterial
+    Material material{};                         ///< if ownMaterial
     MeshData mesh{};                             ///< for Shape::Mesh
-    std::array<TexCoords, maxUnits> texCoords{}; ///< one list a unit; an empty one takes the mesh's
+    std::array<TexCoords, maxUnits> texCoords{}; ///< one list per unit; empty: the mesh's
 
     bool operator==(const Model&) const = default;
 };
 
-/// The picture of one mip level.
+/// The image of one mip level.
 struct GivenLevel {
-    SourceKind source = SourceKind::Pattern; ///< no depths from the light
+    SourceKind source = SourceKind::Pattern; ///< not LightDepth
     Pattern pattern = Pattern::Checker;      ///< scaled to the level's size
-    std::string file{};                      ///< as it is, whatever its size
+    std::string file{};                      ///< not scaled
 
     bool operator==(const GivenLevel&) const = default;
 };
 
-/// One thing that is done to a texture's picture before it is uploaded, to all its levels.
+/// An operation on all levels of a texture's image before the upload.
 struct ImageStep {
     ImageOp op = ImageOp::Scale;
     glm::vec4 factor{1};                     ///< for Scale
     glm::vec4 bias{0};                       ///< for Scale
     float amount = 1;                        ///< for Sharpen
-    SourceKind source = SourceKind::Pattern; ///< for AlphaFrom, as the next two; no depths from the light
+    SourceKind source = SourceKind::Pattern; ///< for AlphaFrom, like the next two; not LightDepth
     Pattern pattern = Pattern::Checker;
     std::string file{};
 
@@ -160,13 +159,13 @@ struct ImageStep {
 struct Texture : SamplerState {
     SourceKind source = SourceKind::Pattern;
     Pattern pattern = Pattern::Checker;
-    std::string file{};  ///< path of an image; relative to the scene file
-    int depthSize = 256; ///< texels on each side, of depths from the light
+    std::string file{};  ///< path of an image, relative to the scene file
+    int depthSize = 256; ///< texels per side, for LightDepth
     FlipMode flip = FlipMode::Blocks;
     Transparency transparency = Transparency::File;
-    glm::vec4 stencilColor{0, 0, 0, 1}; ///< for Transparency::Stencil; its alpha says nothing
-    InternalFormat internalFormat = InternalFormat::Rgba; ///< of a texture that is not compressed
-    int border = 0;                                       ///< 0 or 1: glTexImage's; see core/image/border.h
+    glm::vec4 stencilColor{0, 0, 0, 1};                   ///< for Transparency::Stencil; its alpha is ignored
+    InternalFormat internalFormat = InternalFormat::Rgba; ///< for a texture without compression
+    int border = 0; ///< 0 or 1: that of glTexImage; see core/image/border.h
     Compression compression = Compression::FromFile;
     CompressedFormat compressedFormat = CompressedFormat::Dxt1;
     EncodeQuality compressionQuality = EncodeQuality::Normal; ///< for Compression::Cached
@@ -176,27 +175,27 @@ struct Texture : SamplerState {
     NpotPolicy npot = NpotPolicy::Keep;
     float priority = 1;
     std::vector<GivenLevel> levels{};     ///< 1, 2, 3, …: for MipPolicy::Given
-    std::vector<ImageStep> preparation{}; ///< in this order, before everything else but decoding
+    std::vector<ImageStep> preparation{}; ///< in this order, before everything else except decoding
 
     bool operator==(const Texture&) const = default;
 };
 
-/// One glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
+/// A glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
 /// change; or the projector, which multiplies.
 struct MatrixStep {
     MatrixOp op = MatrixOp::Translate;
     glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0
-    glm::vec3 rate{0};   ///< added to `amount` every second
-    float angle = 0;     ///< degrees, for Rotate alone, at time 0
-    float angleRate = 0; ///< degrees a second
-    glm::vec3 pivot{0};  ///< what stays in its place, for Rotate and Scale
+    glm::vec3 rate{0};   ///< added to `amount` per second
+    float angle = 0;     ///< degrees, only for Rotate, at time 0
+    float angleRate = 0; ///< degrees per second
+    glm::vec3 pivot{0};  ///< the fixed point, for Rotate and Scale
     glm::mat4 matrix{1}; ///< for Multiply and Load
 
     bool operator==(const MatrixStep&) const = default;
 };
 
-/// How one of s, t, r and q is generated. The eye plane is given while the modelview matrix is the identity,
-/// so that it is in eye coordinates as it stands here.
+/// How one of s, t, r and q is generated. The eye plane is specified with an identity modelview matrix, so it
+/// is in eye coordinates.
 struct TexGen {
     bool enabled = false;
     TexGenMode mode = TexGenMode::EyeLinear;
@@ -206,17 +205,17 @@ struct TexGen {
     bool operator==(const TexGen&) const = default;
 };
 
-/// Coordinates that follow the light, as an embossed bump map asks for: those of every vertex move by how far
-/// the light stands aside, along the image's own axes on the surface.
+/// Coordinates that follow the light, for emboss bump mapping: those of every vertex are moved towards the
+/// light, along the axes of the image on the surface.
 struct Emboss {
     bool enabled = false;
-    float depth = 0.01F; ///< how far they move at most
+    float depth = 0.01F; ///< the maximum offset
     LightCarrier carrier = LightCarrier::Inverse;
 
     bool operator==(const Emboss&) const = default;
 };
 
-/// A texture unit: which texture is bound, and the environment that applies it.
+/// A texture unit: the bound texture, and the environment that applies it.
 struct Unit {
     bool enabled = false;
     Target target = Target::Texture2D;
@@ -227,31 +226,31 @@ struct Unit {
     Combine combine{}; ///< for EnvMode::Combine
     TexGen texGenS{.objectPlane = {1, 0, 0, 0}, .eyePlane = {1, 0, 0, 0}};
     TexGen texGenT{.objectPlane = {0, 1, 0, 0}, .eyePlane = {0, 1, 0, 0}};
-    TexGen texGenR{}; ///< has no sphere map
-    TexGen texGenQ{}; ///< has eye and object planes alone
+    TexGen texGenR{}; ///< cannot be a sphere map
+    TexGen texGenQ{}; ///< only eye and object planes
     Emboss emboss{};
-    std::vector<MatrixStep> matrix{}; ///< multiplied in this order, as successive GL calls are
+    std::vector<MatrixStep> matrix{}; ///< multiplied in this order, like successive GL calls
 
     bool operator==(const Unit&) const = default;
 };
 
-/// glFog: what of a fragment's colour the distance leaves (OpenGL 2.1, section 3.10).
+/// glFog: how the distance blends a fragment's colour (OpenGL 2.1, section 3.10).
 struct Fog {
     bool enabled = false;
     FogMode mode = FogMode::Exp;
     float density = 1; ///< for both exponential modes
-    float start = 0;   ///< for Linear: distances from the eye's plane
+    float start = 0;   ///< for Linear: a distance from the eye's plane
     float end = 1;
-    glm::vec4 color{0, 0, 0, 0}; ///< its alpha says nothing
+    glm::vec4 color{0, 0, 0, 0}; ///< its alpha is ignored
 
     bool operator==(const Fog&) const = default;
 };
 
-/// One time that models are drawn.
+/// Draws models once.
 struct Pass {
-    bool enabled = true; ///< off: nothing is drawn, and nothing else of it counts
+    bool enabled = true; ///< off: draws nothing and has no effect
     std::string name{};
-    std::vector<int> models{}; ///< indices of those that it draws, in this order; empty: all
+    std::vector<int> models{}; ///< indices of the models that it draws, in this order; empty: all
     bool lighting = false;
     bool depthTest = false;
     CompareFunc depthFunc = CompareFunc::Less;
@@ -275,35 +274,35 @@ struct Scene {
     std::vector<Model> models;
     std::vector<Texture> textures;
     std::vector<Pass> passes{Pass{}};
-    Timeline timeline{}; ///< what of all this moves: see sceneAt
+    Timeline timeline{}; ///< the animation of the scene: see sceneAt
 
     bool operator==(const Scene&) const = default;
 };
 
 inline constexpr std::array projectionRows{
-    row(Projection::Perspective, "perspective", "Perspective", "Far things are smaller, as for an eye."),
+    row(Projection::Perspective, "perspective", "Perspective", "Far objects look smaller."),
     row(Projection::Orthographic, "orthographic", "Orthographic",
-        "No foreshortening: a texel has the same size everywhere on a plane."),
+        "Far objects keep their size. A texel has the same size everywhere on a plane."),
 };
 
 inline constexpr std::array sourceKindRows{
-    row(SourceKind::Pattern, "pattern", "Built-in", "A pattern that Texplorer draws itself."),
-    row(SourceKind::File, "file", "Image file", "An image that is read from a file."),
+    row(SourceKind::Pattern, "pattern", "Built-in", "A pattern that Texplorer generates."),
+    row(SourceKind::File, "file", "Image file", "An image from a file."),
     row(SourceKind::LightDepth, "light-depth", "Shadow map",
-        "How far away from the light each point is that it sees, drawn anew with every frame."),
+        "The distance from the light to each point that it sees, drawn in every frame."),
 };
 
 inline constexpr std::array matrixOpRows{
     row(MatrixOp::Translate, "translate", "Translate", "Moves the image over the surface (glTranslatef)."),
     row(MatrixOp::Rotate, "rotate", "Rotate", "Turns the image about an axis through (0, 0) (glRotatef)."),
     row(MatrixOp::Scale, "scale", "Scale",
-        "A factor of 2 shows the image twice as often, half as big (glScalef)."),
+        "A factor of 2 shows the image twice as often at half the size (glScalef)."),
     row(MatrixOp::Multiply, "multiply", "Multiply", "Multiplies by 16 numbers (glMultMatrixf)."),
     row(MatrixOp::Load, "load", "Load",
-        "Puts 16 numbers in the place of all that the steps before it made (glLoadMatrixf)."),
+        "Replaces the result of the steps before it by 16 numbers (glLoadMatrixf)."),
     row(MatrixOp::Projector, "projector", "Projector",
-        "From eye coordinates to the light's picture: s and t from 0 to 1 across it, r its depth. With "
-        "coordinates that are generated in eye space, the light projects the image as a slide."),
+        "From eye coordinates to the light's view: s and t from 0 to 1 across it, r is the depth. With "
+        "coordinates generated in eye space, the light projects the image like a slide."),
 };
 
 inline constexpr std::array rotationOrderRows{
@@ -316,16 +315,16 @@ inline constexpr std::array rotationOrderRows{
 };
 
 inline constexpr std::array attachmentRows{
-    row(Attachment::World, "world", "The world", "It stays where it is while the camera moves."),
+    row(Attachment::World, "world", "The world", "The model stays in place while the camera moves."),
     row(Attachment::Eye, "eye", "The eye",
-        "It moves with the camera, as a logo or an instrument: its place is in eye coordinates."),
+        "The model moves with the camera, like a logo. Its position is in eye coordinates."),
 };
 
 inline constexpr std::array lightCarrierRows{
     row(LightCarrier::Inverse, "inverse", "Inverse matrix",
-        "The light's place times the inverse of the modelview matrix: right for every model."),
+        "The light's position times the inverse of the modelview matrix. Correct for every model."),
     row(LightCarrier::Transpose, "transpose", "Transposed inverse",
-        "What one gets who multiplies the row instead of the column: the relief is lit as if the model had "
+        "The result of multiplying the row instead of the column. The relief is lit as if the model were "
         "turned the other way."),
 };
 
@@ -337,7 +336,7 @@ template<>
 struct EnumTable<SourceKind> {
     static constexpr std::span<const EnumRow> rows = sourceKindRows;
 };
-/// Of a level's picture and of alpha's: from a pattern or a file.
+/// The sources of a level's image and of alpha's: a pattern or a file.
 inline constexpr std::span<const EnumRow> pictureSourceRows = std::span(sourceKindRows).first(2);
 template<>
 struct EnumTable<MatrixOp> {
@@ -359,7 +358,8 @@ struct EnumTable<LightCarrier> {
 static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 3 && matrixOpRows.size() == 6 &&
               rotationOrderRows.size() == 6 && attachmentRows.size() == 2 && lightCarrierRows.size() == 2);
 
-/// What Texplorer starts with: a cube and a sphere side by side, lit, with the checkerboard, trilinear.
+/// The scene at the start of Texplorer: a cube and a sphere next to each other, lit, with the checkerboard,
+/// trilinear.
 [[nodiscard]] Scene defaultScene();
 
 } // namespace texplorer

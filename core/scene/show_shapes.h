@@ -6,14 +6,14 @@
 
 namespace texplorer {
 
-/// Makes the first model of the shape visible, and part of every pass where none draws it; adds one where the
-/// scene has none, in the place of the last one where it is full.
+/// Makes the first model of the shape visible, and adds it to every pass if none draws it; if the scene has
+/// no such model, adds one, or replaces the last one if the scene is full.
 void showShape(Scene& scene, Shape shape);
 
-/// The same of each shape, and every other model becomes invisible.
+/// The same for several shapes; all other models become invisible.
 void showOnlyShapes(Scene& scene, std::span<const Shape> shapes);
 
-/// Looks along the floor, from low above its near end.
+/// Sets a view along the floor, from low above its near end.
 void lookAlongFloor(View& view);
 
 } // namespace texplorer

@@ -4,15 +4,15 @@
 
 namespace texplorer {
 
-/// The coordinates that a unit uses on a model: the scene's where they exist and have one entry a vertex,
-/// else the mesh's. `unit` is below maxUnits.
+/// Returns the coordinates of a unit for a model: the scene's if they have an entry for each vertex, else the
+/// mesh's. `unit` is below maxUnits.
 [[nodiscard]] TexCoords effectiveTexCoords(const Model& model, const Mesh& mesh, int unit);
 
-/// The same of one vertex of the mesh, without a list.
+/// The same for one vertex of the mesh, without making a list.
 [[nodiscard]] glm::vec4 effectiveTexCoord(const Model& model, const Mesh& mesh, int unit, std::size_t vertex);
 
-/// Changes one vertex: fills the unit's list from the mesh first if the scene has none. A vertex that the
-/// mesh does not have changes nothing.
+/// Sets the coordinates of a vertex; first fills the unit's list from the mesh if it is empty. A vertex that
+/// does not exist is ignored.
 void setTexCoord(Model& model, const Mesh& mesh, int unit, std::size_t vertex, glm::vec4 value);
 
 } // namespace texplorer

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a texture's image becomes what is uploaded: which way up, and compressed how.
+// Options for uploading a texture's image: flip and compression.
 
 #include "core/gl/block_format.h"
 #include "core/s3tc/encode_quality.h"
@@ -11,38 +11,36 @@ enum class FlipMode : std::uint32_t { Blocks, Pixels, Coordinates, Matrix, None 
 
 inline constexpr std::array flipModeRows{
     row(FlipMode::Blocks, "blocks", "Blocks, lossless",
-        "When it is loaded: compressed blocks are turned around without decompressing them, pixels where the "
-        "file isn't compressed. Where a level's height makes that impossible, the texture is decompressed."),
+        "At loading, flips compressed blocks without decompressing them, or pixels if the file isn't "
+        "compressed. If the height of a level makes that impossible, the texture is decompressed."),
     row(FlipMode::Pixels, "pixels", "Pixels",
-        "When it is loaded: the rows of pixels are exchanged. A compressed file is decompressed for it."),
+        "At loading, reverses the rows of pixels. A compressed file is decompressed."),
     row(FlipMode::Coordinates, "coordinates", "Coordinates",
-        "The image stays as the file has it and every vertex gets 1 - t for t; the texture matrix then works "
-        "on the flipped coordinates."),
+        "The image stays as in the file, and every vertex gets 1 - t for t. The texture matrix acts on the "
+        "flipped coordinates."),
     row(FlipMode::Matrix, "matrix", "Texture matrix",
-        "The image stays as the file has it; the texture matrix begins with t -> 1 - t (glTranslatef(0, 1, "
-        "0), "
-        "glScalef(1, -1, 1))."),
+        "The image stays as in the file, and the texture matrix begins with t -> 1 - t (glTranslatef(0, 1, "
+        "0), glScalef(1, -1, 1))."),
     row(FlipMode::None, "none", "None",
-        "The file's first row becomes row 0, the bottom one for OpenGL: upside down where the file begins at "
-        "the top, as most formats do."),
+        "The file's first row becomes row 0, OpenGL's bottom row. Upside down if the file begins with the "
+        "top row, as in most formats."),
 };
 
 enum class Compression : std::uint32_t { FromFile, None, Driver, Cached };
 
 inline constexpr std::array compressionRows{
     row(Compression::FromFile, "file", "As in the file",
-        "Blocks of a DDS file go to OpenGL as they are, level by level (glCompressedTexImage2D); everything "
-        "else is not compressed."),
-    row(Compression::None, "none", "None", "Eight bits a component; compressed files are decompressed."),
+        "Uploads the blocks of a DDS file unchanged, level by level (glCompressedTexImage2D). Other images "
+        "are not compressed."),
+    row(Compression::None, "none", "None", "Eight bits a component. Compressed files are decompressed."),
     row(Compression::Driver, "driver", "By the driver",
-        "glTexImage2D with a compressed internal format: the driver compresses while it uploads, quickly."),
+        "glTexImage2D with a compressed internal format: the driver compresses quickly during upload."),
     row(Compression::Cached, "cached", "Run time, cached",
-        "Texplorer compresses, with the quality below, and keeps the blocks as a DDS file in the user's "
-        "cache "
-        "directory: the next time they are read from there."),
+        "Texplorer compresses with the quality below and keeps the blocks as a DDS file in the user's "
+        "cache directory, to read them from there next time."),
 };
 
-/// The formats that a texture can be compressed to; the numbers and rows are those of BlockFormat.
+/// The formats that a texture can be compressed to; numbers and rows are those of BlockFormat.
 enum class CompressedFormat : std::uint32_t {
     Dxt1 = static_cast<std::uint32_t>(BlockFormat::Dxt1),
     Dxt1Alpha = static_cast<std::uint32_t>(BlockFormat::Dxt1Alpha),

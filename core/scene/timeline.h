@@ -1,7 +1,7 @@
 #pragma once
 
-// Key frames: which parameters of a scene move, and how. What a scene looks like at a time is sceneAt's to
-// say (core/scene/params/scene_at.h), which knows the parameters.
+// Key frames: which parameters of a scene move, and how. sceneAt (core/scene/params/scene_at.h) evaluates
+// them.
 
 #include "core/gl/enum_row.h"
 
@@ -15,16 +15,15 @@ namespace texplorer {
 inline constexpr std::size_t maxKeyFrames = 1024;
 inline constexpr float maxKeyTime = 3600; ///< seconds
 
-/// How a parameter goes from a key to the next one of the same parameter. OpenGL has no names for these.
+/// How a parameter changes from a key to its next one. OpenGL has no names for these.
 enum class Easing : std::uint32_t { Hold, Linear, EaseIn, EaseOut, EaseInOut };
 
 inline constexpr std::array easingRows{
-    row(Easing::Hold, "hold", "Hold", "It stays what it is, and jumps when the next key comes."),
-    row(Easing::Linear, "linear", "Linear", "It goes at the same speed all the way."),
-    row(Easing::EaseIn, "ease-in", "Ease in", "It begins to move slowly, with the square of the time."),
-    row(Easing::EaseOut, "ease-out", "Ease out", "It comes to rest slowly: ease in, backwards."),
-    row(Easing::EaseInOut, "ease-in-out", "Ease in and out",
-        "It begins slowly and comes to rest slowly, as a thing does that is pushed and stopped."),
+    row(Easing::Hold, "hold", "Hold", "Keeps the value until the next key."),
+    row(Easing::Linear, "linear", "Linear", "Changes at constant speed."),
+    row(Easing::EaseIn, "ease-in", "Ease in", "Starts slowly, with the square of the time."),
+    row(Easing::EaseOut, "ease-out", "Ease out", "Ends slowly: ease in, backwards."),
+    row(Easing::EaseInOut, "ease-in-out", "Ease in and out", "Starts slowly and ends slowly."),
 };
 static_assert(easingRows.size() == 5);
 
@@ -33,40 +32,41 @@ struct EnumTable<Easing> {
     static constexpr std::span<const EnumRow> rows = easingRows;
 };
 
-/// How much of the way is done after `share` (0 to 1) of the time: 0 at 0 and 1 at 1, never less than before.
-/// EaseIn is t^2, EaseOut 1 - (1 - t)^2, EaseInOut 3 t^2 - 2 t^3. Hold has done nothing of it before 1.
+/// Maps a share of the time (0 to 1) to a share of the change: 0 to 0, 1 to 1, monotonic. EaseIn is t^2,
+/// EaseOut 1 - (1 - t)^2, EaseInOut 3 t^2 - 2 t^3. Hold is 0 below 1.
 [[nodiscard]] double eased(Easing easing, double share);
 
-/// What a parameter is at a time.
+/// The value of a parameter at a time.
 struct KeyFrame {
     float time = 0;                 ///< seconds
     std::string path{};             ///< of the parameter: "view.azimuth", "textures[0].wrapS"
-    std::string value{};            ///< as `texshot --set` has it: "45", "1,0,0,1", "GL_REPEAT"
-    Easing easing = Easing::Linear; ///< from here to the parameter's next key
+    std::string value{};            ///< as for `texshot --set`: "45", "1,0,0,1", "GL_REPEAT"
+    Easing easing = Easing::Linear; ///< to the parameter's next key
 
     bool operator==(const KeyFrame&) const = default;
 };
 
-/// All keys of a scene, in any order. Of those of one parameter at the same time the last one counts from
-/// there on, the others until then: a jump.
+/// All keys of a scene, in any order. If a parameter has several keys at one time, the last is used from then
+/// on, and the first until then: a jump.
 struct Timeline {
     std::vector<KeyFrame> keys{};
 
     bool operator==(const Timeline&) const = default;
 };
 
-/// The keys of one parameter, by their time; those at the same time in the scene's order.
+/// The keys of one parameter, sorted by time; keys at the same time are in the scene's order.
 struct Track {
     std::string_view path; ///< of the first key
     std::vector<const KeyFrame*> keys;
 };
 
-/// One for each parameter, in the order of their first keys. They point into the timeline.
+/// Returns one track for each parameter, in the order of their first keys. They point into the timeline.
 [[nodiscard]] std::vector<Track> tracksOf(const Timeline& timeline);
 
-/// The key that holds at a time, and the one after it (nullptr: none), with how much of the way between them
-/// is done. Before its first key a parameter is what that says, behind the last one what that says. A track
-/// has at least one key.
+/// The key before a time and the one after it (nullptr: none), with the eased share of the way between
+/// them.
+/// Before its first key, a parameter has that key's value; after the last one, the last one's. A track has at
+/// least one key.
 struct Moment {
     const KeyFrame* from;
     const KeyFrame* to;
@@ -74,19 +74,19 @@ struct Moment {
 };
 [[nodiscard]] Moment momentOf(const Track& track, double time);
 
-/// When the last key comes; 0 where there is none.
+/// The time of the last key; 0 if there is none.
 [[nodiscard]] double lengthOf(const Timeline& timeline);
 
-/// Whether any parameter has keys that say different things.
+/// Whether any parameter has keys with different values.
 [[nodiscard]] bool isMoving(const Timeline& timeline);
 
-// Where an element is taken out of a list, comes in, or changes its place, its keys go with it: `list` is the
-// path of the list, "models" or "passes[0].units[1].matrix".
+// Updates the keys after an element of a list was removed, inserted or moved: `list` is the path of the list,
+// "models" or "passes[0].units[1].matrix".
 
-/// Its keys go, and those behind it are of one less.
+/// Removes the element's keys and decreases the indices of later elements.
 void elementRemoved(Timeline& timeline, std::string_view list, std::size_t index);
 
-/// Those from `index` on are of one more.
+/// Increases the indices of elements from `index` on.
 void elementInserted(Timeline& timeline, std::string_view list, std::size_t index);
 
 void elementsSwapped(Timeline& timeline, std::string_view list, std::size_t one, std::size_t other);

@@ -9,15 +9,15 @@
 
 namespace texplorer::sheet {
 
-/// What values are called.
+/// How values are written.
 enum class LabelKind : std::uint8_t { Names, Words };
 
 inline constexpr std::array labelKindRows{
-    row(LabelKind::Names, "names", "Names", "OpenGL's, as --set takes them: GL_NEAREST."),
-    row(LabelKind::Words, "words", "Words", "those of the window's panels: Nearest."),
+    row(LabelKind::Names, "names", "Names", "OpenGL's names, as --set takes them: GL_NEAREST."),
+    row(LabelKind::Words, "words", "Words", "the names in the window's panels: Nearest."),
 };
 
-/// What is written beside an axis.
+/// The texts next to an axis.
 struct AxisLabels {
     std::string title{};               ///< the parameter's label: "Wrap s"
     std::vector<std::string> values{}; ///< in the order of the axis
@@ -25,7 +25,7 @@ struct AxisLabels {
     bool operator==(const AxisLabels&) const = default;
 };
 
-/// Of axes that are the scene's own. Where two parameters have the same label, their titles say their paths.
+/// Returns the labels of axes of a scene. If two parameters have the same label, the titles are their paths.
 [[nodiscard]] std::vector<AxisLabels> labelsOf(const Scene& scene, std::span<const SweepAxis> axes,
                                                LabelKind kind);
 

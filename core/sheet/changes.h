@@ -7,15 +7,15 @@
 
 namespace texplorer::sheet {
 
-/// What a picture has that another one hasn't.
+/// The difference of a picture to another one.
 struct PictureChanges {
     Image map; ///< each pixel's difference as a colour of core/compare/heat_map.h: black is equal
-    std::size_t pixels = 0; ///< that differ
+    std::size_t pixels = 0; ///< number of different pixels
 
     [[nodiscard]] bool any() const { return pixels > 0; }
 };
 
-/// Of two Rgba8 pictures of one size, as one sees them: without alpha. Errors: as of compare().
+/// Compares two Rgba8 pictures of one size as they are seen, without alpha. Errors: those of compare().
 [[nodiscard]] Result<PictureChanges> changesAgainst(const Image& first, const Image& picture);
 
 } // namespace texplorer::sheet

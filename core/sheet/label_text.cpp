@@ -61,11 +61,11 @@ std::string shortenedMiddle(std::string_view text, int room, const MeasureText& 
     return keeping(fits);
 }
 
-std::vector<std::string> labelLines(std::string_view text, int room, std::size_t most,
+std::vector<std::string> labelLines(std::string_view text, int room, std::size_t maxLines,
                                     const MeasureText& measure) {
     std::vector<std::string> lines;
-    while (!text.empty() && lines.size() < most) {
-        const std::size_t end = lines.size() + 1 == most ? text.size() : lineEnd(text, room, measure);
+    while (!text.empty() && lines.size() < maxLines) {
+        const std::size_t end = lines.size() + 1 == maxLines ? text.size() : lineEnd(text, room, measure);
         lines.push_back(shortenedMiddle(withoutSpaces(text.substr(0, end)), room, measure));
         text.remove_prefix(end);
         while (text.starts_with(' '))

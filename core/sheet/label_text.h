@@ -1,6 +1,6 @@
 #pragma once
 
-// Words that have to fit into a room.
+// Fits texts into a given width.
 
 #include <functional>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace texplorer::sheet {
 
-/// How wide a line is, in whatever `room` is in.
+/// Measures the width of a line, in the unit of `room`.
 using MeasureText = std::function<int(std::string_view)>;
 
-/// The text, or as much of its beginning and of its end as fits, with "…" between them. Never empty unless
-/// the text is: where nothing fits, "…" alone. No character of UTF-8 is cut.
+/// Returns the text, or its beginning and end with "…" between them if it is too wide. If nothing fits, "…"
+/// alone; empty only for an empty text. UTF-8 characters are never cut.
 [[nodiscard]] std::string shortenedMiddle(std::string_view text, int room, const MeasureText& measure);
 
-/// At most `most` lines, broken behind a space and behind one of "_,;-/"; what doesn't fit into its line, as
-/// the rest of the text in the last one, is shortened in the middle.
-[[nodiscard]] std::vector<std::string> labelLines(std::string_view text, int room, std::size_t most,
+/// Breaks a text into at most `maxLines` lines, after a space or one of "_,;-/". Lines that do not fit, and
+/// the rest of the text in the last line, are shortened in the middle.
+[[nodiscard]] std::vector<std::string> labelLines(std::string_view text, int room, std::size_t maxLines,
                                                   const MeasureText& measure);
 
 } // namespace texplorer::sheet

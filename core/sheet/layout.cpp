@@ -11,13 +11,13 @@ namespace texplorer::sheet {
 namespace {
 
 constexpr int margin = 24;
-constexpr int gap = 12;           // between pictures
-constexpr int labelGap = 6;       // between a picture and its words
-constexpr int titleGap = 4;       // below the title, before what says more
-constexpr int headGap = 16;       // below what stands above the pictures
-constexpr int leastPitch = 128;   // that a small picture's label may take
-constexpr int mostRowLabel = 220; // that the labels of rows may take
-constexpr int mostHeader = 420;   // that title and caption may take beyond the pictures
+constexpr int gap = 12;          // between pictures
+constexpr int labelGap = 6;      // between a picture and its words
+constexpr int titleGap = 4;      // below the title, before what says more
+constexpr int headGap = 16;      // below what stands above the pictures
+constexpr int minPitch = 128;    // that a small picture's label may take
+constexpr int maxRowLabel = 220; // that the labels of rows may take
+constexpr int maxHeader = 420;   // that title and caption may take beyond the pictures
 constexpr std::size_t labelLineCount = 2;
 constexpr std::size_t rowLabelLineCount = 3;
 constexpr std::size_t captionLineCount = 3;
@@ -63,7 +63,7 @@ private:
     const Lettering& lettering_;
 };
 
-/// How the pictures stand, with what is written beside them.
+/// The grid of pictures, with the texts next to them.
 struct Grid {
     std::size_t columns = 1;
     std::size_t rows = 1;
@@ -86,7 +86,7 @@ private:
     }
 };
 
-std::size_t mostLines(const std::vector<Lines>& labels) {
+std::size_t maxLines(const std::vector<Lines>& labels) {
     std::size_t most = 0;
     for (const Lines& each : labels)
         most = std::max(most, each.size());
@@ -108,7 +108,7 @@ int noteHeight(const Content& content, const Pen& pen) {
 int pitchFor(const Content& content, const Pen& pen, const Lines& texts) {
     const int words =
         std::max(pen.widest(TextRole::Label, texts), pen.width(TextRole::Note, content.widestNote));
-    return std::max(content.cell.x, std::min(words, leastPitch));
+    return std::max(content.cell.x, std::min(words, minPitch));
 }
 
 Grid wrappedGrid(const Content& content, const Pen& pen) {
@@ -119,7 +119,7 @@ Grid wrappedGrid(const Content& content, const Pen& pen) {
     grid.rows = (grid.count + grid.columns - 1) / grid.columns;
     grid.pitch = pitchFor(content, pen, texts);
     grid.labels = brokenLabels(pen, texts, grid.pitch, labelLineCount);
-    grid.rowHeight = content.cell.y + labelGap + pen.height(TextRole::Label, mostLines(grid.labels)) +
+    grid.rowHeight = content.cell.y + labelGap + pen.height(TextRole::Label, maxLines(grid.labels)) +
                      noteHeight(content, pen);
     return grid;
 }
@@ -131,8 +131,8 @@ Grid tableGrid(const Content& content, const Pen& pen) {
     grid.count = grid.rows * grid.columns;
     grid.pitch = pitchFor(content, pen, content.across->values);
     grid.labels = brokenLabels(pen, content.across->values, grid.pitch, labelLineCount);
-    const int room = std::min(mostRowLabel, std::max(pen.widest(TextRole::Label, content.down.values),
-                                                     pen.width(TextRole::Heading, content.down.title)));
+    const int room = std::min(maxRowLabel, std::max(pen.widest(TextRole::Label, content.down.values),
+                                                    pen.width(TextRole::Heading, content.down.title)));
     grid.rowLabels = brokenLabels(pen, content.down.values, room, rowLabelLineCount);
     grid.downTitle = pen.broken(TextRole::Heading, content.down.title, room, labelLineCount);
     int widest = pen.widest(TextRole::Heading, grid.downTitle);
@@ -140,11 +140,11 @@ Grid tableGrid(const Content& content, const Pen& pen) {
         widest = std::max(widest, pen.widest(TextRole::Label, each));
     grid.corner = widest + gap;
     const int columnHead =
-        pen.height(TextRole::Heading) + labelGap + pen.height(TextRole::Label, mostLines(grid.labels));
+        pen.height(TextRole::Heading) + labelGap + pen.height(TextRole::Label, maxLines(grid.labels));
     grid.headHeight = std::max(columnHead, pen.height(TextRole::Heading, grid.downTitle.size())) + labelGap;
     const int picture =
         content.cell.y + (!content.widestNote.empty() ? labelGap / 2 + noteHeight(content, pen) : 0);
-    grid.rowHeight = std::max(picture, pen.height(TextRole::Label, mostLines(grid.rowLabels)));
+    grid.rowHeight = std::max(picture, pen.height(TextRole::Label, maxLines(grid.rowLabels)));
     return grid;
 }
 
@@ -199,14 +199,14 @@ Result<Layout> layoutOf(const Content& content, const Lettering& lettering) {
     const std::string& third = content.across ? std::string() : content.subtitle;
     const auto wide = grid.width();
     const int header =
-        std::min(mostHeader,
+        std::min(maxHeader,
                  std::max({pen.width(TextRole::Title, content.title), pen.width(TextRole::Heading, second),
                            pen.width(TextRole::Heading, third), pen.width(TextRole::Note, content.caption)}));
     const std::int64_t room = std::max<std::int64_t>(wide, header);
     const auto tooLarge = [](std::int64_t width, std::int64_t height) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected a sheet of at most {0} x {0} pixels, this one would be {1} x {2}: "
-                                "smaller pictures or fewer values make it smaller",
+                    fmt::format("expected a sheet of at most {0} × {0} pixels, this one would have {1} × "
+                                "{2}: use smaller pictures or fewer values",
                                 maxSheetExtent, width, height));
     };
     Layout layout;

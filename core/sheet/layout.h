@@ -1,7 +1,6 @@
 #pragma once
 
-// Where everything on a sheet lies, as numbers. All places are counted from the sheet's upper left, in
-// pixels.
+// The layout of a sheet in numbers. All positions are in pixels from the sheet's upper left.
 
 #include "core/base/result.h"
 #include "core/compare/comparison.h"
@@ -16,25 +15,25 @@
 
 namespace texplorer::sheet {
 
-/// The largest extent of a sheet: what its pictures may have, too.
+/// The largest extent of a sheet, and of its pictures.
 inline constexpr int maxSheetExtent = 16384;
 
-/// How many pictures are drawn for sheets at once.
+/// The maximum number of pictures of a run.
 inline constexpr std::size_t maxPictures = 4096;
 
-/// What is to be on a sheet.
+/// The content of a sheet.
 struct Content {
     std::string title{};    ///< the scene's name
-    std::string subtitle{}; ///< which page it is; empty: there is one
-    std::string caption{};  ///< below everything: what colours mean; empty: none
+    std::string subtitle{}; ///< which page it is; empty: the only one
+    std::string caption{};  ///< a text at the bottom: the meaning of colours; empty: none
     glm::ivec2 cell{1};     ///< the extent of each picture
-    AxisLabels down{};      ///< without `across` its pictures fill rows, each above its label
+    AxisLabels down{};      ///< without `across`, the pictures fill rows, each with its label below
     std::optional<AxisLabels> across{};
     std::string
-        widestNote{}; ///< of the notes below pictures, which are known when they are drawn; empty: none
+        widestNote{}; ///< the widest note below pictures, as notes are known only after drawing; empty: none
 };
 
-/// A line of words.
+/// A line of text.
 struct Line {
     int left = 0;
     int top = 0;
@@ -47,16 +46,16 @@ struct Line {
 struct Layout {
     glm::ivec2 size{0};
     std::vector<Line> lines{};
-    std::vector<PixelRect> cells{}; ///< of each picture: of a table row by row
-    std::vector<PixelRect> notes{}; ///< of each picture; empty: there are none
+    std::vector<PixelRect> cells{}; ///< one per picture: of a table row by row
+    std::vector<PixelRect> notes{}; ///< one per picture; empty: none
 };
 
-/// How many stand side by side where nothing says it: close to a square, and rather one more than a last row
-/// with gaps.
+/// The number of columns by default: nearly a square, with one more column if that avoids gaps in the last
+/// row.
 [[nodiscard]] std::size_t columnsFor(std::size_t count);
 
-/// The same distance from all sides of the sheet; every label has the room of its picture, in up to two
-/// lines. Errors: TooLarge for a sheet of more than maxSheetExtent.
+/// Computes the layout: the same margin on all sides; every label has the width of its picture, in up to two
+/// lines. Errors: TooLarge for a sheet above maxSheetExtent.
 [[nodiscard]] Result<Layout> layoutOf(const Content& content, const Lettering& lettering);
 
 } // namespace texplorer::sheet

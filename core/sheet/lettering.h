@@ -8,15 +8,14 @@
 
 namespace texplorer::sheet {
 
-/// What a line of a sheet says decides how large it is written.
+/// The role of a line, which decides its size.
 enum class TextRole : std::uint8_t { Title, Heading, Label, Note };
 
 inline constexpr std::size_t textRoleCount = 4;
 
 using Ink = std::array<std::uint8_t, 3>; ///< red, green, blue
 
-/// What writes the words of a sheet: a font, as whoever makes the picture has one. Lengths are pixels. From
-/// several threads at once.
+/// Writes the texts of a sheet in a font of the program. Lengths are in pixels. Must be thread-safe.
 class Lettering {
 public:
     Lettering() = default;
@@ -24,12 +23,12 @@ public:
     Lettering& operator=(const Lettering&) = delete;
     virtual ~Lettering() = default;
 
-    /// Of a line of UTF-8, rounded up.
+    /// The width of a line of UTF-8, rounded up.
     [[nodiscard]] virtual int width(TextRole role, std::string_view text) const = 0;
-    /// From one line to the next.
+    /// The distance between lines.
     [[nodiscard]] virtual int lineHeight(TextRole role) const = 0;
-    /// Into an Rgb8 picture. `left` and `top` of the line's box are counted from the picture's upper left;
-    /// what falls outside is left away.
+    /// Draws into an Rgb8 picture. `left` and `top` of the line's box are relative to the picture's upper
+    /// left; what is outside is clipped.
     virtual void draw(Image& picture, int left, int top, TextRole role, std::string_view text,
                       Ink ink) const = 0;
 };

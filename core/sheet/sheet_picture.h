@@ -9,20 +9,20 @@
 
 namespace texplorer::sheet {
 
-/// A sheet that is filled as its pictures come: dark words on a light ground, a thin frame around each
-/// picture, whose pixels are its own. Different cells may be filled on different threads at once, each once.
+/// A sheet that is filled as pictures arrive: dark text on a light background, a thin frame around each
+/// picture. Different cells can be filled by different threads at once, each cell once.
 class SheetPicture {
 public:
     explicit SheetPicture(Layout layout);
 
-    /// Rgba8 as it is seen, without its alpha, of the cell's extent.
+    /// Rgba8, shown without its alpha, of the cell's extent.
     void put(std::size_t cell, const Image& picture);
-    /// Words in the picture's place: why there is none.
+    /// A text instead of the picture: why there is none.
     void refuse(std::size_t cell, std::string words);
-    /// In the line below the picture.
+    /// A text below the picture.
     void note(std::size_t cell, std::string words);
 
-    /// Rgb8, with all words.
+    /// Returns the sheet as Rgb8, with all texts.
     [[nodiscard]] Image take(const Lettering& lettering) &&;
 
 private:
@@ -32,8 +32,8 @@ private:
 
     Layout layout_;
     Image image_;
-    std::vector<std::string> notes_;    ///< of each cell
-    std::vector<std::string> refusals_; ///< of each cell; empty: there is none
+    std::vector<std::string> notes_;    ///< one per cell
+    std::vector<std::string> refusals_; ///< one per cell; empty: none
 };
 
 } // namespace texplorer::sheet

@@ -21,13 +21,12 @@ std::string_view trimmed(std::string_view line) {
                                            : line.substr(first, line.find_last_not_of(blanks) - first + 1);
 }
 
-/// "there is no case …; did you mean …?"; of a thousand names nobody wants the list.
+/// "there is no case …; did you mean …?"; a list of a thousand names does not help.
 std::string unknownText(std::string_view name, const std::vector<std::string>& known) {
     const std::vector<std::string_view> names(known.begin(), known.end());
     if (!isUtf8(name) || name.find("\uFFFD") != std::string_view::npos)
-        return fmt::format(
-            "there is no case {}: a name that isn't UTF-8 can't stand in a list; --update takes it",
-            inQuotes(name));
+        return fmt::format("there is no case {}: a name that isn't UTF-8 can't be in a list; use --update",
+                           inQuotes(name));
     const std::string_view near = nearestName(name, names);
     return near.empty()
                ? fmt::format("there is no case {}", inQuotes(name))
@@ -67,7 +66,7 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
             accepted.emplace_back(name);
     }
     if (accepted.empty())
-        return fail(ErrorCode::OutOfRange, "expected the name of a case on a line, found none");
+        return fail(ErrorCode::OutOfRange, "expected the name of a case on each line, found none");
     return accepted;
 }
 

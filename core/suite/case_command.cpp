@@ -12,7 +12,7 @@ namespace {
 /// Each takes the next word as its value.
 constexpr std::array<std::string_view, 3> choices{"--only", "--shard", "--durations"};
 
-/// The first word as it stands, with its quotes, which shellWord has set; what is left begins with the next.
+/// The first word with the quotes of shellWord; the rest begins with the next word.
 std::string_view takeWord(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     std::size_t end = 0;

@@ -5,9 +5,8 @@
 
 namespace texplorer::suite {
 
-/// What runs one case of a run again: the run's command (RunRecord::command) without what chose its cases,
-/// and with that case alone. Empty where a shell couldn't be given the name: there is no command, or the name
-/// isn't printable.
+/// Returns the command that runs one case of a run again: the run's command (RunRecord::command) without its
+/// selection of cases, and with this case. Empty if there is no command, or the name is not printable.
 [[nodiscard]] std::string commandOfCase(std::string_view runCommand, std::string_view name);
 
 } // namespace texplorer::suite

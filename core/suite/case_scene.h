@@ -8,35 +8,35 @@
 
 namespace texplorer::suite {
 
-/// A scene as a case begins: with everything edited; `images` knows where its files are.
+/// The scene of a case with all edits; `images` has its folder.
 struct CaseScene {
     Scene scene;
     ImageSource images;
-    std::filesystem::path file{}; ///< of the scene; empty: none
+    std::filesystem::path file{}; ///< the scene file; empty: none
 
-    /// Reads the images that aren't there yet: `images.load` where it has a folder.
+    /// Reads the missing images: `images.load` if there is a folder.
     [[nodiscard]] Result<void> load();
 };
 
-/// One that an entry names, without edits. Errors: NotFound where the file, example or lesson is missing;
-/// what is wrong in it. Images of a lesson are loaded, of a file not yet.
+/// Reads a scene of an entry, without edits. Errors: NotFound for a missing file, example or lesson; the
+/// errors in it. Images of a lesson are loaded, those of a file are not.
 [[nodiscard]] Result<CaseScene> readScene(const Suite& suite, const SceneSource& source);
 
-/// A case's, with the edits of its entry and of its axes.
+/// The scene of a case, with the edits of its entry and axes.
 [[nodiscard]] Result<CaseScene> openScene(const Plan& plan, const Case& of);
 
-/// In the name of a golden it stands for the driver.
+/// Stands for the driver in the name of a golden.
 inline constexpr std::string_view driverPlace = "{driver}";
 
-/// What a case is held against on a driver: files that are accepted, whether they are there or not; empty:
-/// the reference. The first is the one that --update writes. Relative to the suite's folder.
+/// The goldens of a case on a driver, existing or not; any of them is accepted. Empty: the reference.
+/// --update writes the first. Relative to the suite's folder.
 [[nodiscard]] std::vector<std::string> goldensOf(const Plan& plan, const Case& of,
                                                  std::string_view rendererString);
 
-/// The same of every driver, with driverPlace left in the names.
+/// The same for every driver, with driverPlace in the names.
 [[nodiscard]] std::vector<std::string> goldensOfAnyDriver(const Plan& plan, const Case& of);
 
-/// Reads what an outcome depends on, each file once as long as it stays the same.
+/// Computes fingerprints of everything that a result depends on. Reads each file once while it is unchanged.
 class Fingerprints {
 public:
     Fingerprints();
@@ -45,8 +45,8 @@ public:
     ~Fingerprints();
 
     /// 32 hex digits: of the scene with its edits, its image files, size, time, renderer, goldens, mask, rule
-    /// and bounds, and of `with`: the program's version and the driver. What can't be read is in it, too, as
-    /// what it is.
+    /// and bounds, and of `with`, the program's version and the driver. Unreadable files are included as
+    /// such.
     [[nodiscard]] std::string of(const Plan& plan, const Case& each, std::string_view with,
                                  std::string_view rendererString);
 

@@ -7,11 +7,11 @@
 
 namespace texplorer::suite {
 
-/// XXH3 of 128 bits as 32 hex digits. Not for secrets: who wants two texts of one hash can make them.
+/// XXH3 of 128 bits as 32 hex digits. Not cryptographic: collisions can be made on purpose.
 [[nodiscard]] std::string hashOf(ByteView bytes);
 [[nodiscard]] std::string hashOf(std::string_view text);
 
-/// Texts one after the other, each with its length, so that "a", "bc" and "ab", "c" are two things.
+/// A sequence of texts, each with its length, so that "a", "bc" and "ab", "c" differ.
 class HashedText {
 public:
     void add(std::string_view text);

@@ -15,14 +15,14 @@
 namespace texplorer::suite {
 namespace {
 
-constexpr std::size_t deepestJson = 24;
+constexpr std::size_t maxJsonDepth = 24;
 
 /// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'",
 /// which may be long.
 std::string mistakeOf(const Json::exception& error) {
     constexpr int numberOverflow = 406;
     if (error.id == numberOverflow)
-        return "expected a number that isn't as large";
+        return "expected a smaller number";
     std::string_view said = error.what();
     said = said.substr(0, said.find("; last read"));
     const std::size_t syntax = said.find("syntax error");
@@ -67,12 +67,12 @@ public:
 
 private:
     bool open() {
-        if (keys_.size() < deepestJson) {
+        if (keys_.size() < maxJsonDepth) {
             keys_.emplace_back();
             return true;
         }
         problem_ = Error{
-            ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", deepestJson), {}};
+            ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxJsonDepth), {}};
         return false;
     }
 
@@ -162,35 +162,35 @@ void JsonObject::flag(const char* key, bool& target) {
         refuse(key, "true or false");
 }
 
-void JsonObject::number(const char* key, double& target, double lowest, double highest) {
+void JsonObject::number(const char* key, double& target, double min, double max) {
     const Json* value = find(key);
     if (!value)
         return;
     const double found = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
-    if (found >= lowest && found <= highest)
+    if (found >= min && found <= max)
         target = found;
     else
-        refuse(key, fmt::format("a number from {} to {}", lowest, highest));
+        refuse(key, fmt::format("a number from {} to {}", min, max));
 }
 
-void JsonObject::whole(const char* key, std::size_t& target, std::size_t lowest, std::size_t highest) {
+void JsonObject::whole(const char* key, std::size_t& target, std::size_t min, std::size_t max) {
     const Json* value = find(key);
     if (!value)
         return;
-    if (value->is_number_unsigned() && *value >= lowest && *value <= highest)
+    if (value->is_number_unsigned() && *value >= min && *value <= max)
         target = value->get<std::size_t>();
     else
-        refuse(key, fmt::format("a whole number from {} to {}", lowest, highest));
+        refuse(key, fmt::format("a whole number from {} to {}", min, max));
 }
 
-void JsonObject::whole(const char* key, int& target, int lowest, int highest) {
+void JsonObject::whole(const char* key, int& target, int min, int max) {
     const Json* value = find(key);
     if (!value)
         return;
-    if (value->is_number_integer() && *value >= lowest && *value <= highest)
+    if (value->is_number_integer() && *value >= min && *value <= max)
         target = value->get<int>();
     else
-        refuse(key, fmt::format("a whole number from {} to {}", lowest, highest));
+        refuse(key, fmt::format("a whole number from {} to {}", min, max));
 }
 
 void JsonObject::refuse(const std::string& key, const std::string& expected) {
@@ -200,9 +200,9 @@ void JsonObject::refuse(const std::string& key, const std::string& expected) {
                              : fmt::format("expected {}, found {}", expected, foundText(*found)));
 }
 
-void JsonObject::refuseCount(const char* key, std::size_t fewest, std::size_t most, std::size_t found) {
-    say(found > most ? ErrorCode::TooLarge : ErrorCode::Malformed, key,
-        fmt::format("expected a list of {} to {}, found {}", fewest, most, found));
+void JsonObject::refuseCount(const char* key, std::size_t min, std::size_t max, std::size_t found) {
+    say(found > max ? ErrorCode::TooLarge : ErrorCode::Malformed, key,
+        fmt::format("expected a list of {} to {}, found {}", min, max, found));
 }
 
 void JsonObject::say(ErrorCode code, const std::string& key, std::string message) {

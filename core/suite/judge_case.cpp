@@ -47,7 +47,7 @@ Result<Image> readPicture(const fs::path& folder, const std::string& name) {
 
 /// Whether the mask, Rgba8, hides the pixel whose first byte is there.
 bool isMasked(const Image& mask, std::size_t at) {
-    Rgba pixel{};
+    PixelBytes pixel{};
     std::memcpy(pixel.data(), mask.pixels.data() + at, pixel.size());
     return texplorer::isMasked(pixel);
 }
@@ -145,9 +145,9 @@ std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& ju
         return percentText(static_cast<double>(pixels) / static_cast<double>(difference.pixels));
     };
     if (difference.max == 0)
-        return "it is the reference's picture, byte for byte";
+        return "it equals the reference's picture in every byte";
     if (difference.over == 0)
-        return fmt::format("no pixel differs by more than {}/255 from the reference, as the rule {} has it",
+        return fmt::format("no pixel differs by more than {}/255 from the reference, by the rule {}",
                            rule.bound, rule.name);
     const std::string over =
         fmt::format("{} ({}) {} by more than {}/255 from the reference", countOf(difference.over, "pixel"),
@@ -223,7 +223,7 @@ JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, co
     if (mask && !isSameSize(*mask, frame->image))
         return problemOf(std::move(record),
                          {ErrorCode::OutOfRange,
-                          fmt::format("expected a mask of {}x{} pixels, found {}x{}", of.size.width,
+                          fmt::format("expected a mask of {} × {} pixels, found {} × {}", of.size.width,
                                       of.size.height, mask->width, mask->height),
                           settings.mask});
     if (!mask || !isSameSize(frame->image, actual))

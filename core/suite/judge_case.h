@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a picture is what its case is held against.
+// Judges the picture of a case.
 
 #include "core/conform/pair.h"
 #include "core/reference/sampling/lod.h"
@@ -9,39 +9,41 @@
 
 namespace texplorer::suite {
 
-/// What comes of a case, but for what its runner knows: seconds, attempt, explanation, names of pictures.
+/// The result of a case, without what only its runner knows: seconds, attempt, explanation, names of
+/// pictures.
 struct JudgedCase {
     CaseRecord record;
-    std::optional<Image> expected;   ///< Rgba8, bottom row first, as all images; none: there is no golden, or
-                                     ///< it can't be read
-    std::optional<Image> difference; ///< where it failed and the sizes are the same: Rgba8, opaque
-    bool goldenIsBroken = false; ///< Error, for its golden is read and holds no picture: a new one mends it
+    /// Rgba8, bottom row first, like all images; empty: there is no golden, or it cannot be read.
+    std::optional<Image> expected;
+    std::optional<Image> difference; ///< if it failed with equal sizes: Rgba8, opaque
+    /// An Error because its golden is not a valid picture; a new golden fixes it.
+    bool goldenIsBroken = false;
 };
 
-/// How the reference filters in a case, as the renderer, to judge and to explain: as `texshot shot` does, and
-/// as Mesa does where a driver's picture is held against it.
+/// How the reference filters in a case, as the renderer, to judge and to explain: as in `texshot shot`, but
+/// as in Mesa if a driver's picture is compared with it.
 [[nodiscard]] reference::AnisotropyMethod anisotropyOf(const Golden& golden);
 
-/// `actual`, Rgba8, is what the case's renderer drew on `driver` (empty for the reference) of `scene`, whose
-/// images are loaded. Passed, Failed, Resized, New, Skipped (by conform's table of what can't be compared,
-/// with its reason) or Error (a golden or mask that can't be read, a comparison that can't be made). Of
-/// several goldens the first that it is like; where it is like none, the nearest is shown. `threads` for the
-/// reference and the comparison; 0: as many as there are processors.
+/// `actual`, Rgba8, is the picture of `scene`, whose images are loaded, by the case's renderer on `driver`
+/// (empty for the reference). The result is Passed, Failed, Resized, New, Skipped (by conform's table, with
+/// the reason) or Error (a golden or mask that cannot be read, a comparison that is not possible). Of several
+/// goldens, the first that matches is used; if none does, the nearest is shown. `threads` for the reference
+/// and the comparison; 0: one per processor.
 [[nodiscard]] JudgedCase judgeCase(const Plan& plan, const Case& of, const CaseScene& scene,
                                    const Image& actual, const conform::Driver& driver, unsigned threads = 1);
 
-/// Two pictures as they are: for --pictures. `name` is the case's, and the golden's.
+/// Judges two pictures, for --pictures. `name` is the case's, and the golden's.
 [[nodiscard]] JudgedCase judgePictures(const Criterion& criterion, const std::string& name,
                                        const Image& expected, const Image& actual,
                                        const Image* mask = nullptr, unsigned threads = 1);
 
-/// The record of a case that came to no picture: `state` and why.
+/// The record of a case without a picture: `state` and the reason.
 [[nodiscard]] CaseRecord recordOf(const Plan& plan, const Case& of, State state, std::string sentence);
 
-/// Of a case whose scene the plan couldn't read (MissingScene, Error); none: it can be opened.
+/// The record of a case whose scene could not be read (MissingScene, Error); empty: it can.
 [[nodiscard]] std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of);
 
-/// Of a case that is skipped on this driver; none: it can be drawn.
+/// The record of a case that is skipped on this driver; empty: it can be drawn.
 [[nodiscard]] std::optional<CaseRecord>
 recordWithoutDrawing(const Plan& plan, const Case& of, const CaseScene& scene, const conform::Driver& driver);
 

@@ -4,9 +4,9 @@
 
 namespace texplorer::suite {
 
-/// JUnit's XML as Jenkins, GitLab and others read it: a <testsuite> for each suite, a <testcase> for each
+/// Writes JUnit's XML for Jenkins, GitLab and others: a <testsuite> for each suite, a <testcase> for each
 /// case. Failed, New, Crashed and TimedOut are a <failure>, MissingScene and Error an <error>, Skipped is
-/// <skipped>. Cases that were planned and not run are an <error>, too. Characters that XML 1.0 forbids become
+/// <skipped>. Planned cases that were not run are an <error>, too. Characters that XML 1.0 forbids become
 /// U+FFFD.
 [[nodiscard]] std::string asJunit(const RunRecord& run);
 

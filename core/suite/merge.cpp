@@ -52,7 +52,7 @@ Result<void> checkSame(const std::vector<RunRecord>& records, const std::vector<
         if (records[i].suites != records[0].suites)
             return differs("suites");
         if (records[i].plan != records[0].plan || records[i].planned != records[0].planned)
-            return differs("cases, although of one suite: it was changed, or --only was");
+            return differs("cases of one suite: the suite or --only has changed");
         if (records[i].shard.count != records[0].shard.count)
             return differs("divisions into parts");
     }
@@ -89,7 +89,7 @@ std::string wholeCommand(const RunRecord& record) {
     return command;
 }
 
-/// Parts that nobody has handed in.
+/// Reports the missing parts.
 void sayAbsentShards(const std::vector<RunRecord>& records, Merged& merged) {
     std::set<int> there;
     for (const RunRecord& each : records)

@@ -20,8 +20,8 @@ constexpr std::size_t shownPlaceBytes = 200;
 constexpr std::size_t shownValueBytes = 64; ///< of an axis' value in a case's name
 
 std::size_t product(std::size_t a, std::size_t b) {
-    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
-    return b != 0 && a > most / b ? most : a * b;
+    constexpr std::size_t max = std::numeric_limits<std::size_t>::max();
+    return b != 0 && a > max / b ? max : a * b;
 }
 
 std::size_t sum(std::size_t a, std::size_t b) {
@@ -211,14 +211,14 @@ Result<std::vector<Row>> rowsOf(const std::vector<Suite>& suites, const PlanOpti
                 if (!row)
                     return fail(row.error());
                 count = sum(count, casesOf(*row, suites[s].entries[e].settings, options));
-                if (count <= options.most)
+                if (count <= options.limit)
                     rows.push_back(*std::move(row));
             }
         }
     }
-    if (count > options.most)
+    if (count > options.limit)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} cases, found {}", options.most, count),
+                    fmt::format("expected at most {} cases, found {}", options.limit, count),
                     suites.size() == 1 ? printable(suites.front().name) : std::string());
     return rows;
 }
@@ -262,8 +262,8 @@ Result<void> checkRenderers(const std::vector<Suite>& suites, const PlanOptions&
         for (std::size_t i = 0; i < suite.entries.size(); ++i) {
             if (std::holds_alternative<GoldenReference>(suite.entries[i].settings.golden))
                 return fail(ErrorCode::OutOfRange,
-                            "the renderer \"reference\" has no effect where it is the golden: it is held "
-                            "against itself",
+                            "the renderer \"reference\" has no effect if it is also the golden: it is "
+                            "compared with itself",
                             placeOfEntry(suite, i));
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The cases of suites: a picture each.
+// The cases of suites: one picture each.
 
 #include "core/scene/params/sweep_axis.h"
 #include "core/suite/suite.h"
@@ -11,17 +11,17 @@ inline constexpr std::size_t maxCases = 100'000;
 
 struct Case {
     std::string name{}; ///< "bricks/minFilter=GL_NEAREST/wrapS=GL_REPEAT/shader@512x512"; unique in the plan
-    std::string file{}; ///< fileNameFor the name: of its pictures
-    std::string goldenName{};          ///< what `{case}` stands for: `file` without the suite's name
-    std::string pictureName{};         ///< what `{picture}` stands for: the same without the renderer
+    std::string file{}; ///< fileNameFor of the name: for its pictures
+    std::string goldenName{};          ///< the replacement for `{case}`: `file` without the suite's name
+    std::string pictureName{};         ///< the replacement for `{picture}`: the same without the renderer
     std::size_t suite = 0;             ///< in the plan
     std::size_t entry = 0;             ///< in the suite
     std::size_t scene = 0;             ///< in the entry
-    std::vector<lesson::Edit> edits{}; ///< of the axes: after the entry's
+    std::vector<lesson::Edit> edits{}; ///< of the axes, applied after the entry's
     RendererKind renderer = RendererKind::Fixed;
     PictureSize size{};
     double time = 0;
-    std::optional<Error> problem{}; ///< why its scene can't be had; NotFound: the file is missing
+    std::optional<Error> problem{}; ///< why its scene cannot be read; NotFound: the file is missing
 
     bool operator==(const Case&) const = default;
 };
@@ -36,20 +36,20 @@ struct Plan {
 };
 
 struct PlanOptions {
-    std::vector<RendererKind> renderers{}; ///< in the place of every entry's; empty: theirs
-    std::vector<std::string> only{};       ///< globs, of which one must fit; empty: all cases
-    std::size_t most = maxCases;           ///< of all together, whatever `only` says
+    std::vector<RendererKind> renderers{}; ///< replace those of every entry; empty: do not
+    std::vector<std::string> only{};       ///< globs, one of which must match; empty: all cases
+    std::size_t limit = maxCases;          ///< of all cases, before `only` selects
 };
 
-/// Every scene x axes x renderers x sizes x times of every entry, in this order. Where a plan has several
-/// suites, each name begins with that of its suite. Scenes are read, for what "*" means in an axis. An entry
-/// whose scene can't be read has a case for each renderer, size and time, with the problem. Errors, with the
-/// suite and the JSON pointer in `where`: TooLarge, with both numbers, before any case is made; edits and
-/// axes that can't be; the reference in `renderers` where it is the golden; two cases of one name; NotFound
-/// where `only` fits no case.
+/// Makes the cases: scenes x axes x renderers x sizes x times of every entry, in this order. If a plan has
+/// several suites, each name begins with the suite's. Scenes are read to expand "*" in axes. An entry whose
+/// scene cannot be read has a case for each renderer, size and time, with the problem. Errors, with the suite
+/// and the JSON pointer in `where`: TooLarge, with both numbers, before any case is made; impossible edits
+/// and axes; the reference in `renderers` if it is the golden; two cases of one name; NotFound if `only`
+/// matches no case.
 [[nodiscard]] Result<Plan> planOf(std::vector<Suite> suites, const PlanOptions& options = {});
 
-/// 32 hex digits that are the same for the same cases, in whatever order: for records of one run.
+/// 32 hex digits that are equal for the same cases, in any order: identifies records of one run.
 [[nodiscard]] std::string fingerprintOf(const Plan& plan);
 
 } // namespace texplorer::suite

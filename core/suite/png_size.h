@@ -7,7 +7,7 @@
 
 namespace texplorer::suite {
 
-/// As a PNG's header states it; none: the file begins as no PNG does, or has none that can be drawn.
+/// The size in a PNG's header; empty if the file does not begin like a PNG, or its size cannot be drawn.
 [[nodiscard]] std::optional<PictureSize> sizeOfPng(const std::filesystem::path& file);
 
 } // namespace texplorer::suite

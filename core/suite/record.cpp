@@ -15,9 +15,9 @@ namespace texplorer::suite {
 namespace {
 
 bool parsePositive(std::string_view text, int& number) {
-    constexpr int most = 1'000'000;
+    constexpr int max = 1'000'000;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && number >= 1 && number <= most;
+    return error == std::errc() && end == text.data() + text.size() && number >= 1 && number <= max;
 }
 
 /// Why cases were skipped: a reason for all that have it, under the name of the first.

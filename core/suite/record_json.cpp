@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t maxRecordText = std::size_t{1} << 20; ///< of a sentence, an explanation
 constexpr std::size_t maxRecordCases = 1'000'000;
 constexpr double maxSeconds = 1e9;
-constexpr std::size_t largestCount = std::size_t{1} << 48; ///< of pixels
+constexpr std::size_t maxPixelCount = std::size_t{1} << 48; ///< of pixels
 
 void writeText(OrderedJson& json, const char* key, const std::string& text) {
     if (!text.empty())
@@ -90,16 +90,15 @@ OrderedJson runJson(const RunRecord& run) {
     return json;
 }
 
-void readNumbers(JsonObject& object, const char* key, std::span<int> target, int lowest, int highest) {
+void readNumbers(JsonObject& object, const char* key, std::span<int> target, int min, int max) {
     const Json* json = object.find(key);
     if (!json)
         return;
     const auto isRight = [&](const Json& each) {
-        return each.is_number_unsigned() && each >= lowest && each <= highest;
+        return each.is_number_unsigned() && each >= min && each <= max;
     };
     if (!json->is_array() || json->size() != target.size() || !std::ranges::all_of(*json, isRight))
-        return object.refuse(key,
-                             fmt::format("{} whole numbers from {} to {}", target.size(), lowest, highest));
+        return object.refuse(key, fmt::format("{} whole numbers from {} to {}", target.size(), min, max));
     for (std::size_t i = 0; i < target.size(); ++i)
         target[i] = (*json)[i].get<int>();
 }
@@ -111,10 +110,10 @@ void readPixel(JsonObject& object, const char* key, std::array<std::uint8_t, 4>&
 }
 
 void readWorst(const Json& json, const std::string& where, Problem& problem, WorstPixel& worst) {
-    constexpr int largest = 1 << 24;
+    constexpr int max = 1 << 24;
     JsonObject object(json, where, problem);
-    object.whole("x", worst.x, 0, largest);
-    object.whole("y", worst.y, 0, largest);
+    object.whole("x", worst.x, 0, max);
+    object.whole("y", worst.y, 0, max);
     readPixel(object, "expected", worst.expected);
     readPixel(object, "actual", worst.actual);
 }
@@ -138,7 +137,7 @@ void readPicture(JsonObject& object, const char* key, std::string& name) {
 }
 
 void readCase(const Json& json, const std::string& where, Problem& problem, CaseRecord& record) {
-    constexpr int largest = 1 << 24;
+    constexpr int max = 1 << 24;
     JsonObject object(json, where, problem);
     object.need("name");
     object.text("name", record.name, maxRecordText);
@@ -146,13 +145,13 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.text("sentence", record.sentence, maxRecordText);
     object.text("explanation", record.explanation, maxRecordText);
     object.number("seconds", record.seconds, 0, maxSeconds);
-    object.whole("attempt", record.attempt, 1, largest);
+    object.whole("attempt", record.attempt, 1, max);
     object.whole("signal", record.signal, 0, 255);
     object.text("renderer", record.renderer, maxRecordText);
     object.text("driver", record.driver, maxRecordText);
     object.text("settings", record.settings, maxRecordText);
     std::array<int, 2> size{};
-    readNumbers(object, "size", size, 0, largest);
+    readNumbers(object, "size", size, 0, max);
     record.width = size[0];
     record.height = size[1];
     object.number("time", record.time, 0, maxSeconds);
@@ -161,10 +160,10 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.number("tolerance", record.tolerance, 0, maxSeconds);
     object.number("share", record.share, 0, 1);
     object.number("shareOver", record.shareOver, 0, 1);
-    object.whole("pixels", record.pixels, 0, largestCount);
-    object.whole("over", record.over, 0, largestCount);
+    object.whole("pixels", record.pixels, 0, maxPixelCount);
+    object.whole("over", record.over, 0, maxPixelCount);
     if (object.find("unexplained"))
-        object.whole("unexplained", record.unexplained.emplace(), 0, largestCount);
+        object.whole("unexplained", record.unexplained.emplace(), 0, maxPixelCount);
     if (const Json* worst = object.find("worst"))
         readWorst(*worst, object.placeOf("worst"), problem, record.worst.emplace());
     object.text("golden", record.golden, maxRecordText);
@@ -223,8 +222,9 @@ public:
     [[nodiscard]] Problem put(CaseRecord record) {
         const auto place = places_.find(record.name);
         if (place == places_.end())
-            return Error{
-                ErrorCode::Malformed, fmt::format("{} is no case of this run", foundText(record.name)), {}};
+            return Error{ErrorCode::Malformed,
+                         fmt::format("{} is not a case of this run", foundText(record.name)),
+                         {}};
         records_[place->second] = std::move(record);
         return {};
     }
@@ -261,7 +261,7 @@ Result<RunRecord> parseReport(const Json& json) {
     {
         JsonObject object(json, "", problem);
         readHead(object, run);
-        object.find("counts"); // follow from the cases, and are for who reads no further
+        object.find("counts"); // follow from the cases; written for readers of the beginning
         object.find("status");
         Cases cases(run);
         object.list("cases", 0, maxRecordCases, [&](const Json& each, const std::string& where) {
@@ -324,7 +324,7 @@ Result<Journal> parseJournal(std::string_view text) {
     for (std::size_t line = 1; journal.wholeBytes < text.size(); ++line) {
         const std::size_t end = text.find('\n', journal.wholeBytes);
         if (end == std::string_view::npos) {
-            journal.note = fmt::format("its last line, {}, was cut off and is left out", line);
+            journal.note = fmt::format("its last line, {}, is incomplete and ignored", line);
             break;
         }
         const std::string_view content = text.substr(journal.wholeBytes, end - journal.wholeBytes);
@@ -347,7 +347,7 @@ Result<Journal> parseJournal(std::string_view text) {
         journal.wholeBytes = end + 1;
     }
     if (!cases)
-        return fail(ErrorCode::Malformed, "expected the journal of a run, found no whole line");
+        return fail(ErrorCode::Malformed, "expected the journal of a run, found no complete line");
     cases->finish();
     return journal;
 }
@@ -396,17 +396,17 @@ Result<void> checkResumable(const RunRecord& journal, const RunRecord& now) {
     for (const Fact& fact : facts) {
         if (fact.then != fact.now)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("the journal is of another {}, {}; it is {} now", fact.what,
+                        fmt::format("the journal has another {}, {}; it is {} now", fact.what,
                                     quotedWhole(fact.then), quotedWhole(fact.now)));
     }
     const std::string gone = firstNotIn(journal.names, now.names);
     const std::string added = firstNotIn(now.names, journal.names);
     if (!gone.empty() || !added.empty())
-        return fail(ErrorCode::OutOfRange, fmt::format("the journal is of other cases: {} is {}",
+        return fail(ErrorCode::OutOfRange, fmt::format("the journal has other cases: {} is {}",
                                                        quotedWhole(gone.empty() ? added : gone),
                                                        gone.empty() ? "a new one" : "gone"));
     if (journal.plan != now.plan || journal.names != now.names)
-        return fail(ErrorCode::OutOfRange, "the journal is of the same cases in another order or division");
+        return fail(ErrorCode::OutOfRange, "the journal has the same cases in another order or division");
     return {};
 }
 

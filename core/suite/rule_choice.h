@@ -10,19 +10,19 @@
 
 namespace texplorer::suite {
 
-/// The names that a suite's "rule" may have: "auto", "none" and those of core/conform/rule.h.
+/// The values of a suite's "rule": "auto", "none" and the names of core/conform/rule.h.
 [[nodiscard]] std::span<const std::string_view> ruleNames();
 
-/// nullptr: there is none of this name, or it is "auto" or "none".
+/// Returns nullptr for an unknown name, "auto" and "none".
 [[nodiscard]] const conform::Rule* findRule(std::string_view name);
 
-/// What each rule allows a case, by what it allows: "1 % unexplained (texel-edge, level-choice), …".
+/// What each rule allows in a case, sorted by limits: "1 % unexplained (texel-edge, level-choice), …".
 [[nodiscard]] std::string ruleLimits();
 
-/// The rule for what a scene uses, as core/conform/features.cpp has it for that feature alone; of several
-/// things, the widest: anisotropy; levels that aren't made of each other; levels that are blended, or
-/// textures in several passes; levels that are chosen; lines and points; textures; outlines alone. A case is
-/// one scene: it is held to the rule's `bound`, `tolerance`, `explainedScene` and `nearScene`.
+/// Returns the rule for the features that a scene uses, as assigned in core/conform/features.cpp; for several
+/// features the widest, in this order: anisotropy; levels that are not made from each other; blended levels,
+/// or textures in several passes; chosen levels; lines and points; textures; outlines only. A case is one
+/// scene, so the rule's `bound`, `tolerance`, `explainedScene` and `nearScene` apply.
 [[nodiscard]] const conform::Rule& ruleFor(const Scene& scene);
 
 } // namespace texplorer::suite

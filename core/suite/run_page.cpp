@@ -108,7 +108,7 @@ std::vector<report::Fact> factsOf(const CaseRecord& record) {
     if (!record.settings.empty())
         facts.push_back({"Settings", record.settings});
     if (!record.golden.empty())
-        facts.push_back({"Held against", record.golden});
+        facts.push_back({"Compared with", record.golden});
     addComparison(facts, record);
     if (record.worst) {
         facts.push_back({"Worst pixel", fmt::format("{}, {}", record.worst->x, record.worst->y)});
@@ -144,10 +144,10 @@ std::string drawingCommand(const CaseRecord& record) {
 
 void addCommands(report::Case& shown, const CaseRecord& record, const std::string& runCommand) {
     if (const std::string test = commandOfCase(runCommand, record.name); !test.empty())
-        shown.commands.push_back({"To repeat it, where the run was made", test});
+        shown.commands.push_back({"To repeat it, in the folder of the run", test});
     if (const std::string drawing = drawingCommand(record); !drawing.empty()) {
         shown.commands.push_back({"To draw it again, in the report's folder", drawing});
-        shown.links.push_back({"The actual picture, which holds the scene", record.actualPicture});
+        shown.links.push_back({"The actual picture, which contains the scene", record.actualPicture});
     }
 }
 

@@ -5,17 +5,16 @@
 
 namespace texplorer::suite {
 
-/// Whether a case can go to the list for --accept: its picture is another one than a stored golden, or the
-/// first.
+/// Whether a case can be in the list for --accept: its picture differs from a stored golden, or has none yet.
 [[nodiscard]] bool isAcceptable(const CaseRecord& record);
 
 struct RunPageOptions {
     std::string
-        acceptCommand{}; ///< "texshot test suite.json --accept accept.txt"; empty: nothing is accepted
-    bool pixels = true;  ///< whether report::pixelsOf each picture lies beside it
+        acceptCommand{}; ///< "texshot test suite.json --accept accept.txt"; empty: nothing can be accepted
+    bool pixels = true;  ///< report::pixelsOf each picture is next to it
 };
 
-/// The page of a run. A case for each record, and for each that has none yet.
+/// Makes the page of a run: a case for each record, and for each one without a record yet.
 [[nodiscard]] report::Page pageOf(const RunRecord& run, const RunPageOptions& options = {});
 
 } // namespace texplorer::suite

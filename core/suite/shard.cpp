@@ -15,7 +15,7 @@ namespace {
 
 constexpr int durationsFormatVersion = 1;
 constexpr std::size_t maxDurationsBytes = std::size_t{64} << 20;
-constexpr double longestSeconds = 1e9;
+constexpr double maxRecordedSeconds = 1e9;
 
 double medianOf(std::vector<double> seconds) {
     if (seconds.empty())
@@ -28,16 +28,16 @@ double medianOf(std::vector<double> seconds) {
 void readSeconds(const Json& json, Problem& problem, Durations& durations) {
     for (const auto& [name, value] : json.items()) {
         const double found = value.is_number() ? value.get<double>() : -1;
-        if (!(found >= 0 && found <= longestSeconds) && !problem)
+        if (!(found >= 0 && found <= maxRecordedSeconds) && !problem)
             problem = Error{
                 ErrorCode::OutOfRange,
-                fmt::format("expected seconds from 0 to {}, found {}", longestSeconds, foundText(value)),
+                fmt::format("expected seconds from 0 to {}, found {}", maxRecordedSeconds, foundText(value)),
                 "/seconds/" + shortened(name)};
         durations.emplace(name, found);
     }
 }
 
-/// Seconds for each of the names, the median for those that nobody knows; empty where none is known.
+/// Seconds for each of the names, the median for unknown ones; empty if none is known.
 std::vector<double> weightsOf(std::span<const std::string> names, const Durations& durations) {
     std::vector<double> known;
     std::vector<double> weights(names.size(), -1);

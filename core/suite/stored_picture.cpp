@@ -24,10 +24,9 @@ Result<StoredPicture> readStoredPicture(const std::filesystem::path& file) {
     if (image)
         return StoredPicture{*std::move(bytes), *std::move(image)};
     if (isLfsPointer(*bytes))
-        return fail(
-            ErrorCode::Malformed,
-            "expected a picture, found a Git LFS pointer: \"git lfs pull\" puts the picture in its place",
-            file.string());
+        return fail(ErrorCode::Malformed,
+                    "expected a picture, found a Git LFS pointer: \"git lfs pull\" fetches the picture",
+                    file.string());
     const ErrorCode code = image.error().code;
     return fail(code == ErrorCode::NotFound ? ErrorCode::Malformed : code, image.error().message,
                 file.string());

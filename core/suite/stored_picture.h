@@ -1,6 +1,6 @@
 #pragma once
 
-// Goldens, masks and pictures of other programs, as files.
+// Goldens, masks and pictures of other programs, in files.
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -15,11 +15,11 @@ struct StoredPicture {
     Image image;
 };
 
-/// Errors, with the file in `where`: those of readFile; what the decoder says, which names a pointer of Git
-/// LFS.
+/// Reads a picture. Errors, with the file in `where`: those of readFile, and of the decoder; Git LFS pointers
+/// are recognised.
 [[nodiscard]] Result<StoredPicture> readStoredPicture(const std::filesystem::path& file);
 
-/// Whether that error is about what the file holds; else it is about reading it.
+/// Whether the error is in the file's content, not in reading it.
 [[nodiscard]] bool isNoPicture(const Error& error);
 
 } // namespace texplorer::suite

@@ -34,8 +34,8 @@ Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
         if (each->is_regular_file(ignored))
             names.push_back(last.lexically_relative(folder).generic_string());
         else if (last.string().ends_with(suiteExtension))
-            return fail(ErrorCode::Unreadable,
-                        "expected a suite's file, found something else, or a link to nothing", last.string());
+            return fail(ErrorCode::Unreadable, "expected a suite file, found something else or a broken link",
+                        last.string());
     }
     if (error)
         return fail(ErrorCode::Unreadable, systemText(error.value()), last.string());
@@ -48,14 +48,14 @@ bool isPlainPattern(std::string_view name) {
     return name.find_first_of("{}") == std::string_view::npos;
 }
 
-/// Whether a JSON file is a scene: package.json and the like aren't.
+/// Whether a JSON file is a scene: package.json, for example, is not.
 bool isScene(const fs::path& file) {
     const Result<std::string> text = readText(file, maxSceneBytes);
     return text && parseScene(*text).has_value();
 }
 
-/// One entry for each X.json that has X.png beside it, or is a scene: without a picture it is a new case, so
-/// that one that got lost is missed.
+/// One entry for each X.json that has X.png next to it, or is a scene: without a picture it is a new case, so
+/// that a lost picture is noticed.
 Suite suiteOfPairs(const fs::path& folder, const std::vector<std::string>& files) {
     constexpr std::string_view scene = ".json";
     Suite suite{.name = folder.filename().string(), .about = {}, .folder = folder, .entries = {}};
@@ -94,8 +94,8 @@ Result<std::vector<Suite>> suitesBelow(const fs::path& folder) {
     if (suites.back().entries.empty())
         return fail(
             ErrorCode::NotFound,
-            fmt::format("expected a suite, *{}, or scenes X.json, whose pictures X.png lie beside them, "
-                        "found neither",
+            fmt::format("expected a suite, *{}, or scenes X.json with pictures X.png next to them, found "
+                        "neither",
                         suiteExtension),
             folder.string());
     if (suites.back().entries.size() > maxEntries)
@@ -129,12 +129,12 @@ Result<void> checkInside(std::string_view name) {
     if (name.front() == '/')
         return refuse("it is absolute");
     if (name.find('\\') != std::string_view::npos)
-        return refuse("folders have / between them");
+        return refuse("folders must be separated by /");
     if (std::ranges::any_of(name, [](char each) { return static_cast<unsigned char>(each) < 0x20; }))
         return refuse("it has control characters");
     for (const fs::path& part : fs::path(name)) {
         if (part == "..")
-            return refuse("it leads out of it");
+            return refuse("it leads outside the folder");
     }
     return {};
 }
@@ -155,8 +155,8 @@ Result<void> checkStays(const fs::path& folder, const fs::path& file) {
     if (leadsNowhere || std::ranges::mismatch(root, path).in1 != root.end())
         return fail(
             ErrorCode::OutOfRange,
-            "expected a file within the suite's folder, found one outside of it, or a link that leads out of it "
-            "or nowhere",
+            "expected a file within the suite's folder, found one outside, or a link that leads outside or "
+            "is broken",
             file.string());
     return {};
 }

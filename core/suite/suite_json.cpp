@@ -89,19 +89,19 @@ void readSize(const Json& json, const std::string& where, Problem& problem, Pict
 }
 
 void readTime(const Json& json, const std::string& where, Problem& problem, double& time) {
-    constexpr double longest = 1e6;
-    if (json.is_number() && json.get<double>() >= 0 && json.get<double>() <= longest)
+    constexpr double max = 1e6;
+    if (json.is_number() && json.get<double>() >= 0 && json.get<double>() <= max)
         time = json.get<double>();
     else
-        refuseValue(problem, where, fmt::format("seconds from 0 to {}", longest), json);
+        refuseValue(problem, where, fmt::format("seconds from 0 to {}", max), json);
 }
 
 /// A list, or one alone: the list of before is replaced. None may be there twice.
 template<class T, class Read>
-void readSeveral(JsonObject& object, const char* key, std::size_t most, std::vector<T>& target,
+void readSeveral(JsonObject& object, const char* key, std::size_t max, std::vector<T>& target,
                  const Read& read) {
     std::vector<T> values;
-    const bool isThere = object.oneOrMore(key, most, [&](const Json& json, const std::string& where) {
+    const bool isThere = object.oneOrMore(key, max, [&](const Json& json, const std::string& where) {
         T value{};
         read(json, where, object.problem(), value);
         if (std::ranges::find(values, value) != values.end())
@@ -190,13 +190,12 @@ void readCriterion(JsonObject& object, Criterion& criterion) {
             criterion.tolerance = criterionOf(chosen).tolerance;
         criterion.metric = chosen;
     }
-    object.number("tolerance", criterion.tolerance, 0, factsOf(criterion.metric).largest);
+    object.number("tolerance", criterion.tolerance, 0, factsOf(criterion.metric).maxValue);
     readShare(object, criterion.share);
     bool rgb = criterion.compared == Compared::Rgb;
     object.flag("rgb", rgb);
     criterion.compared = rgb ? Compared::Rgb : Compared::Rgba;
-    object.number("pixelsPerDegree", criterion.pixelsPerDegree, lowestPixelsPerDegree,
-                  highestPixelsPerDegree);
+    object.number("pixelsPerDegree", criterion.pixelsPerDegree, minPixelsPerDegree, maxPixelsPerDegree);
 }
 
 /// "rule" and what else is said of how alike two pictures have to be.
@@ -207,7 +206,7 @@ void readBounds(JsonObject& object, Settings& settings) {
         return;
     auto* reference = std::get_if<GoldenReference>(&settings.golden);
     if (!reference)
-        return object.say(ErrorCode::Malformed, "rule", "a rule is for \"golden\": \"reference\" alone");
+        return object.say(ErrorCode::Malformed, "rule", "a rule applies only to \"golden\": \"reference\"");
     const std::string name = rule->is_string() ? rule->get<std::string>() : std::string();
     const auto names = ruleNames();
     if (std::ranges::find(names, std::string_view(name)) == names.end())
@@ -246,7 +245,7 @@ void readLessonScene(JsonObject& object, SceneLesson& scene) {
     if (const Json* name = object.find("lesson"))
         readFileName(*name, object.placeOf("lesson"), object.problem(), scene.lesson);
     object.whole("step", scene.step, 1, lesson::maxSteps);
-    object.whole("answer", scene.answer, 1, lesson::mostAnswers);
+    object.whole("answer", scene.answer, 1, lesson::maxAnswers);
     object.flag("reached", scene.reached);
     if (scene.reached && scene.answer > 0)
         object.say(ErrorCode::Malformed, "", "expected one of answer and reached, found both");
@@ -302,14 +301,14 @@ void refuseWithoutEffect(JsonObject& object, const Settings& settings) {
         std::ranges::find(settings.renderers, RendererKind::Reference) != settings.renderers.end())
         return object.say(ErrorCode::Malformed, "",
                           "\"golden\": \"reference\" has no effect with \"renderer\": \"reference\": it is "
-                          "held against itself");
+                          "compared with itself");
     for (const char* key : boundKeys) {
         if (reference && reference->rule != "none" && object.find(key))
             return object.say(ErrorCode::Malformed, key,
-                              "has no effect: the rule decides; \"rule\": \"none\" takes it");
+                              "has no effect: the rule decides; \"rule\": \"none\" uses it");
     }
     if (object.find("pixelsPerDegree") && settings.criterion.metric != Metric::Flip)
-        object.say(ErrorCode::Malformed, "pixelsPerDegree", "has no effect: it is for \"metric\": \"flip\"");
+        object.say(ErrorCode::Malformed, "pixelsPerDegree", "has no effect without \"metric\": \"flip\"");
 }
 
 void readEntry(const Json& json, const std::string& where, Problem& problem, Entry& entry) {
@@ -333,7 +332,7 @@ void refuseDefaultsWithoutEffect(const Json& defaults, const std::vector<Entry>&
     for (const char* key : boundKeys) {
         if (rulesDecide && defaults.contains(key))
             refuseAt(problem, fmt::format("/defaults/{}", key), ErrorCode::Malformed,
-                     "has no effect: a rule decides of every case; \"rule\": \"none\" takes it");
+                     "has no effect: a rule decides each case; \"rule\": \"none\" uses it");
     }
 }
 

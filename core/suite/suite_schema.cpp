@@ -25,12 +25,12 @@ OrderedJson textSchema(const char* pattern = nullptr) {
     return schema;
 }
 
-OrderedJson numberSchema(double lowest, double highest) {
-    return {{"type", "number"}, {"minimum", lowest}, {"maximum", highest}};
+OrderedJson numberSchema(double min, double max) {
+    return {{"type", "number"}, {"minimum", min}, {"maximum", max}};
 }
 
-OrderedJson wholeSchema(std::size_t lowest, std::size_t highest) {
-    return {{"type", "integer"}, {"minimum", lowest}, {"maximum", highest}};
+OrderedJson wholeSchema(std::size_t min, std::size_t max) {
+    return {{"type", "integer"}, {"minimum", min}, {"maximum", max}};
 }
 
 OrderedJson strictObject(OrderedJson properties, OrderedJson required) {
@@ -41,9 +41,9 @@ OrderedJson strictObject(OrderedJson properties, OrderedJson required) {
 }
 
 /// One alone, or a list.
-OrderedJson oneOrMore(const OrderedJson& each, std::size_t most, std::string_view description,
+OrderedJson oneOrMore(const OrderedJson& each, std::size_t max, std::string_view description,
                       bool unique = true) {
-    OrderedJson list{{"type", "array"}, {"items", each}, {"minItems", 1}, {"maxItems", most}};
+    OrderedJson list{{"type", "array"}, {"items", each}, {"minItems", 1}, {"maxItems", max}};
     if (unique)
         list["uniqueItems"] = true;
     return {{"description", description}, {"anyOf", {each, std::move(list)}}};
@@ -87,12 +87,12 @@ OrderedJson toleranceUpTo(double largest) {
     return {{"properties", {{"tolerance", {{"maximum", largest}}}}}};
 }
 
-/// What settings say that holds of a metric, a rule or a golden that stands beside it.
+/// The restrictions of settings that depend on their metric, rule or golden.
 OrderedJson settingsRules() {
     OrderedJson rules = OrderedJson::array();
     for (const EnumRow& each : EnumTable<Metric>::rows)
         rules.push_back(ifThen(isThis("metric", each.name),
-                               toleranceUpTo(factsOf(static_cast<Metric>(each.value)).largest)));
+                               toleranceUpTo(factsOf(static_cast<Metric>(each.value)).maxValue)));
     rules.push_back(ifThen({{"required", {"rule", "golden"}}}, isThis("golden", "reference")));
     return rules;
 }
@@ -132,7 +132,7 @@ OrderedJson suiteRules() {
         const OrderedJson unsaid = notThis(ofDefaults(hasKey("metric")));
         rules.push_back(
             ifThen(metric == Criterion{}.metric ? OrderedJson{{"anyOf", {said, unsaid}}} : said,
-                   ofEachCase(ifThen(notThis(hasKey("metric")), toleranceUpTo(factsOf(metric).largest)))));
+                   ofEachCase(ifThen(notThis(hasKey("metric")), toleranceUpTo(factsOf(metric).maxValue)))));
     }
     const OrderedJson ownReference = ifThen(hasKey("rule"), isThis("golden", "reference"));
     rules.push_back(ifThen(notThis(ofDefaults(isThis("golden", "reference"))),
@@ -142,12 +142,12 @@ OrderedJson suiteRules() {
 
 OrderedJson goldenSchema() {
     const OrderedJson one = textSchema(goldenPattern);
-    const OrderedJson files = oneOrMore(one, maxGoldens, "pictures, any of which will do", false);
+    const OrderedJson files = oneOrMore(one, maxGoldens, "pictures, any of which may match", false);
     return {{"description",
-             "What the picture is held against: stored pictures, any of which will do; the same for "
-             "each driver, by globs of its renderer string; or the reference. In a name {case} is the case, "
-             "{picture} the case without its renderer, so that several renderers share it, and {driver} the "
-             "driver. Without it: golden/{case}.png."},
+             "The expected picture: stored pictures, any of which may match; the same for each driver, by "
+             "globs of its renderer string; or the reference. In a name {case} is the case, {picture} the "
+             "case without its renderer, so that renderers share a picture, and {driver} the driver. "
+             "Default: golden/{case}.png."},
             {"anyOf",
              {OrderedJson{{"const", "reference"}}, files,
               OrderedJson{{"type", "object"},
@@ -163,37 +163,36 @@ OrderedJson settingsProperties() {
     const OrderedJson size = textSchema(sizePattern().c_str());
     double largest = 0;
     for (const EnumRow& each : EnumTable<Metric>::rows)
-        largest = std::max(largest, factsOf(static_cast<Metric>(each.value)).largest);
+        largest = std::max(largest, factsOf(static_cast<Metric>(each.value)).maxValue);
     return {
         {"size", oneOrMore(size, maxScenes, "\"512x512\": width and height in pixels")},
-        {"time", oneOrMore(numberSchema(0, 1e6), maxScenes, "seconds of the scene's own time")},
+        {"time", oneOrMore(numberSchema(0, 1e6), maxScenes, "the scene's time in seconds")},
         {"renderer",
-         oneOrMore(choicesOf<RendererKind>(), EnumTable<RendererKind>::rows.size(), "what draws it")},
+         oneOrMore(choicesOf<RendererKind>(), EnumTable<RendererKind>::rows.size(), "the renderer")},
         {"golden", goldenSchema()},
         {"rule",
          described(
              OrderedJson{{"enum", std::move(rules)}},
-             "Of the reference as golden: how far a driver may be from it, as texshot conform lists the "
-             "rules; \"auto\" finds the one for the scene, \"none\" takes tolerance and share.")},
-        {"metric", described(choicesOf<Metric>(), "in what a pixel's difference is measured")},
+             "With the reference as golden: the rule for differences, one of \"texshot conform --list\"; "
+             "\"auto\" selects the rule of the scene, \"none\" uses tolerance and share.")},
+        {"metric", described(choicesOf<Metric>(), "how a pixel's difference is measured")},
         {"tolerance",
-         described(numberSchema(0, largest), "what a pixel may differ by, in the metric's unit")},
+         described(numberSchema(0, largest), "the maximum difference of a pixel, in the unit of the metric")},
         {"share", described(OrderedJson{{"anyOf", {numberSchema(0, 1), textSchema(sharePattern)}}},
-                            "how many of the pixels may differ by more: 0.001, or \"0.1%\"")},
-        {"rgb", described(OrderedJson{{"type", "boolean"}}, "leaves alpha out")},
-        {"pixelsPerDegree",
-         described(numberSchema(lowestPixelsPerDegree, highestPixelsPerDegree),
-                   "of flip: how many pixels lie in a degree of the viewer's field of view")},
+                            "the share of pixels that may differ by more: 0.001 or \"0.1%\"")},
+        {"rgb", described(OrderedJson{{"type", "boolean"}}, "ignores alpha")},
+        {"pixelsPerDegree", described(numberSchema(minPixelsPerDegree, maxPixelsPerDegree),
+                                      "flip: the pixels per degree of the viewer's field of view")},
         {"mask", described(OrderedJson{{"anyOf", {OrderedJson{{"const", ""}}, textSchema(insideFolder)}}},
-                           "a picture whose black pixels don't count; empty: none")},
-        {"seconds", described(numberSchema(0.001, maxCaseSeconds), "after which a case has hung")},
+                           "a picture whose black pixels are ignored; empty: none")},
+        {"seconds", described(numberSchema(0.001, maxCaseSeconds), "the time limit of a case in seconds")},
     };
 }
 
 OrderedJson sceneSchema() {
     OrderedJson lesson = strictObject({{"lesson", textSchema(insideFolder)},
                                        {"step", wholeSchema(1, lesson::maxSteps)},
-                                       {"answer", wholeSchema(1, lesson::mostAnswers)},
+                                       {"answer", wholeSchema(1, lesson::maxAnswers)},
                                        {"reached", {{"type", "boolean"}}}},
                                       {"lesson"});
     return {{"anyOf",
@@ -203,15 +202,14 @@ OrderedJson sceneSchema() {
 
 OrderedJson entrySchema() {
     OrderedJson properties{
-        {"name", described(textSchema(), "what its cases' names begin with; without it, the scene's")},
+        {"name", described(textSchema(), "the beginning of its cases' names; default: the scene's name")},
         {"scene",
          oneOrMore(sceneSchema(), maxScenes,
-                   "files, examples, steps of lessons or scenes written out here; without it, what the "
-                   "program starts with")},
+                   "files, examples, steps of lessons or complete scenes; default: the start scene")},
         {"set", oneOrMore(textSchema("^(preset:.+|[^=]+=)"), lesson::maxEdits,
                           "PATH=VALUE or preset:NAME, in this order", false)},
         {"axis", oneOrMore(textSchema("^[^=]+="), maxAxes,
-                           "PATH=VALUES: a case for each value, and of several axes for each combination")},
+                           "PATH=VALUES: a case for each value, or for each combination of several axes")},
     };
     properties.update(settingsProperties());
     OrderedJson schema = strictObject(std::move(properties), OrderedJson::array());
@@ -227,9 +225,9 @@ std::string suiteSchema() {
     OrderedJson properties{
         {"$schema", {{"type", "string"}}},
         {"suite", described(wholeSchema(1, suiteFormatVersion), "the version of the format")},
-        {"name", described(textSchema(), "what reports call it; without it, the file's name")},
+        {"name", described(textSchema(), "its name in reports; default: the file's name")},
         {"about", textSchema()},
-        {"defaults", described(std::move(defaults), "what holds for every entry that doesn't say otherwise")},
+        {"defaults", described(std::move(defaults), "the defaults of all entries")},
         {"cases", {{"type", "array"}, {"items", entrySchema()}, {"minItems", 1}, {"maxItems", maxEntries}}},
     };
     OrderedJson schema = strictObject(std::move(properties), {"suite", "cases"});

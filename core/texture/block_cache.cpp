@@ -103,8 +103,7 @@ bool isEntryName(std::string_view name) {
            name.find_first_not_of("0123456789abcdef") == hashDigits;
 }
 
-/// Removes the oldest entries until at most `maxBytes` are left beside `replaced`, which is about to be
-/// written.
+/// Removes the oldest entries until at most `maxBytes` are left without `replaced`, which will be written.
 void makeRoom(const PrivateDirectory& directory, std::uintmax_t maxBytes, const std::string& replaced) {
     struct Entry {
         std::string name;
@@ -201,7 +200,7 @@ Result<void> BlockCache::keep(const fs::path& file, std::vector<BlockImage> leve
         return fail(bytes.error());
     if (bytes->size() > maxBytes_)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("its {} bytes exceed the cache's bound of {}", bytes->size(), maxBytes_));
+                    fmt::format("its {} bytes exceed the cache's limit of {}", bytes->size(), maxBytes_));
     const std::string name = file.filename().string();
     std::ranges::copy(checksumOf(name, *bytes), bytes->begin() + checksumAt);
     const Result<PrivateDirectory> directory = PrivateDirectory::make(directory_);

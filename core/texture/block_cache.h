@@ -1,6 +1,6 @@
 #pragma once
 
-// Compressed levels that are kept between runs, as DDS files in a directory.
+// Caches compressed levels between runs, as DDS files in a directory.
 
 #include "core/base/result.h"
 #include "core/image/block_image.h"
@@ -15,41 +15,41 @@
 
 namespace texplorer {
 
-/// A directory of compressed mip chains, each under a name that is a hash of all that its blocks depend on:
-/// the pixels of every level (and with them file, flip, mip filter and whatever else went into them), the
-/// format, the quality and the encoder's version. So an entry never is out of date.
+/// A directory of compressed mip chains. Their names are hashes of everything that the blocks depend on: the
+/// pixels of every level (and with them file, flip, mip filter and all else), the format, the quality and
+/// the encoder's version. So entries are never outdated.
 ///
-/// A value that holds nothing open: several threads and programs may share a directory. Entries are DDS files
-/// whose rows are in OpenGL's order, so other viewers show them upside down; the checksum of all their bytes
-/// lies where other readers look at nothing, in dwReserved1.
+/// A value type that keeps no files open: several threads and programs can share a directory. Entries are DDS
+/// files with rows in OpenGL's order, so other viewers show them upside down; the checksum of all their bytes
+/// is in dwReserved1, which other readers ignore.
 class BlockCache {
 public:
     static constexpr std::uintmax_t defaultMaxBytes = std::uintmax_t{512} << 20;
 
-    /// Keeps nothing and finds nothing.
+    /// A cache that stores and finds nothing.
     BlockCache() = default;
-    /// The directory is made when something is first kept; a relative one belongs to the current directory.
-    /// Its entries never take more than `maxBytes` together: those used longest ago make room.
+    /// The directory is created when the first entry is stored; a relative path refers to the current
+    /// directory. The entries never exceed `maxBytes` in total: the least recently used ones are removed.
     explicit BlockCache(std::filesystem::path directory, std::uintmax_t maxBytes = defaultMaxBytes);
 
-    /// $XDG_CACHE_HOME/texplorer/blocks, else $HOME/.cache/texplorer/blocks; where neither variable holds an
-    /// absolute path, one that keeps nothing.
+    /// $XDG_CACHE_HOME/texplorer/blocks, else $HOME/.cache/texplorer/blocks; if neither variable is an
+    /// absolute path, a cache that stores nothing.
     [[nodiscard]] static BlockCache ofUser();
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
-    /// The file that holds or would hold these levels; empty where nothing is kept.
+    /// The file of these levels, existing or not; empty if nothing is stored.
     [[nodiscard]] std::filesystem::path fileFor(const MipChain& source, BlockFormat format,
                                                 EncodeQuality quality) const;
 
-    /// The blocks that a file holds for this source, or nothing: no such file, a link, or one that is
-    /// damaged, be it by a bit, foreign or of other sizes. Using an entry makes it the youngest.
+    /// Reads the blocks for this source from a file; empty if the file does not exist, is a link, or is
+    /// damaged (even by a bit), foreign or of other sizes. Marks the entry as recently used.
     [[nodiscard]] std::optional<std::vector<BlockImage>>
     find(const std::filesystem::path& file, const MipChain& source, BlockFormat format) const;
 
-    /// Writes an entry atomically, in place of whatever has its name (a link is not followed), and makes room
-    /// for it. Errors: there is no directory, it can't be made or written, it isn't private
-    /// (core/base/private_directory.h), the levels alone exceed the bound.
+    /// Writes an entry atomically, replacing any file of its name (links are not followed), and removes
+    /// others if needed. Errors: there is no directory; it cannot be created or written; it is not private
+    /// (core/base/private_directory.h); the levels alone exceed the limit.
     [[nodiscard]] Result<void> keep(const std::filesystem::path& file, std::vector<BlockImage> levels) const;
 
 private:

@@ -13,12 +13,10 @@ std::string sceneImageBytesText() {
 }
 
 Error beyondBudget(std::size_t needed, std::size_t left) {
-    return {
-        ErrorCode::TooLarge,
-        fmt::format(
-            "the image needs {} bytes, and of the {} that a scene's images may take together, {} are left",
-            needed, sceneImageBytes, left),
-        {}};
+    return {ErrorCode::TooLarge,
+            fmt::format("the image needs {} bytes, but of the {} for all images of a scene, {} are left",
+                        needed, sceneImageBytes, left),
+            {}};
 }
 
 Result<TextureImage> decodeWithin(ByteView file, std::size_t left, Decoding decoding) {

@@ -20,15 +20,15 @@ using Wanted = ImageLoader::Wanted;
 constexpr DecodeLimits thumbnailLimits{
     .maxExtent = 8192, .maxPixels = std::size_t{32} << 20, .maxBytes = std::size_t{256} << 20};
 
-constexpr FailureWords loadingFailure{"there is no memory for what it holds", "can't be loaded"};
+constexpr FailureWords loadingFailure{"not enough memory for what it holds", "can't be loaded"};
 
 /// `decoding` is called when the file is read.
 Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size_t left,
                      const ReadObserver& observer, const std::function<void()>& decoding) {
-    const std::size_t most =
+    const std::size_t maxBytes =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
     Result<Content> content = tried(loadingFailure, [&]() -> Result<Content> {
-        Result<Bytes> bytes = readImageFile(path, most, observer);
+        Result<Bytes> bytes = readImageFile(path, maxBytes, observer);
         if (!bytes)
             return fail(bytes.error());
         if (decoding)
@@ -89,7 +89,7 @@ struct ImageLoader::State {
     [[nodiscard]] std::size_t left() const;
 };
 
-/// Of sceneImageBytes, beside the textures that are waiting to be taken.
+/// What is left of sceneImageBytes next to the textures that were not taken yet.
 std::size_t ImageLoader::State::left() const {
     std::size_t waitingBytes = 0;
     worker.look([&](const Loaded& each) {

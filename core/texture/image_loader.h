@@ -16,28 +16,28 @@
 
 namespace texplorer {
 
-/// A file for people to look into, whether it can be decoded or not.
+/// A file for users to examine, whether it can be decoded or not.
 struct DissectedFile {
     Anatomy anatomy;
-    Bytes bytes;               ///< the beginning, at most keptBytes
-    std::size_t fileBytes = 0; ///< as it lies on the disk
-    std::string problem;       ///< why it can't be decoded; empty: it can
+    Bytes bytes;               ///< its beginning, at most keptBytes
+    std::size_t fileBytes = 0; ///< on disk
+    std::string problem;       ///< why it cannot be decoded; empty: it can
 
     static constexpr std::size_t keptBytes = std::size_t{8} << 20;
 };
 
-/// Of a file's content that is there.
+/// Dissects the content of a file.
 [[nodiscard]] std::shared_ptr<const DissectedFile> dissectFile(Bytes bytes);
 
-/// Reads files and makes pictures of them on a thread of its own, one after the other in the order in which
-/// they were asked for. The caller keeps the ticket and looks for its result in `take`. All functions are
-/// to be called from one thread; the first `load` starts the other one.
+/// Reads and decodes files on a thread of its own, one after the other in the order of the calls. The caller
+/// keeps the ticket and looks for its result in `take`. All functions must be called from one thread; the
+/// first `load` starts the other.
 class ImageLoader {
 public:
     using Ticket = std::uint64_t; ///< never 0
     enum class Wanted {
-        Texture,   ///< everything that the file holds: a TextureImage
-        Thumbnail, ///< a small upright Image; a file over thumbnailFileBytes, or of many texels, is refused
+        Texture,   ///< the whole content: a TextureImage
+        Thumbnail, ///< a small upright Image; refused for files above thumbnailFileBytes, or with many texels
         Anatomy,   ///< a DissectedFile
     };
     static constexpr int thumbnailExtent = 64;
@@ -57,30 +57,30 @@ public:
         std::filesystem::path path;
         Step step = Step::Waiting;
         std::size_t bytesRead = 0;
-        std::size_t fileBytes = 0; ///< 0: not known yet
+        std::size_t fileBytes = 0; ///< 0: unknown yet
     };
 
-    /// `wake` is called on the loading thread whenever `take` or `progress` has something new to say.
+    /// `wake` is called on the loading thread whenever `take` or `progress` has something new.
     explicit ImageLoader(std::function<void()> wake = {});
     ImageLoader(const ImageLoader&) = delete;
     ImageLoader& operator=(const ImageLoader&) = delete;
-    /// Stops reading at once; a file that is being decoded is waited for.
+    /// Stops reading at once; waits for a file that is being decoded.
     ~ImageLoader();
 
-    /// The same file twice is read twice: it may have changed in between. Textures that nobody takes are as
-    /// many as a scene may have: one that would exceed sceneImageBytes with them is refused.
+    /// Starts loading. Loading a file twice reads it twice: it can have changed in between. Textures that
+    /// were not taken count towards sceneImageBytes: one that would exceed it is refused.
     [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture);
 
-    /// From here on nothing comes of it. A file that is being decoded keeps the thread busy until it is done.
+    /// Drops the result. If the file is being decoded, the thread is busy until that is done.
     void cancel(Ticket ticket);
 
-    /// What is finished, in the order in which it was asked for.
+    /// Returns the finished results, in the order of the calls.
     [[nodiscard]] std::vector<Loaded> take();
 
-    /// The file that is worked on, or the next one that waits; nothing: all is done.
+    /// The current file, or the next one; empty: all is done.
     [[nodiscard]] std::optional<Progress> progress() const;
 
-    /// Sleeps until everything that was asked for is there to be taken.
+    /// Blocks until all results can be taken.
     void wait() const;
 
 private:
@@ -88,7 +88,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The same on the thread that calls.
+/// The same on the calling thread.
 [[nodiscard]] Result<ImageLoader::Content> loadNow(const std::filesystem::path& path,
                                                    ImageLoader::Wanted wanted);
 

@@ -4,7 +4,7 @@
 
 namespace texplorer {
 
-/// What prepareLevels leaves to do about the picture of a texture.
+/// The flip of a texture's picture that prepareLevels leaves to the renderer.
 [[nodiscard]] inline LateFlip lateFlipOf(const Texture& texture, const TextureImage& image, Target target) {
     if (target == Target::CubeMap || !image.fileTopFirst)
         return LateFlip::None;

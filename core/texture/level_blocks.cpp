@@ -17,7 +17,7 @@ namespace texplorer {
 namespace {
 
 std::string extentsOf(const Surface& surface) {
-    return fmt::format("{} x {}", widthOf(surface), heightOf(surface));
+    return fmt::format("{} × {}", widthOf(surface), heightOf(surface));
 }
 
 /// The slice that stands for a volume where a picture is wanted: that of imageForTarget.
@@ -42,7 +42,7 @@ bool LevelMaker::keepsBlocks() {
         return false;
     }
     if (cutsFaces(image_)) {
-        note("cutting the faces of a cube map out of a picture needs pixels: decompressed");
+        note("cutting the faces of a cube map needs pixels: decompressed");
         return false;
     }
     if (hasBorder()) {
@@ -51,8 +51,8 @@ bool LevelMaker::keepsBlocks() {
     }
     if (generates()) {
         note(fmt::format(
-            "the mip levels are made of pixels, so the compressed image was decompressed; mipmaps={} keeps "
-            "the file's blocks",
+            "the mip levels are made from pixels, so the compressed image was decompressed; mipmaps={} "
+            "keeps the file's blocks",
             rowOf(MipPolicy::FromFile).name));
         return false;
     }
@@ -62,11 +62,11 @@ bool LevelMaker::keepsBlocks() {
         return false;
     }
     if (texture_.transparency != Transparency::File) {
-        note("another transparency than that of the file needs pixels: decompressed");
+        note("a transparency other than the file's needs pixels: decompressed");
         return false;
     }
     if (prepares()) {
-        note("what is done to the image before needs pixels: decompressed");
+        note("the preparation of the image needs pixels: decompressed");
         return false;
     }
     if (!haveSameBlocks())
@@ -80,8 +80,8 @@ bool LevelMaker::keepsBlocks() {
         if (flipsWithoutLoss(heightOf(surface)))
             continue;
         note(fmt::format(
-            "level {} has {} texels: its blocks can't be turned around without loss, for which a height must "
-            "be {}; the texture was decompressed and its pixels flipped",
+            "level {} has {} texels: its blocks can't be flipped without loss, which needs a height of {}; "
+            "the texture was decompressed and its pixels flipped",
             picture.number, extentsOf(surface), losslessExtents));
         return false;
     }
@@ -156,8 +156,8 @@ Result<void> LevelMaker::compress() {
     return {};
 }
 
-/// From the cache, else anew and then kept there. Each face of a cube map is kept for itself, and each level
-/// where it need not have half the size of the one before.
+/// Reads the blocks from the cache, or makes them and stores them there. Each face of a cube map is an entry,
+/// and so is each level if it need not have half the size of the one before.
 Result<void> LevelMaker::compressHere() {
     const auto perFace = texture_.mipmaps == MipPolicy::Given
                              ? 1
@@ -183,8 +183,7 @@ Result<void> LevelMaker::compressHere(std::span<TextureLevel> levels) {
         if (!made)
             return fail(made.error());
         if (const Result<void> kept = work_.cache.keep(file, *made); !kept)
-            note(fmt::format("the compressed levels are not kept for the next time: {}",
-                             describe(kept.error())));
+            note(fmt::format("the compressed levels can't be cached: {}", describe(kept.error())));
         blocks = *std::move(made);
     }
     for (std::size_t i = 0; i < levels.size(); ++i)

@@ -194,12 +194,12 @@ Result<void> LevelMaker::checkRoom() const {
     if (bytes <= sceneImageBytes)
         return {};
     return fail(ErrorCode::TooLarge,
-                fmt::format("the pictures of the levels above its base need {} bytes, and together they may "
-                            "take {}",
+                fmt::format("the images of the levels above the base need {} bytes, but may have at most "
+                            "{} together",
                             bytes, sceneImageBytesText()));
 }
 
-/// Of the files that are wanted beside the base's.
+/// Notes the missing files other than the base's.
 void LevelMaker::noteMissing() {
     const auto reason = [](const std::string& file) {
         return file.empty() ? std::string("no file is chosen") : fmt::format("{} is not loaded", file);
@@ -211,14 +211,14 @@ void LevelMaker::noteMissing() {
     for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
         const ImageStep& step = texture_.preparation[i];
         if (step.op == ImageOp::AlphaFrom && !holdsPicture(pictures_.other(i)))
-            note(fmt::format("preparation[{}]: {}; left out", i, reason(step.file)));
+            note(fmt::format("preparation[{}]: {}; skipped", i, reason(step.file)));
     }
 }
 
 void LevelMaker::leaveOneOut() {
     const int missing = missingLevel(out_.levels.empty() ? 0 : out_.levels.back().number + 1);
     if (missing < 0)
-        return note("there is only a base level: none can be left out");
+        return note("there is only a base level: none can be missing");
     for (std::size_t i = out_.levels.size(); i-- > 0;) {
         if (out_.levels[i].number != missing)
             continue;
@@ -252,7 +252,7 @@ Result<TextureLevels> LevelMaker::run() {
         return fail(ErrorCode::Unsupported,
                     fmt::format("OpenGL has no depth textures for {}", rowOf(target_).name));
     if (image_.faces > 1 && !isCube())
-        note(fmt::format("the file is a cube map of {} faces; its first, +x, is drawn", image_.faces));
+        note(fmt::format("the file is a cube map of {} faces; the first, +x, is drawn", image_.faces));
     if (const Result<void> room = checkRoom(); !room)
         return fail(room.error());
     noteMissing();

@@ -1,8 +1,8 @@
 #pragma once
 
-// Makes the levels of one texture: what texture_levels.h and level_plan.h promise. Its functions stand in the
-// file that says what they are about: level_maker.cpp (from pictures to levels), level_blocks.cpp (compressed
-// ones), level_plan.cpp (extents alone).
+// Makes the levels of a texture: the implementation of texture_levels.h and level_plan.h. Its functions are
+// in level_maker.cpp (levels from pictures), level_blocks.cpp (compressed levels) and level_plan.cpp (extents
+// only).
 
 #include "core/base/result.h"
 #include "core/gl/sampling.h"
@@ -17,25 +17,25 @@
 
 namespace texplorer {
 
-/// The settings that count for an image. What the light sees stays as it is in a depth texture: an average of
-/// depths is the depth of nothing.
+/// The effective settings for an image. The light's view is unchanged in a depth texture: a mean of depths is
+/// not a meaningful depth.
 [[nodiscard]] Texture settingsFor(const Texture& texture, const TextureImage& image);
 
-/// Whether there is a picture, be it an outline.
+/// Whether there is a picture, also as an outline.
 [[nodiscard]] bool holdsPicture(const TextureImage* image);
 
-/// What a level is made of.
+/// The source of a level.
 struct LevelPicture {
     int number = 0;                      ///< GL's
     const TextureImage* image = nullptr; ///< never null
     SourceKind source = SourceKind::Pattern;
-    int fileLevel = 0;   ///< which of the image's levels
-    bool fitted = false; ///< it is scaled to the size that the level has to have
+    int fileLevel = 0;   ///< the index of the image's level
+    bool fitted = false; ///< scaled to the required size of the level
 };
 
 class LevelMaker {
 public:
-    /// `pictures` has a base. `lends`: whether its surfaces may be lent.
+    /// `pictures` has a base. `lends`: whether results may share its surfaces.
     LevelMaker(const Texture& texture, const TexturePictures& pictures, Target target, const LevelWork& work,
                bool lends = false)
         : texture_(settingsFor(texture, *pictures.base))
@@ -50,35 +50,36 @@ public:
     void eachStep(const std::function<void(const Image&)>& visit) const;
 
 private:
-    /// Whether rows are wanted as a naive loader gives them to OpenGL: the file's first row first.
+    /// Whether rows are taken in the order of a simple loader: the file's first row first.
     [[nodiscard]] bool fileOrder(SourceKind source) const {
         const bool drawnHere = isCube() && source == SourceKind::Pattern; // has no file
         return !drawnHere && (texture_.flip == FlipMode::Coordinates || texture_.flip == FlipMode::Matrix ||
                               texture_.flip == FlipMode::None);
     }
-    /// Whether the top row of a picture goes to t = 0. What is turned later, is turned with the base level.
+    /// Whether the top row of a picture is at t = 0. A late flip applies to all levels, according to the base
+    /// level.
     [[nodiscard]] bool isTopFirst(const LevelPicture& picture) const {
         if (!fileOrder(picture.source))
             return isCube();
         const bool turnedLater = !isCube() && texture_.flip != FlipMode::None;
         return turnedLater ? image_.fileTopFirst : picture.image->fileTopFirst;
     }
-    /// Whether the rows have to change places before the upload.
+    /// Whether the rows are reversed before the upload.
     [[nodiscard]] bool turns(const LevelPicture& picture) const {
         return picture.image->topFirst != isTopFirst(picture);
     }
-    /// Then the top row of a picture goes to t = 0 (core/image/cube_faces.h).
+    /// In that case, the top row of a picture is at t = 0 (core/image/cube_faces.h).
     [[nodiscard]] bool isCube() const { return target_ == Target::CubeMap; }
-    /// Whether the faces of a cube map have to be found in one picture.
+    /// Whether the faces of a cube map are parts of one picture.
     [[nodiscard]] bool cutsFaces(const TextureImage& image) const {
         const Surface& whole = image.surface(0, 0);
         return isCube() && image.faces != cubeFaceCount &&
                cubeLayout(widthOf(whole), heightOf(whole)) != CubeLayout::Same;
     }
-    /// What is made until then is of no use.
+    /// The result is then discarded.
     [[nodiscard]] bool isStopped() const { return work_.stop.stop_requested(); }
     [[nodiscard]] bool prepares() const { return !texture_.preparation.empty(); }
-    /// Whether levels above the base have pictures of their own.
+    /// Whether levels above the base have their own pictures.
     [[nodiscard]] bool hasPictures() const {
         return texture_.mipmaps == MipPolicy::FromFile || texture_.mipmaps == MipPolicy::Given;
     }
@@ -89,7 +90,7 @@ private:
     [[nodiscard]] bool hasBorder() const { return texture_.border != 0; }
     [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }
     [[nodiscard]] LevelPicture basePicture() const { return {0, &image_, texture_.source}; }
-    /// A file without faces has the same for all.
+    /// For a file without faces, all faces are the same.
     [[nodiscard]] static const Surface& surface(const TextureImage& image, int face, int level) {
         return image.surface(image.faces == cubeFaceCount ? face : 0, level);
     }
@@ -122,7 +123,7 @@ private:
 
     const Texture texture_;
     const TexturePictures& pictures_;
-    const TextureImage& image_; ///< the base's
+    const TextureImage& image_; ///< of the base level
     bool lends_;
     Target target_;
     const LevelWork& work_;

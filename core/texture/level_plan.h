@@ -1,6 +1,6 @@
 #pragma once
 
-// Which levels a texture will have, without making any: what completeness and size limits can be judged by.
+// The levels that a texture will have, without making them: enough to check completeness and size limits.
 
 #include "core/texture/texture_pictures.h"
 
@@ -11,7 +11,7 @@ namespace texplorer {
 
 struct PlannedLevel {
     int number = 0; ///< GL's: 0 is the base
-    int width = 0;  ///< extents without a border
+    int width = 0;  ///< extents without border
     int height = 1;
     int depth = 1;
 
@@ -19,17 +19,17 @@ struct PlannedLevel {
 };
 
 struct LevelPlan {
-    std::vector<PlannedLevel> levels;  ///< ascending; those of every face alike
-    int lastLevel = 1000;              ///< as TextureLevels has it
-    int border = 0;                    ///< as TextureLevels has it
-    std::optional<BlockFormat> blocks; ///< kept from the file, or what the driver shall compress to
+    std::vector<PlannedLevel> levels;  ///< ascending; the same for every face
+    int lastLevel = 1000;              ///< as in TextureLevels
+    int border = 0;                    ///< as in TextureLevels
+    std::optional<BlockFormat> blocks; ///< kept from the file, or the format that the driver compresses to
 };
 
-/// The extents that a level has above a base (OpenGL 2.1, section 3.8.8).
+/// The extents of a level above a base (OpenGL 2.1, section 3.8.8).
 [[nodiscard]] PlannedLevel levelAbove(const PlannedLevel& base, int number);
 
-/// The numbers and extents that prepareLevels would give, at once for any size; outlines will do. Empty for
-/// an empty image.
+/// Returns the numbers and extents of prepareLevels' result, immediately for any size; outlines are enough.
+/// Empty for an empty image.
 [[nodiscard]] LevelPlan planLevels(const Texture& texture, const TexturePictures& pictures, Target target);
 
 } // namespace texplorer

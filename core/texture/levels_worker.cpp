@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::size_t quickTexels = std::size_t{256} * 256;
 
-constexpr std::size_t mostEntries = 32;
+constexpr std::size_t maxEntries = 32;
 
-constexpr FailureWords levelsFailure{"there is no memory for the numbers about its levels",
+constexpr FailureWords levelsFailure{"not enough memory for the statistics of its levels",
                                      "its levels can't be made"};
 
 std::string nameOf(const Texture& settings) {
@@ -61,8 +61,8 @@ Thumbnail smallOf(const Image& image, bool topFirst) {
 /// Every nth texel along both axes, so that there are at most twice as many as are shown: an average of all
 /// of a large level would hold its upload up.
 Image thinned(Image image) {
-    constexpr int most = 2 * LevelsSummary::levelExtent;
-    const int step = (std::max(image.width, image.height) + most - 1) / most;
+    constexpr int maxExtent = 2 * LevelsSummary::levelExtent;
+    const int step = (std::max(image.width, image.height) + maxExtent - 1) / maxExtent;
     if (step <= 1)
         return image;
     Image thin =
@@ -369,11 +369,11 @@ bool LevelsWorker::receive() {
             state.drop(entry.ticket);
         return forsaken;
     });
-    for (State::Entry& entry : state.entries) { // nobody has come for them: they are large
+    for (State::Entry& entry : state.entries) { // not requested any more: they are large
         if (entry.readyFrame < state.frame)
             entry.levels.reset();
     }
-    while (state.entries.size() > mostEntries) {
+    while (state.entries.size() > maxEntries) {
         const auto oldest = std::ranges::min_element(state.entries, {}, &State::Entry::frame);
         if (oldest->ticket != 0)
             state.drop(oldest->ticket);

@@ -20,12 +20,12 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
     try {
         Result<TextureLevels> made = LevelMaker(texture, pictures, target, work, lends).run();
         if (made && settingsFor(texture, image).mipmaps != texture.mipmaps)
-            made->notes.emplace_back("what the light sees has no mip levels: there is only a base level");
+            made->notes.emplace_back("a shadow map has no mip levels: there is only a base level");
         return made;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("there is no memory for the levels of an image of {} texels",
-                                fmt::format("{} x {}", widthOf(image.surfaces.front()),
+                    fmt::format("not enough memory for the levels of an image of {} texels",
+                                fmt::format("{} × {}", widthOf(image.surfaces.front()),
                                             heightOf(image.surfaces.front()))));
     }
 }

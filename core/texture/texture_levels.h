@@ -1,7 +1,7 @@
 #pragma once
 
-// From what a file holds to what is uploaded: the one place where flip, compression and mipmaps of a Texture
-// take effect. Every renderer starts from its result.
+// Converts the content of a file to the levels to upload: here, flip, compression and mipmaps of a Texture
+// are applied. Every renderer starts from the result.
 
 #include "core/base/result.h"
 #include "core/image/mipmaps.h"
@@ -21,75 +21,76 @@
 
 namespace texplorer {
 
-/// What is left to do about a picture that is upside down when it is uploaded.
+/// How the renderer must flip a picture that is uploaded upside down.
 enum class LateFlip : std::uint8_t { None, Coordinates, Matrix };
 
 struct TextureLevel {
     int number = 0;        ///< GL's: 0 is the base
-    SharedSurface surface; ///< lent by the image where nothing had to be done to it
-    int face = 0;          ///< of a cube map: counted as CubeFace
+    SharedSurface surface; ///< shared with the image if unchanged
+    int face = 0;          ///< of a cube map: as in CubeFace
 };
 
 struct TextureLevels {
-    std::vector<TextureLevel> levels; ///< ascending, one face after the other; row 0 goes to t = 0
-    /// The last level of a file that holds fewer than a full chain: GL_TEXTURE_MAX_LEVEL must not exceed it.
+    std::vector<TextureLevel> levels; ///< ascending, one face after the other; row 0 is at t = 0
+    /// The last level of a file with fewer levels than a full chain: GL_TEXTURE_MAX_LEVEL must not exceed it.
     int lastLevel = 1000;
     LateFlip lateFlip = LateFlip::None;
-    int border = 0; ///< how many texels of every level's extents are border, on each side of each axis
-    InternalFormat internalFormat = InternalFormat::Rgba; ///< of levels that are pixels and stay pixels
-    std::optional<BlockFormat> driverFormat;              ///< what the driver shall compress the levels to
-    /// What compressed levels were made of, in the same order: what their loss is measured against. Empty
-    /// where nothing was compressed here.
+    int border = 0; ///< width of the border, included in every level's extents, on each side of each axis
+    /// Of levels that are uploaded as pixels and not compressed.
+    InternalFormat internalFormat = InternalFormat::Rgba;
+    std::optional<BlockFormat> driverFormat; ///< the format that the driver compresses to
+    /// The source of compressed levels, in the same order, to measure the loss. Empty if nothing was
+    /// compressed here.
     MipChain source;
-    bool fromCache = false;         ///< the blocks were found in the cache and not made anew
-    std::vector<std::string> notes; ///< sentences: what was done otherwise than asked for, and why
+    bool fromCache = false;         ///< the blocks were read from the cache
+    std::vector<std::string> notes; ///< sentences about what was done differently than specified, and why
 };
 
-/// What compressing at run time (Compression::Cached) needs. It takes long where the cache doesn't have the
-/// blocks, at best quality two seconds a megatexel, and so do many steps of a preparation: a caller that must
-/// not wait calls prepareLevels on a thread of his own, with a `stop` that he can request.
+/// Options for compression at run time (Compression::Cached). Without cached blocks it is slow, at best
+/// quality two seconds per megatexel, and so are many preparation steps: a caller that must not block calls
+/// prepareLevels on another thread, with a `stop` to cancel it.
 struct LevelWork {
-    BlockCache cache{};  ///< where blocks are looked for and kept
-    Progress progress{}; ///< of the compressing, on the thread that calls
+    BlockCache cache{};  ///< where blocks are read and stored
+    Progress progress{}; ///< of compression, on the calling thread
     std::stop_token stop{};
-    /// Of the base level's first face, where there is a preparation: the image before it and after each step,
-    /// and whether its row 0 is the top one.
+    /// Called for the base level's first face, if there is a preparation: with the image before it and after
+    /// each step, and whether row 0 is the top one.
     std::function<void(const Image& image, bool topFirst)> step{};
 };
 
-/// Applies `texture`'s preparation, flip, compression, mipmaps and power-of-two choices to the part of
-/// `image` that a target takes: face 0; of a volume the middle slice, unless the target is 3D; of a picture
-/// the middle row for 1D. OpenGL compresses pictures only, so that lines and volumes are uploaded
-/// decompressed. Errors: an image without surfaces; no memory; Cancelled after a stop request. A cache that
-/// can't be used is a note. Where the internal format has few bits each level's pixels are rounded to them.
-/// Those of a depth texture become PixelFormat::Depth32; OpenGL has it for 1D and 2D targets alone, and not
-/// compressed. What the light sees stays as it is there, without mip levels; a texture of colours has it as
-/// greys. Unsupported: depths for another target.
+/// Applies `texture`'s preparation, flip, compression, mipmaps and power-of-two settings to the part of
+/// `image` that a target uses: face 0; of a volume the middle slice, unless the target is 3D; of a picture
+/// the middle row for 1D. OpenGL compresses only pictures, so lines and volumes are uploaded decompressed. If
+/// the internal format has few bits, each level's pixels are rounded to them. Those of a depth texture become
+/// PixelFormat::Depth32; OpenGL allows it only for 1D and 2D targets, without compression. In a depth
+/// texture, the light's view is unchanged, without mip levels; in a colour texture it is grey. Errors: an
+/// image without surfaces; no memory; Cancelled after a stop request; Unsupported for depths with another
+/// target. An unusable cache is a note.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image,
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 
-/// The same with the images of levels that are given one by one and of the preparation, where there are any;
-/// the base is not null. What of it needs no change is not copied, so that a large image takes no more than
-/// its own memory and that of the mip levels above it. A file's level has the size of its picture, a
-/// pattern's the one that it has to have; where one isn't loaded there is no such level, which is a note.
-/// TooLarge: the pictures of given levels take more than sceneImageBytes together.
+/// The same with the images of levels and of the preparation, if there are any; the base must not be null.
+/// Unchanged surfaces are not copied, so a large image needs only its own memory and that of the mip levels
+/// above it. A level from a file has the size of its picture, a level from a pattern the required size; if an
+/// image is not loaded, its level is missing, with a note. TooLarge: the pictures of given levels exceed
+/// sceneImageBytes together.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TexturePictures& pictures,
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 
-/// Calls visit(image) with the texture's picture before its preparation, and after each step of it: upright,
-/// bottom row first; of a cube map the first face, of a volume the middle slice. Never where it isn't loaded.
-/// A stop request within visit() makes it the last call.
+/// Calls visit(image) with the texture's picture before its preparation and after each step: upright, bottom
+/// row first; of a cube map the first face, of a volume the middle slice. Not called if it is not loaded. A
+/// stop request in visit() ends the calls.
 void eachPreparationStep(const Texture& texture, const TexturePictures& pictures,
                          const std::function<void(const Image&)>& visit, const std::stop_token& stop = {});
 
-/// Every level as pixels, 8 bits a component of the blocks' base format: for a driver without S3TC. The rest
-/// stays as it is.
+/// Decompresses every level to 8 bits per component of the blocks' base format, for drivers without S3TC. The
+/// other members are unchanged.
 void decompress(TextureLevels& levels);
 
-/// The texture with everything that prepareLevels ignores at its initial value: two textures whose settings
-/// are equal have equal levels.
+/// Returns the texture with every parameter that prepareLevels ignores at its initial value: textures with
+/// equal results have equal levels.
 [[nodiscard]] Texture imageSettings(const Texture& texture);
 
 struct LevelReport {
@@ -99,27 +100,27 @@ struct LevelReport {
     int depth = 1;
     int faces = 1;         ///< 6 for a cube map
     std::size_t bytes = 0; ///< of all faces
-    /// Of the worst face: peak signal-to-noise ratio against the source, in dB over `components`; infinite
-    /// where they are equal, none where there is no source to compare with.
+    /// Of the worst face: the peak signal-to-noise ratio against the source, in dB over `components`;
+    /// infinite if equal, empty without a source.
     std::optional<double> psnr;
-    /// "RGB": those of red, green, blue and alpha that the format keeps and the source has. Alpha that is 255
-    /// everywhere is none.
+    /// "RGB": the components that the format stores and the source has. Alpha that is 255 everywhere does not
+    /// count.
     std::string_view components;
 };
 
 struct TextureReport {
     std::vector<LevelReport> levels;
     std::size_t bytes = 0;   ///< of all levels
-    double ratioToBase = 0;  ///< tends to 4/3 for a full chain of a picture
-    double shareOfRgba8 = 0; ///< of the bytes that the same levels would take with 4 bytes a texel
-    double shareOfRgb8 = 0;  ///< and with 3
+    double ratioToBase = 0;  ///< close to 4/3 for a full chain of a picture
+    double shareOfRgba8 = 0; ///< relative to the same levels with 4 bytes per texel
+    double shareOfRgb8 = 0;  ///< and with 3 bytes per texel
 };
 
 [[nodiscard]] TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& source = {});
-/// Of pixels the bytes are those of the internal format, or of the blocks that the driver is to make of them.
+/// For pixels, the bytes are those of the internal format, or of the blocks that the driver makes.
 [[nodiscard]] TextureReport reportOn(const TextureLevels& levels);
 
-/// The report as a small table, a line a level and one for the sum.
+/// The report as a small table: a line per level, and the total.
 [[nodiscard]] std::string describe(const TextureReport& report);
 
 } // namespace texplorer

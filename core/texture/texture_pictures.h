@@ -10,18 +10,18 @@
 
 namespace texplorer {
 
-/// The images that a texture is made of, as ImageSource has them. They are shared and never change; two are
-/// equal where they are the same images, so that they can key a cache.
+/// The images that a texture is made of, from ImageSource. They are shared and immutable; two values are
+/// equal if the images are the same objects, so they can be keys of a cache.
 struct TexturePictures {
     using Picture = std::shared_ptr<const TextureImage>; ///< nullptr: not loaded
 
     TexturePictures() = default;
-    TexturePictures(Picture of) // NOLINT: most textures are made of one
+    TexturePictures(Picture of) // NOLINT: implicit, as most textures are made of one
         : base(std::move(of)) {}
 
     Picture base;
-    std::vector<Picture> levels; ///< of Texture::levels; fewer, and none, where the others aren't loaded
-    std::vector<Picture> others; ///< of Texture::preparation; nullptr for steps without another picture, too
+    std::vector<Picture> levels; ///< of Texture::levels; fewer or none if the others are not loaded
+    std::vector<Picture> others; ///< of Texture::preparation; nullptr also for steps without another picture
 
     [[nodiscard]] const TextureImage* level(std::size_t index) const {
         return index < levels.size() ? levels[index].get() : nullptr;

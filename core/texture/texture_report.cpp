@@ -145,9 +145,9 @@ TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& 
 std::string describe(const TextureReport& report) {
     std::string text;
     for (const LevelReport& level : report.levels) {
-        std::string extents = fmt::format("{} x {}", level.width, level.height);
+        std::string extents = fmt::format("{} × {}", level.width, level.height);
         if (level.depth > 1)
-            extents += fmt::format(" x {}", level.depth);
+            extents += fmt::format(" × {}", level.depth);
         if (level.faces > 1)
             extents += fmt::format(", {} faces", level.faces);
         text += fmt::format("level {:2}  {:16} {:10} bytes{}\n", level.number, extents, level.bytes,

@@ -1,6 +1,6 @@
-// How long a lesson takes to open: from the click to the first frame with the picture of its first step. What
-// the window does beside it, the small pictures of answers, isn't waited for. Each time in a new context, in
-// which the default scene was drawn: filters that the lesson brings are compiled by llvmpipe anew.
+// How long a lesson takes to open: from the click to the first frame with the picture of its first step. The
+// small pictures of answers, which are drawn in the background, are not waited for. Each time in a new
+// context in which the default scene was drawn: llvmpipe compiles the filters of the lesson again.
 
 #include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"

@@ -1,7 +1,7 @@
-// Google Benchmark's table, and below it every ratio that has a target. Each benchmark runs several times,
-// all of them interleaved, and the median counts: what else the machine does then slows both sides of a
-// ratio. Fails where a benchmark fails, and, unless a filter is given, where a row of the table has no
-// result. With --once each benchmark runs once: that all of them work, and that peers draw the same pictures.
+// Prints Google Benchmark's table, and below it every ratio that has a target. Each benchmark runs several
+// times, all of them interleaved, and the median is used: other load on the machine then slows both sides of
+// a ratio. Fails if a benchmark fails, or, without a filter, if a row of the table has no result. With --once
+// each benchmark runs once, to check that all work and that peers draw the same pictures.
 
 #include "tests/bench/comparisons.h"
 
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    /// The processor's time, which other programs hardly change; of what waits or has threads, the clock's.
+    /// Processor time, which other programs hardly affect; wall time for benchmarks that wait or use threads.
     static double timeOf(const Run& run) {
         const std::string& type = run.run_name.time_type;
         const bool realTime = type == "real_time" || type == "manual_time";
@@ -111,19 +111,19 @@ private:
     bool filtered_;
     std::size_t missed_ = 0;
     std::map<std::string, double> seconds_;
-    std::set<std::string> failures_; // a set: each repetition fails anew
+    std::set<std::string> failures_; // a set: each repetition fails again
 };
 
 } // namespace
 } // namespace texplorer::bench
 
 int main(int argc, char** argv) {
-    // Freed memory stays with the program. Otherwise whether a picture of 16 MB is decoded into fresh pages,
-    // which cost more than the decoding, would depend on what ran before.
+    // Keeps freed memory in the program. Otherwise earlier benchmarks would decide whether a picture of 16 MB
+    // is decoded into fresh pages, which cost more than the decoding.
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
     const bool once = argc > 1 && std::strcmp(argv[1], "--once") == 0;
-    // Defaults first: the same flags on the command line come later and win.
+    // Defaults first: the same flags on the command line come later and replace them.
     std::string defaults[] = {once ? "--benchmark_repetitions=1" : "--benchmark_repetitions=5",
                               once ? "--benchmark_min_time=0" : "--benchmark_min_time=0.1",
                               "--benchmark_enable_random_interleaving=true"};

@@ -1,6 +1,6 @@
 // What the panels add to a frame of the window: the whole frame against the renderer alone, at the size of
-// the picture in the window; a frame while coordinates are dragged; and frames with figures that work beside
-// the window.
+// the picture in the window; a frame while coordinates are dragged; and frames with figures that work in the
+// background.
 
 #include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
@@ -33,7 +33,7 @@ void windowFrame(benchmark::State& state) {
     }
 }
 
-/// The default window with a sphere of 128 x 64 alone, of which the mouse drags a vertex to and fro in
+/// The default window with a single sphere of 128 x 64. The mouse drags one of its vertices back and forth in
 /// texture space: each frame has other coordinates, an edit in the history and a diagnosis.
 void windowDrag(benchmark::State& state) {
     const auto context = offscreen::Context::create(window);
@@ -76,12 +76,12 @@ void windowDrag(benchmark::State& state) {
         state.SkipWithError("the mouse moved no vertex");
 }
 
-/// A figure, and whether the scene moves meanwhile.
+/// Whether the scene moves while a figure is shown.
 enum class Moves { No, Yes };
 
-/// The default window with a figure below, or its plain one; what works for it does so beside it, as it does
-/// for a user. Where the scene moves, the probed pixel has other colours in each frame, and the pictures of
-/// the sheet follow.
+/// The default window with a figure below, or without one. Its workers run in the background, as for a user.
+/// If the scene moves, the probed pixel has other colours in each frame, and the pictures of the sheet are
+/// drawn again.
 void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Moves moves) {
     const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();

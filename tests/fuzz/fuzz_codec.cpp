@@ -1,5 +1,5 @@
-// The decoders. `fuzz_codec --codec=TGA` gives every input to that row, whatever it begins with; without a
-// name every input goes through all rows in turn, and to the one that recognises it.
+// The decoders. `fuzz_codec --codec=TGA` passes every input to that row, regardless of its first bytes;
+// without a name every input goes through all rows in turn, and to the one that recognises it.
 
 #include "tests/fuzz/broken.h"
 #include "tests/support/codec_promises.h"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace texplorer;
 
-// A picture of 64 MiB is as good as a larger one for finding what is wrong, and faster.
+// A picture of 64 MiB finds as many errors as a larger one, and faster.
 constexpr DecodeLimits limits{.maxBytes = std::size_t{64} << 20};
 
 const CodecRow* chosen = nullptr;
@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t maxSize,
                                                unsigned seed) {
     const std::size_t mutated = LLVMFuzzerMutate(data, size, maxSize);
-    if (seed % 16 != 0) // wrong checksums are worth an input, too
+    if (seed % 16 != 0) // inputs with wrong checksums are useful, too
         test::repairPng(std::as_writable_bytes(std::span(data, mutated)));
     return mutated;
 }

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Result<suite::Suite> suite = suite::parseSuite(text);
     expectOneLine(suite);
     if (suite)
-        expectOneLine(suite::planOf({*std::move(suite)}, {.renderers = {}, .only = {}, .most = 200}));
+        expectOneLine(suite::planOf({*std::move(suite)}, {.renderers = {}, .only = {}, .limit = 200}));
     expectOneLine(suite::parseJournal(text));
     expectOneLine(suite::parseDurations(text));
     const Result<suite::RunRecord> run = suite::parseRun(text);

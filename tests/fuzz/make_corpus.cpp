@@ -1,5 +1,5 @@
-// make_corpus FOLDER: what the fuzzers begin with, written by our own writers where there are any. One
-// subfolder a fuzzer; those of the decoders are named for their rows, so that a new row brings its own.
+// make_corpus FOLDER: the start corpus of the fuzzers, written by our own writers if there are any. One
+// subfolder per fuzzer; those of the decoders have the names of their rows, so that a new row adds its own.
 
 #include "core/base/file_io.h"
 #include "core/scene/params/json.h"
@@ -35,7 +35,7 @@ std::vector<Bytes> filesFor(const CodecRow& row) {
     return row.name == "JPEG" ? test::sampleJpegs() : test::sampleFiles(row);
 }
 
-/// Every enumerator and every parameter occurs in one of them.
+/// Every enumerator and every parameter occurs at least once.
 std::vector<Scene> sampleScenes() {
     Scene full = defaultScene();
     full.textures.resize(2);
@@ -51,7 +51,7 @@ std::vector<Scene> sampleScenes() {
     return {defaultScene(), full, small};
 }
 
-/// A suite, and what comes of one: a report, a journal and durations.
+/// A suite and its results: a report, a journal and durations.
 std::vector<std::string> sampleSuites() {
     suite::RunRecord run;
     run.suites = {"s"};
@@ -70,7 +70,7 @@ std::vector<std::string> sampleSuites() {
         suite::writeDurations({{"a", 1}})};
 }
 
-/// A libFuzzer dictionary: the words of the parameter tables, which chance would hardly find.
+/// A libFuzzer dictionary: the words of the parameter tables, which random input would hardly contain.
 std::string dictionary(const Scene& scene) {
     std::set<std::string> words{"true", "false", "1e38", "-0", "version"};
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
@@ -86,7 +86,7 @@ std::string dictionary(const Scene& scene) {
 }
 
 bool makeCorpus(const std::filesystem::path& folder) {
-    std::error_code error; // writing into a folder that isn't there says so
+    std::error_code error; // a missing folder is reported when a file is written
     for (const CodecRow& row : codecRows())
         std::filesystem::create_directories(folder / row.name, error);
     for (const std::string_view name : {"codecs", "flip", "param", "scene", "suite"})

@@ -1,4 +1,4 @@
-// What the plain versions of core/base/*_linux.cpp promise where they promise less.
+// The plain versions of core/base/*_linux.cpp where they promise less.
 
 #include "core/base/file_io.h"
 #include "core/base/file_lock.h"
@@ -37,7 +37,7 @@ TEST_F(PlainFiles, HaveNoLocks) {
 TEST_F(PlainFiles, AppearAndAreReplacedAsAWhole) {
     const auto write = [&](std::string_view text) {
         return writeFileAtomically(folder / "a.txt", viewBytes(text), [&] {
-            EXPECT_EQ(names().size(), fs::exists(folder / "a.txt") ? 2U : 1U) << "a draft beside it";
+            EXPECT_EQ(names().size(), fs::exists(folder / "a.txt") ? 2U : 1U) << "a draft next to it";
         });
     };
     ASSERT_TRUE(write("one"));
@@ -63,10 +63,10 @@ TEST_F(PlainFiles, OfAFolderAppearTogether) {
 }
 
 TEST_F(PlainFiles, AreNeverTakenForThoseOfAProgramThatDied) {
-    test::writeRaw(folder / ".texplorer-1-0.tmp", std::string("somebody's"));
+    test::writeRaw(folder / ".texplorer-1-0.tmp", std::string("another process"));
     ASSERT_TRUE(writeFileAtomically(folder / "a", viewBytes("1")));
     EXPECT_THAT(names(), testing::ElementsAre(".texplorer-1-0.tmp", "a"))
-        << "without locks nobody knows whether its writer lives";
+        << "without locks it is unknown whether its writer still runs";
 }
 
 TEST_F(PlainFiles, LieInAPrivateDirectory) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Programs as textbooks have them: OpenGL from glBegin to glEnd, GLU and glTexEnv, and nothing of ours. Each
-// draws what the scene of its name in assets/scenes shows.
+// Programs as in textbooks: OpenGL with glBegin and glEnd, GLU and glTexEnv, without code of Texplorer. Each
+// draws the scene of its name in assets/scenes.
 
 #include <cstdint>
 #include <string_view>
@@ -15,12 +15,12 @@ struct Picture {
     std::vector<std::uint8_t> texels; ///< red, green, blue, alpha; the bottom row first
 };
 
-/// A picture that a program shares with its scene, by the name of the pattern. Whoever runs the programs
-/// defines this.
+/// A picture that a program shares with its scene, by the name of the pattern. Defined by the users of the
+/// programs.
 [[nodiscard]] const Picture& pattern(std::string_view name);
 
-// Each clears the current framebuffer of this size and draws into it. The context has OpenGL's initial state,
-// and gets it back from the caller.
+// Each clears the current framebuffer of this size and draws into it. Expects a context in OpenGL's initial
+// state; the caller restores that state.
 
 void drawChecker(int width, int height);
 void drawTexbind(int width, int height);

@@ -48,7 +48,7 @@ void drawQuadrics(int width, int height) {
     gluPerspective(40, static_cast<double>(width) / height, 7.0 / 50, 4 * 7.0 + 400);
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
-    lightQuadrics(); // while the matrix is the identity: the light stands beside the eye
+    lightQuadrics(); // while the matrix is the identity: the light is next to the eye
     glTranslatef(0, 0, -7);
     glRotatef(15, 1, 0, 0);
 

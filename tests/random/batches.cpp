@@ -23,7 +23,7 @@ namespace texplorer::random {
 struct ChildNumbers {
     int first;
     int end;
-    bool again = false; ///< one that a child has died of, by itself
+    bool again = false; ///< the number at which an earlier child ended, run alone
 };
 
 namespace {
@@ -47,12 +47,12 @@ void Journal::write(std::string_view word, std::string_view kind, std::string_vi
     for (std::size_t done = 0; done < line.size();) {
         const ssize_t written = ::write(pipe_, line.data() + done, line.size() - done);
         if (written < 0 && errno != EINTR)
-            _exit(EXIT_FAILURE); // nobody listens any more
+            _exit(EXIT_FAILURE); // the parent has closed the pipe
         done += written > 0 ? static_cast<std::size_t>(written) : 0;
     }
 }
 
-/// A process of the parent's, and what the parent has heard of it.
+/// A child process and the results that the parent has received from it.
 class Child {
 public:
     Child(const Batches& batches, ChildNumbers numbers, const std::function<Work(int)>& open)
@@ -76,7 +76,7 @@ public:
     Child& operator=(const Child&) = delete;
     ~Child() {
         close(pipe_);
-        if (!reaped_) { // only where the parent gives up
+        if (!reaped_) { // only if the parent gives up
             kill(pid_, SIGKILL);
             waitpid(pid_, nullptr, 0);
         }
@@ -87,7 +87,7 @@ public:
     [[nodiscard]] int at() const { return at_; }
     [[nodiscard]] const std::string& step() const { return step_; }
 
-    /// Reads what is there; false where there will be no more.
+    /// Reads the available data; false if there will be no more.
     bool listen(std::vector<Note>& notes, int& done) {
         std::array<char, 4096> bytes{};
         const ssize_t count = read(pipe_, bytes.data(), bytes.size());
@@ -103,7 +103,7 @@ public:
         return true;
     }
 
-    /// What it died of; empty: of nothing.
+    /// The reason of its end; empty: it ended normally.
     std::string end() {
         int status = 0;
         while (waitpid(pid_, &status, 0) < 0 && errno == EINTR)
@@ -122,7 +122,7 @@ private:
         Journal journal(pipe, batches.limitSeconds);
         const rlimit noCore{0, 0};
         setrlimit(RLIMIT_CORE, &noCore);
-        if (batches.memoryLimit > 0 && !test::underAsan) { // whose own addresses are terabytes
+        if (batches.memoryLimit > 0 && !test::underAsan) { // its address space takes terabytes
             const rlimit memory{batches.memoryLimit, batches.memoryLimit};
             setrlimit(RLIMIT_AS, &memory);
         }
@@ -142,7 +142,7 @@ private:
             journal.step(std::string("opening: ") + error.what());
             _exit(EXIT_FAILURE);
         }
-        _exit(EXIT_SUCCESS); // what the parent has opened is not for the child to close
+        _exit(EXIT_SUCCESS); // objects of the parent must not be destroyed by the child
     }
 
     void take(const std::string& line, std::vector<Note>& notes, int& done) {

@@ -1,4 +1,4 @@
-// texplorer_soak: tries something again and again in child processes until it gives way.
+// texplorer_soak: runs random trials in child processes until one fails.
 
 #include "app/command_line/command_line.h"
 #include "tests/random/scene_soak.h"
@@ -47,8 +47,8 @@ Command& subject(CommandLine& line, Call& call, const char* name, const char* he
 
 int main(int argc, char** argv) {
     CommandLine line("texplorer_soak", TEXPLORER_VERSION,
-                     "Tries something again and again in child processes until it gives way.");
-    line.footer("Exit status: 0 nothing gave way, 1 something did, 2 a wrong call.");
+                     "Runs random trials in child processes until one fails.");
+    line.footer("Exit status: 0 no trial failed, 1 some failed, 2 a wrong call.");
     try {
         Call scenes{.options = {.count = 2000, .command = argv[0]}};
         std::string keep = "soak";
@@ -65,8 +65,9 @@ int main(int argc, char** argv) {
         scenesCommand.onCall([&] { return scenes.run(random::randomScenes({scenes.seed, keep, shaders})); });
 
         Call window{.options = {.count = 300, .command = argv[0]}};
-        subject(line, window, "window", "Works at the window at random, with mouse and keyboard.")
-            .onCall([&] { return window.run(random::randomHands(window.seed)); });
+        subject(line, window, "window", "Sends random mouse and keyboard input to the window.").onCall([&] {
+            return window.run(random::randomHands(window.seed));
+        });
 
         Call layouts{.options = {.count = random::layoutCount(), .command = argv[0]}};
         subject(line, layouts, "layouts",

@@ -25,8 +25,8 @@ MonkeyTrial::MonkeyTrial(unsigned seed, int number, Journal& journal)
     std::seed_seq both{seed, static_cast<unsigned>(number)};
     random_.seed(both);
     step("start");
-    // Every second scene is one that nobody would make; files are not for monkeys. Its window is small: what
-    // the window leaves to its workers, to find the pixels of a texel, is done at once here.
+    // Every second scene is random; the trials do not use files. The window is small: work that the window
+    // leaves to its workers, such as finding the pixels of a texel, is done at once here.
     const bool strange = below(2) == 0;
     const test::WindowSize& size =
         test::windowSizes[strange ? 0 : static_cast<std::size_t>(random_() % test::windowSizes.size())];
@@ -86,7 +86,7 @@ void MonkeyTrial::act() {
     advance(*session, 0.01);
 }
 
-/// The scene can be kept, as text: coordinates that belong to an earlier shape of a model are not written.
+/// The scene can be written as text: coordinates of an earlier shape of a model are not written.
 void MonkeyTrial::look() {
     const Result<Scene> read = parseScene(writeScene(scene()));
     ASSERT_TRUE(read.has_value()) << "action " << action_ << ": " << describe(read.error());
@@ -103,7 +103,7 @@ void MonkeyTrial::run() {
     step("undo all");
     while (session->document.history.canUndo())
         undo(*session);
-    initial_.view.distance = scene().view.distance; // follows the shape of the view, which is no edit
+    initial_.view.distance = scene().view.distance; // follows the shape of the view, which is not an edit
     EXPECT_EQ(scene(), initial_);
 }
 

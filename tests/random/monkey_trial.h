@@ -6,7 +6,7 @@
 
 namespace texplorer::random {
 
-/// A window at which somebody works who knows nothing of it. Fails like a test.
+/// A window that gets random input. Fails like a test.
 class MonkeyTrial : public WindowTrial {
 public:
     MonkeyTrial(unsigned seed, int number, Journal& journal);

@@ -22,9 +22,10 @@ namespace {
 
 using conform::Dice;
 
-constexpr std::size_t maxOwnCoordinates = 600; // a larger mesh keeps its own: nobody reads lists that long
-constexpr int mostVertices = 60;
-constexpr int mostIndices = 90;
+constexpr std::size_t maxOwnCoordinates =
+    600; // a larger mesh keeps its own: such long lists are not readable
+constexpr int maxVertices = 60;
+constexpr int maxIndices = 90;
 
 constexpr std::array<std::string_view, 8> names{"",       "Floor", "two words",     "\"in quotes\"",
                                                 "a/b\\c", "{} %s", "W\xC3\xBCrfel", "two\nlines"};
@@ -46,7 +47,7 @@ public:
         }
     }
 
-    // What each vertex has. Rows don't limit coordinates, so that they go as far as a float.
+    // Coordinates of vertices. Rows do not limit them: they take the whole range of a float.
     float coordinate() { return isWild() ? dice_.of(unlimited) : dice_.number(-2, 3); }
     glm::vec4 texCoord() {
         glm::vec4 made{coordinate(), coordinate(), coordinate(), 1};
@@ -54,7 +55,8 @@ public:
             made.q = coordinate();
         return made;
     }
-    /// About as far away as the vertices of the other shapes; never 0, so that it is a normal as well.
+    /// A place about as far away as the vertices of the other shapes; never 0, so that it can be a normal as
+    /// well.
     glm::vec3 place() {
         const auto number = [&] { return isWild() ? dice_.of(unlimited) : dice_.number(-1.5F, 1.5F); };
         return {number(), number(), number()};
@@ -165,14 +167,14 @@ Value Generator::valueOf(const ParamRow& row, const Value& start) {
     case Kind::ColorList:
     case Kind::TexCoordList:
     case Kind::IndexList:
-        break; // how many, and of what, no row knows
+        break; // rows do not contain their number and content
     }
     return start;
 }
 
-/// Vertices that lie anywhere and are drawn in any order.
+/// Vertices at random places, drawn in random order.
 void fitMesh(MeshData& mesh, Generator& generator, Dice& dice) {
-    const auto count = static_cast<std::size_t>(dice.below(mostVertices + 1));
+    const auto count = static_cast<std::size_t>(dice.below(maxVertices + 1));
     const auto fill = [&](auto& list, const auto& make) {
         for (std::size_t i = 0; i < count; ++i)
             list.push_back(make());
@@ -186,7 +188,7 @@ void fitMesh(MeshData& mesh, Generator& generator, Dice& dice) {
         fill(mesh.texCoords, [&] { return generator.texCoord(); });
     if (count == 0 || dice.chance(2))
         return;
-    for (int i = dice.below(mostIndices + 1); i > 0; --i)
+    for (int i = dice.below(maxIndices + 1); i > 0; --i)
         mesh.indices.push_back(dice.below(static_cast<int>(count)));
 }
 
@@ -203,7 +205,7 @@ std::vector<int> someModels(const Scene& scene, Dice& dice) {
     return chosen;
 }
 
-/// Which parameters may have keys, and as what: what each vertex has is too long for one.
+/// The parameters that may have keys, and their kind; lists with a value per vertex are too long for one.
 struct Movable {
     std::string path;
     const ParamRow* row;
@@ -228,7 +230,7 @@ void fitKeys(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     const std::vector<Movable> all = movables(scene);
     std::size_t chosen = 0;
     for (KeyFrame& key : scene.timeline.keys) {
-        if (chosen == 0 || dice.chance(3)) // the first parameter is the camera's: often enough by chance
+        if (chosen == 0 || dice.chance(3)) // the first parameter is the camera's: chance is enough for it
             chosen = static_cast<std::size_t>(dice.below(static_cast<int>(all.size())));
         const auto& [path, row, initial] = all[chosen];
         Value value = generator.valueOf(*row, initial);
@@ -243,12 +245,12 @@ void fitKeys(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     }
 }
 
-/// What no row can know alone: how members must fit each other.
+/// The relations between members that no row knows.
 void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     for (Model& model : scene.models) {
-        if (dice.chance(6)) // more often than one shape among many
+        if (dice.chance(6)) // more often than as one of many shapes
             model.shape = Shape::Mesh;
-        if (model.shape == Shape::Mesh || dice.chance(8)) // vertices of their own that nobody sees
+        if (model.shape == Shape::Mesh || dice.chance(8)) // their own vertices, which are not drawn
             fitMesh(model.mesh, generator, dice);
         const std::size_t count = vertexCountOf(model);
         for (TexCoords& list : model.texCoords) {
@@ -287,7 +289,7 @@ bool passesSomething(CompareFunc func) {
            func == CompareFunc::Always;
 }
 
-/// By a picture of one colour nothing is told: one model at least, and what the first pass draws of it.
+/// A picture of one colour is useless: at least one model is visible, and the first pass draws it.
 void letItBeSeen(Scene& scene) {
     if (scene.models.empty())
         scene.models.emplace_back();
@@ -297,7 +299,7 @@ void letItBeSeen(Scene& scene) {
         model.shape = Shape::Cube;
         model.texCoords = {};
     }
-    if (model.attachment == Attachment::Eye) // in front of it, where the others are
+    if (model.attachment == Attachment::Eye) // in front of it, like the others
         model.position.z = -scene.view.distance;
     Pass& pass = scene.passes.front();
     pass.enabled = true;
@@ -316,7 +318,7 @@ void letItBeSeen(Scene& scene) {
     }
 }
 
-/// What drivers do otherwise than the specification, or may.
+/// Removes what drivers draw differently from the specification, or may.
 void takeAwayWhatDiffers(Scene& scene) {
     std::erase_if(scene.timeline.keys, [](const KeyFrame& key) {
         return !key.path.ends_with("color") && !key.path.ends_with("Color") &&
@@ -345,7 +347,7 @@ void takeAwayWhatDiffers(Scene& scene) {
         texture.border = 0;
         texture.maxAnisotropy = 1;
         if (texture.mipmaps == MipPolicy::None || texture.mipmaps == MipPolicy::Missing)
-            texture.mipmaps = MipPolicy::Generated; // an incomplete texture isn't seen
+            texture.mipmaps = MipPolicy::Generated; // an incomplete texture is not visible
         if (texture.compression == Compression::Driver)
             texture.compression = Compression::FromFile;
         if (reference::switchOverOf(texture.magFilter, texture.minFilter) > 0)

@@ -48,7 +48,7 @@ TEST(RandomScene, OfOrdinaryTemperStaysWithinAHundredSteps) {
     EXPECT_GT(ordinary, 3);
 }
 
-// What a driver may draw otherwise, in any model and any list.
+// Features that a driver may draw differently, in any model and any list.
 TEST(RandomScene, ThatIsComparableHasNoneOfWhatDiffers) {
     int meshes = 0;
     for (int number = 0; number < 200; ++number) {
@@ -109,7 +109,7 @@ TEST(RandomScene, HasFogThatAFileCanHold) {
     EXPECT_TRUE(parseScene(writeScene(scene)));
 }
 
-/// What has occurred of every row and of every list.
+/// The values that occurred, of every row and of every list.
 struct Seen {
     std::map<const ParamRow*, std::set<float>> numbers;
     std::map<const ParamRow*, std::set<std::uint32_t>> choices;
@@ -147,12 +147,12 @@ private:
     }
 };
 
-/// Whether the row of a list has no limits: what each vertex has goes as far as a float.
+/// Whether the row of a list has no limits: values per vertex take the whole range of a float.
 bool isUnlimited(const ParamRow& row) {
     return row.kind == Kind::PointList || row.kind == Kind::TexCoordList;
 }
 
-// What never occurs is never tested, and nobody would miss it.
+// A value that never occurs is never tested.
 TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
     Seen seen;
     for (int number = 0; number < 400; ++number) {
@@ -196,8 +196,8 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
         EXPECT_EQ(*counts.begin(), child->minCount) << child->key;
         EXPECT_EQ(*counts.rbegin(), child->maxCount) << child->key;
     }
-    // 32 rows of a texture, 24 of a model …: as many as the tables have, those of the four coordinates apart,
-    // and those of a material once.
+    // 32 rows of a texture, 24 of a model …: as many as the tables have, with those of the four coordinates
+    // counted separately and those of a material once.
     EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
         std::size_t count = 0;
         for (const StructTable* table :

@@ -1,6 +1,6 @@
 #pragma once
 
-// Much of the same, tried by the number in child processes: what gave way, and how to see it again.
+// Runs numbered trials in child processes. Reports failures and the command that repeats them.
 
 #include "tests/random/batches.h"
 
@@ -9,12 +9,12 @@
 
 namespace texplorer::random {
 
-/// What is tried. The same number is the same trial on every machine.
+/// The subject of the trials. A number gives the same trial on every machine.
 struct Subject {
     std::string one;                           ///< "scene"
     std::string many;                          ///< "random scenes"
-    std::string arguments;                     ///< of texplorer_soak, beside those that choose the numbers
-    int batch = 1;                             ///< numbers that share a process
+    std::string arguments;                     ///< of texplorer_soak, except those that choose the numbers
+    int batch = 1;                             ///< numbers that run in one process
     unsigned limitSeconds = 120;               ///< of a step, as in Batches
     unsigned long long memoryLimit = 0;        ///< of a process, as in Batches
     std::function<Work(int first)> open = {};  ///< as in runBatches
@@ -24,7 +24,7 @@ struct Subject {
 struct SoakOptions {
     int first = 0;
     int count = 1;
-    unsigned jobs = 0;   ///< 0: as many as the processor has
+    unsigned jobs = 0;   ///< 0: the number of processors
     std::string command; ///< of this program, for the command that repeats a failure
 };
 
@@ -33,13 +33,13 @@ struct SoakReport {
     int count = 0;
     std::map<std::string, int> agreed;  ///< comparisons, by the pair
     std::map<std::string, int> skipped; ///< by the pair and the name of the skip
-    int blank = 0;                      ///< pictures of one colour, by which nothing is told
-    std::string failures;               ///< what went wrong, one by one; empty: nothing
+    int blank = 0;                      ///< pictures of one colour, which test nothing
+    std::string failures;               ///< the failures, one by one; empty: none
 
     [[nodiscard]] std::string text() const;
 };
 
-/// Throws std::exception where it can't begin.
+/// Throws std::exception if it cannot start.
 [[nodiscard]] SoakReport soak(const Subject& subject, const SoakOptions& options);
 
 } // namespace texplorer::random

@@ -30,9 +30,9 @@ std::string nameOf(RendererKind kind) {
     return std::string(rowOf(kind).name);
 }
 
-/// How a random scene is held: as conform holds a mixture of everything, but for two things. Each pass more
-/// is one more 255th, for its rounding is read by the next. And 3 % of a picture may stay unexplained: the
-/// judge grants all units the same error of lambda at a time, while theirs differ.
+/// The tolerance for a random scene: the rule for a mixture of all features, with two differences. Each
+/// further pass adds one 255th, because the next pass reads its rounded result. And 3 % of a picture may stay
+/// unexplained: the judge gives all units the same error of lambda, while their errors differ.
 conform::Rule ruleFor(const Scene& scene, const conform::Pair& pair) {
     conform::Rule rule = conform::rules::lastBit;
     if (pair.has(RendererKind::Reference)) {
@@ -45,7 +45,8 @@ conform::Rule ruleFor(const Scene& scene, const conform::Pair& pair) {
     return rule;
 }
 
-/// Whether a position is beyond what a float has: what follows is undefined (OpenGL 2.1, section 2.1.1).
+/// Whether a position is beyond the range of a float: the result is then undefined (OpenGL 2.1, section
+/// 2.1.1).
 bool overflows(const reference::Explanation& pixel) {
     const auto isFinite = [](const glm::vec4& each) {
         return std::isfinite(each.x) && std::isfinite(each.y) && std::isfinite(each.z) &&
@@ -58,9 +59,9 @@ bool overflows(const reference::Explanation& pixel) {
     });
 }
 
-/// Whether a pixel has a colour that the reference explains: its own, or what it may be where a tie falls
-/// otherwise. Each fragment that is blended over another rounds, and multiplies what was rounded before by
-/// both of its factors.
+/// Whether the reference explains the colour of a pixel: its own colour, or one that a tie allows. Each
+/// fragment that is blended over another rounds, and multiplies the earlier rounding error by both of its
+/// factors.
 bool isExplained(const reference::Explanation& pixel, ByteView found, int bound) {
     const auto blended = std::ranges::count_if(pixel.fragments, [](const auto& fragment) {
         return fragment.blend.enabled && fragment.outcome == reference::FragmentOutcome::Drawn;
@@ -88,12 +89,12 @@ struct Trial::State {
     std::filesystem::path files;
     offscreen::Context context;
     view::Capabilities capabilities;
-    std::map<RendererKind, render::SceneRenderer> renderers{}; // goes before its context
+    std::map<RendererKind, render::SceneRenderer> renderers{}; // destroyed before its context
 
     struct Run;
 };
 
-/// One scene on its way through.
+/// The state of one scene's trial.
 struct Trial::State::Run {
     State& state;
     const RandomScene& random;
@@ -170,7 +171,7 @@ struct Trial::State::Run {
         pictures.emplace(RendererKind::Reference, std::move(drawn->image));
     }
 
-    /// What is explained must be what is drawn.
+    /// The explained colour must be the drawn one.
     void probe() {
         journal.step("probe");
         const auto drawn = pictures.find(RendererKind::Reference);
@@ -211,8 +212,8 @@ struct Trial::State::Run {
         }
     }
 
-    /// How many pixels differ by more than the bound, where one of both has what the reference doesn't
-    /// explain.
+    /// The number of pixels that differ by more than the bound and that the reference does not explain in one
+    /// of both pictures.
     [[nodiscard]] std::size_t unexplained(const conform::Pair& pair, int bound) const {
         const Image& subject = pictures.at(pair.subject);
         const Image& against = pictures.at(pair.against);
@@ -230,8 +231,8 @@ struct Trial::State::Run {
                 count += explained && std::ranges::all_of(
                                           found,
                                           [&](ByteView each) { return isExplained(*explained, each, bound); })
-                             ? 0
-                             : 1;
+                             ? std::size_t{0}
+                             : std::size_t{1};
             }
         }
         return count;
@@ -239,7 +240,7 @@ struct Trial::State::Run {
 
     void compare(const conform::Pair& pair, const conform::Driver& driver) {
         if (!pictures.contains(pair.subject) || !pictures.contains(pair.against))
-            return; // has been said
+            return; // was reported
         const std::string name = nameOf(pair.subject) + "-" + nameOf(pair.against);
         journal.step("compare " + name);
         const RandomScene standing{random.temper, *StandingScene(scene(), 0)}; // with what key frames set

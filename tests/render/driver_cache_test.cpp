@@ -57,7 +57,7 @@ TEST_F(DriverCache, RefusesADirectoryThatOthersMayWriteTo) {
     fs::permissions(cache, fs::perms::all);
     const Result<void> fit = checkDriverCache(cache);
     ASSERT_FALSE(fit);
-    EXPECT_EQ(fit.error().message, "others may write to it");
+    EXPECT_EQ(fit.error().message, "is writable by others");
 }
 
 TEST_F(DriverCache, RefusesLinks) {

@@ -1,4 +1,4 @@
-// The renderer as a whole: the same Scene gives the same picture, whatever was drawn before it.
+// The renderer as a whole: the same Scene gives the same picture, regardless of what was drawn before it.
 
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
@@ -58,8 +58,8 @@ struct EditCase {
 
 class Edits : public RenderTest, public testing::WithParamInterface<EditCase> {};
 
-// What the caches keep must not show: after an edit the picture is that of a new renderer, and taking the
-// edit back gives the first picture again.
+// Caches must not be visible: after an edit the picture is that of a new renderer, and undoing the edit gives
+// the first picture again.
 TEST_P(Edits, ShowAtOnceAndCanBeTakenBack) {
     images.put("image",
                rgbaImage(2, 2, 1, {{255, 0, 0, 255}, {0, 255, 0, 128}, {0, 0, 255, 255}, {90, 60, 30, 0}}));

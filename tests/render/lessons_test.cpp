@@ -60,7 +60,7 @@ conform::Rule ruleOf(const Scene& scene) {
 
 /// These renderers keep no compressed levels for the next time, and say so.
 auto onlyNotKept() {
-    return testing::Each(testing::HasSubstr("the compressed levels are not kept"));
+    return testing::Each(testing::HasSubstr("the compressed levels can't be cached"));
 }
 
 class Lessons : public RenderTest, public testing::WithParamInterface<std::string> {

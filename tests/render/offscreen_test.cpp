@@ -116,8 +116,8 @@ TEST_P(RefusedSize, IsNamedWithTheLimit) {
     const auto context = offscreen::Context::create({width, height});
     ASSERT_FALSE(context);
     EXPECT_EQ(context.error().code, ErrorCode::OutOfRange);
-    EXPECT_EQ(context.error().message, "an off-screen framebuffer has 1 x 1 to 16384 x 16384 pixels, not " +
-                                           std::to_string(width) + " x " + std::to_string(height));
+    EXPECT_EQ(context.error().message, "an off-screen framebuffer has 1 × 1 to 16384 × 16384 pixels, not " +
+                                           std::to_string(width) + " × " + std::to_string(height));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RefusedSize,

@@ -102,8 +102,8 @@ TEST(Pretence, SaysWhatIsWrongWithAWord) {
     };
     for (
         const auto& [text, sentence] :
-        {Case{"no-s3ct", R"(no driver lacks "no-s3ct"; did you mean "no-s3tc"?)"},
-         Case{"unit=2", R"(no driver lacks "unit=2"; did you mean "units"?)"},
+        {Case{"no-s3ct", R"("no-s3ct" cannot be taken away; did you mean "no-s3tc"?)"},
+         Case{"unit=2", R"("unit=2" cannot be taken away; did you mean "units"?)"},
          Case{"units", R"(expected units= and a whole number from 1 to 4, found "units")"},
          Case{"units=", R"(expected units= and a whole number from 1 to 4, found "units=")"},
          Case{"units=0", R"(expected units= and a whole number from 1 to 4, found "units=0")"},
@@ -189,7 +189,7 @@ TEST_F(Pretending, SmallTexturesRefusesTheOthersButNoPicture) {
     Scene scene = texturedScene();
     pretend("max-texture-size=32");
     EXPECT_FALSE(picture(scene, 200).empty()); // larger than any texture
-    EXPECT_THAT(problems, ElementsAre("textures[0]: 64 x 64 texels exceed the driver's 32 for GL_TEXTURE_2D; "
+    EXPECT_THAT(problems, ElementsAre("textures[0]: 64 × 64 texels exceed the driver's 32 for GL_TEXTURE_2D; "
                                       "drawn without it"));
     images.put("image", plainImage(32, 32, {255, 0, 0, 255}));
     EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
@@ -201,8 +201,8 @@ TEST_F(Pretending, PowersOfTwoRefusesTheOthersUnlessTheyAreScaled) {
     Scene scene = texturedScene();
     pretend("no-npot");
     (void)picture(scene);
-    EXPECT_THAT(problems, ElementsAre("textures[0]: 20 x 16 texels: the driver takes powers of two only (no "
-                                      "GL_ARB_texture_non_power_of_two); drawn without it"));
+    EXPECT_THAT(problems, ElementsAre("textures[0]: 20 × 16 texels: the driver supports powers of two only "
+                                      "(no GL_ARB_texture_non_power_of_two); drawn without it"));
     scene.textures[0].npot = NpotPolicy::PowerOfTwo;
     EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
     EXPECT_THAT(problems, IsEmpty());
@@ -259,7 +259,7 @@ TEST_F(Pretending, NoShadersHasNoShaderRenderer) {
     const auto refused = render::ShaderRenderer::create(poor);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,
-              "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend takes away");
+              "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend disables");
 }
 
 } // namespace

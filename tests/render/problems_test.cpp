@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
              },
              "passes[0].units[2]: the driver has 2 texture units; drawn without this one"},
         Case{"TooLarge", [](Scene&, Caps& caps) { caps.maxTextureSize = 8; },
-             "textures[0]: 16 x 2 texels exceed the driver's 8 for GL_TEXTURE_2D; drawn without it"},
+             "textures[0]: 16 × 2 texels exceed the driver's 8 for GL_TEXTURE_2D; drawn without it"},
         Case{"TooLarge1D",
              [](Scene& scene, Caps& caps) {
                  caps.maxTextureSize = 15;
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                  caps.max3DTextureSize = 15;
                  scene.passes[0].units[0].target = Target::Texture3D;
              },
-             "textures[0]: 16 x 2 x 1 texels exceed the driver's 15 for GL_TEXTURE_3D; drawn without it"},
+             "textures[0]: 16 × 2 × 1 texels exceed the driver's 15 for GL_TEXTURE_3D; drawn without it"},
         Case{
             "GlErrorOfTheMaterial",
             [](Scene& scene, Caps&) {
@@ -185,8 +185,8 @@ TEST_P(PictureSize, IsRefusedWithTheLimit) {
     const auto frame = renderer->draw(flatScene(), images, 0, {width, height});
     ASSERT_FALSE(frame);
     EXPECT_EQ(frame.error().code, ErrorCode::OutOfRange);
-    EXPECT_EQ(frame.error().message, "a picture has 1 x 1 to 16384 x 16384 pixels, not " +
-                                         std::to_string(width) + " x " + std::to_string(height));
+    EXPECT_EQ(frame.error().message, "a picture has 1 × 1 to 16384 × 16384 pixels, not " +
+                                         std::to_string(width) + " × " + std::to_string(height));
     EXPECT_TRUE(isColor(onlyColor(flatScene()), {1, 1, 1, 1})) << "and the next one is drawn";
 }
 

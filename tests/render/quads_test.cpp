@@ -1,6 +1,6 @@
-// The shapes as programs of OpenGL 1.1 draw them: sphere, cylinder and disks with GLU's quadrics, cube,
-// square and floor as a list of GL_QUADS. How the driver divides their quadrilaterals is what our triangles
-// follow, pixel by pixel.
+// Compares the shapes with the drawing of OpenGL 1.1 programs: sphere, cylinder and disks with GLU's
+// quadrics, cube, square and floor as a list of GL_QUADS. Our triangles match the driver's division of
+// quadrilaterals pixel by pixel.
 
 #include "app/render/gl_handle.h"
 #include "app/render/render_target.h"
@@ -80,7 +80,7 @@ const Quadric* quadricOf(Shape shape) {
     return found == quadrics.end() ? nullptr : &*found;
 }
 
-/// Nothing in it is straight: whatever is interpolated otherwise shows.
+/// An image without straight lines: every difference of interpolation is visible.
 Image curvedImage() {
     Image made = Image::uninitialised(PixelFormat::Rgba8, 64, 64);
     for (int y = 0; y < 64; ++y)
@@ -92,7 +92,7 @@ Image curvedImage() {
     return made;
 }
 
-/// The mesh's, with one corner of each square pulled away: now the two diagonals are two pictures.
+/// The mesh's coordinates with one corner of each square moved: the two diagonals now give two pictures.
 TexCoords pulledCoords(Shape shape) {
     TexCoords coords;
     for (const Vertex& vertex : makeMesh({shape}).vertices)
@@ -102,7 +102,7 @@ TexCoords pulledCoords(Shape shape) {
 }
 
 void drawQuads(const Mesh& mesh, const TexCoords& coords) {
-    // In a list, where Mesa always divides alike: see core/mesh/mesh.h.
+    // In a list, where Mesa always divides in the same way: see core/mesh/mesh.h.
     const GLuint list = glGenLists(1);
     glNewList(list, GL_COMPILE);
     glBegin(GL_QUADS);
@@ -196,7 +196,7 @@ protected:
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     }
 
-    /// What a program draws that has nothing of ours but numbers.
+    /// Drawn by a program that shares only numbers with Texplorer.
     static Image theirs(const Scene& scene) {
         render::RenderTarget target;
         EXPECT_TRUE(target.bind({extent, extent}));
@@ -248,7 +248,7 @@ TEST_P(AsPrograms, DrawThem) {
             worst = std::max(worst, difference);
         }
         EXPECT_GT(covered, extent);
-        // The shaders' matrices are not multiplied by OpenGL, and have other last bits.
+        // The shaders' matrices are not multiplied by OpenGL and differ in the last bits.
         EXPECT_LE(worst, testedRenderer() == RendererKind::Fixed ? 1 : 2) << others << " components differ";
     }
 }

@@ -1,5 +1,5 @@
-// The reference renderer against OpenGL itself: two implementations of one specification that share no code.
-// The tolerances are those that precision leaves: a driver may round coordinates, filter weights and lambda.
+// The reference renderer against OpenGL: two implementations of one specification without common code. The
+// tolerances allow for precision: a driver may round coordinates, filter weights and lambda.
 
 #include "core/reference/draw.h"
 #include "core/scene/params/param_text.h"
@@ -53,7 +53,7 @@ protected:
                                              << " pixels, the worst by " << difference.worst;
     }
 
-    /// Unlit, and without a depth test: nothing but texels.
+    /// Unlit and without a depth test: only texels.
     Scene floorScene() {
         Scene scene = test::floorScene();
         scene.passes[0].depthTest = false;
@@ -62,7 +62,7 @@ protected:
     }
 };
 
-// --- Which pixels
+// --- Covered pixels
 
 TEST_F(Reference, CoversTheSamePixels) {
     Scene scene = flatScene();
@@ -84,7 +84,7 @@ TEST_F(Reference, CoversPixelsOnAnEdgeOnce) {
         agree(scene, 0, 0, extent);
 }
 
-// --- Its colour
+// --- The floor's colour
 
 TEST_F(Reference, MixesTheSameFog) {
     for (const EnumRow& mode : fogModeRows) {
@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Colors{"Flat", ColorControl::SeparateSpecular, ShadeModel::Flat, false}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Exact but for the rounding of the driver's eight bits.
+// Exact, except for the rounding to the driver's eight bits.
 TEST_F(Reference, AgreesOnEveryEnvironmentAndBaseFormat) {
     images.put("image", plainImage(1, 1, {153, 51, 204, 102}));
     Scene scene = texturedScene();
@@ -357,7 +357,7 @@ TEST_F(Reference, InterpolatesColoursWithoutPerspectiveAsTheShadersDo) {
     }
 }
 
-// Where the driver takes the border away, the inside and the border colour must be the same.
+// If the driver removes the border, the inside and the border colour must be the same.
 TEST_F(Reference, DrawsTheInsideOfAnImageWithABorderAlike) {
     Image framed = Image::uninitialised(PixelFormat::Rgba8, 10, 10);
     for (int y = 0; y < 10; ++y) {
@@ -419,12 +419,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Filter{"LinearMipmapNearest", MagFilter::Linear, MinFilter::LinearMipmapNearest, 0.005}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Between two levels lambda shows as a colour. llvmpipe takes log2(rho) = log2(rho^2) / 2 from a float's
-// exponent and mantissa m as e + (m - 1), which is at most 0.0861 / 2 too small, and the derivatives from
-// whole pixels of 2 x 2, which lie half a pixel beside. Its colour must lie between those of the reference
-// over that range of lambda.
-constexpr float lowestError = -0.0431F - 0.02F;
-constexpr float highestError = 0.02F;
+// Between two levels the colour shows lambda. llvmpipe computes log2(rho) = log2(rho^2) / 2 from a float's
+// exponent and mantissa m as e + (m - 1), which is at most 0.0861 / 2 too small, and takes the derivatives
+// from whole blocks of 2 x 2 pixels, half a pixel away. Its colour must be between those of the reference for
+// that range of lambda.
+constexpr float minError = -0.0431F - 0.02F;
+constexpr float maxError = 0.02F;
 
 class ReferenceTrilinear : public Reference, public testing::WithParamInterface<Filter> {};
 
@@ -434,7 +434,7 @@ TEST_P(ReferenceTrilinear, LiesBetweenTheBoundsOfLambda) {
     scene.textures[0].minFilter = GetParam().min;
     const Image theirs = picture(scene, 256);
     std::vector<Image> ours;
-    for (const float bias : {lowestError, lowestError / 2, 0.0F, highestError}) {
+    for (const float bias : {minError, minError / 2, 0.0F, maxError}) {
         scene.passes[0].units[0].lodBias = bias;
         Result<Frame> drawn = reference::drawReference({scene, images, 0, 256, 256});
         ASSERT_TRUE(drawn);

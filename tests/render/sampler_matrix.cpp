@@ -1,6 +1,6 @@
-// What the driver survives: every kind of texture is drawn with both of OpenGL's renderers, in child
-// processes that are started again where one of them ended by a signal. A child is forked before anything
-// here has touched OpenGL. Every combination of a few settings; --all takes more of each.
+// Tests that the driver does not crash: draws every kind of texture with both OpenGL renderers, in child
+// processes that are restarted if one of them ends by a signal. A child is forked before anything here has
+// used OpenGL. Combines a few values of each setting; --all takes more.
 
 #include "app/offscreen/context.h"
 #include "app/render/shader_renderer.h"
@@ -54,8 +54,8 @@ std::string describe(Target target, const Texture& texture, float bias) {
            std::to_string(texture.maxLevel);
 }
 
-/// target x levels x filters x anisotropy x biases; the wrap modes take turns, as all of them would be too
-/// many.
+/// target x levels x filters x anisotropy x biases; the wrap modes alternate, because all of them would be
+/// too many.
 std::vector<Case> filterCases(bool all) {
     const std::vector<float> anisotropies =
         all ? std::vector<float>{1, 1.5F, 2, 4, 16} : std::vector<float>{4};
@@ -80,7 +80,7 @@ std::vector<Case> filterCases(bool all) {
                                 const EnumRow& wrap = rows<Wrap>[(cases.size() + round) % rows<Wrap>.size()];
                                 texture.wrapS = texture.wrapT = texture.wrapR = static_cast<Wrap>(wrap.value);
                                 texture.maxAnisotropy = anisotropy;
-                                // Complete whatever the filter is, with one level alone.
+                                // Complete with any filter, with one level.
                                 texture.maxLevel = mipmaps == MipPolicy::None ? 0 : 1000;
                                 const auto where = static_cast<Target>(target.value);
                                 cases.push_back(
@@ -89,7 +89,7 @@ std::vector<Case> filterCases(bool all) {
     return cases;
 }
 
-/// Levels that are there and levels that aren't.
+/// Existing and missing levels.
 std::vector<Case> levelCases(bool all) {
     constexpr std::array levels{-1, 0, 1, 2, 5, 6, 7, 14, 15, 16, 200, 250, 322, 1000, 100000};
     std::mt19937 dice(1);
@@ -169,7 +169,7 @@ std::vector<Case> footprintCases() {
     return cases;
 }
 
-/// Draws the cases from `first` on and writes the index of each before it does. In a child.
+/// Draws the cases from `first` on in a child; writes the index of each before drawing it.
 [[noreturn]] void drawFrom(std::span<const Case> cases, std::size_t first, std::size_t last, int progress) {
     constexpr view::Size size{48, 48};
     const auto context = offscreen::Context::create({1, 1});
@@ -185,7 +185,7 @@ std::vector<Case> footprintCases() {
     const ImageSource images;
     for (std::size_t i = first; i < last; ++i) {
         for (render::SceneRenderer* renderer : {&*fixed, &*shader}) {
-            alarm(300); // for who draws without end
+            alarm(300); // against a drawing that never ends
             const auto mark = static_cast<unsigned>(2 * i + (renderer == &*shader ? 1 : 0));
             if (write(progress, &mark, sizeof mark) != sizeof mark ||
                 !renderer->draw(cases[i].scene, images, 0, size) || !renderer->read())
@@ -195,9 +195,9 @@ std::vector<Case> footprintCases() {
     _exit(0);
 }
 
-/// How many cases a child didn't survive.
+/// The number of cases that crashed a child.
 int countDeaths(std::span<const Case> cases) {
-    constexpr std::size_t batch = 64; // a child that draws for ever would have filled its memory with shaders
+    constexpr std::size_t batch = 64; // otherwise the shaders of a long-running child would fill the memory
     int deaths = 0;
     for (std::size_t first = 0; first < cases.size();) {
         const std::size_t last = std::min(cases.size(), first + batch);

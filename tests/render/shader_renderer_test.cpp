@@ -1,4 +1,4 @@
-// The shader renderer against fixed function, and while somebody edits its files.
+// The shader renderer against fixed function, and while its files are edited.
 
 #include "app/render/fixed_renderer.h"
 #include "app/render/shader_renderer.h"
@@ -46,7 +46,7 @@ private:
 };
 
 CombineSource anySource(Dice& dice, int units) {
-    // The texture of a unit that is off is undefined.
+    // The texture of a disabled unit is undefined.
     const auto source = dice.any<CombineSource>();
     const auto first = static_cast<int>(CombineSource::Texture0);
     return static_cast<int>(source) - first >= units && static_cast<int>(source) - first < maxUnits
@@ -136,12 +136,12 @@ Scene anyScene(unsigned seed) {
         texture.wrapT = dice.any<Wrap>();
         texture.wrapR = dice.any<Wrap>();
         texture.borderColor = dice.color();
-        // Incomplete with four of the six filters. Alone: what another unit makes of its texture is
+        // Incomplete with four of the six filters. Only with one unit: the texture of another unit would be
         // undefined.
         if (units == 1 && dice.chance(4))
             texture.mipmaps = MipPolicy::None;
         const Unit& unit = pass.units[static_cast<std::size_t>(i)] = anyUnit(dice, i, units);
-        // Faces that aren't square are incomplete, too.
+        // Faces that are not square are incomplete, too.
         for (Image image = drawPattern(texture.pattern);
              unit.target == Target::CubeMap && image.width != image.height;
              image = drawPattern(texture.pattern))
@@ -169,9 +169,9 @@ protected:
     }
 };
 
-// Everything is exact to the picture's own rounding, but where a coordinate lies on the edge between two
-// texels all over a face: where r is 0, that is the middle of a face of a cube map. There the last bit
-// decides, and that is what the share of pixels is for.
+// Everything is exact except for the picture's rounding, unless a coordinate is on the edge between two
+// texels for a whole face: where r is 0, in the middle of a face of a cube map. There the last bit decides;
+// the allowed share of pixels is for this.
 TEST_F(ShaderAgainstFixed, AnySceneIsTheSameWithinARounding) {
     constexpr int extent = 96;
     constexpr int scenes = 36;
@@ -191,7 +191,8 @@ TEST_F(ShaderAgainstFixed, AnySceneIsTheSameWithinARounding) {
     EXPECT_GE(exact, scenes * 9 / 10);
 }
 
-/// Where a driver's own arithmetic is no measure: what it makes of vectors without a direction is its affair.
+/// Cases where a driver's arithmetic is no reference: its result for vectors without a direction is
+/// undefined.
 class ShaderAgainstReference : public RenderTest {
 protected:
     void agree(const Scene& scene) {
@@ -223,7 +224,7 @@ TEST_F(ShaderAgainstReference, ALightWithoutADirectionGivesAmbientLight) {
     agree(scene);
 }
 
-// The light shines on the back, which the viewer sees from in front: half-way between them is nowhere.
+// The light is behind the surface, opposite to the viewer: their half-way vector has no direction.
 TEST_F(ShaderAgainstReference, ALightOppositeToTheViewerGivesNoHighlight) {
     Scene scene = litScene();
     scene.light.position = {0, 0, -1, 0};
@@ -268,7 +269,7 @@ TEST_F(ShaderAgainstReference, NegativeTexelsDoNotReachTheNextUnit) {
     }
 }
 
-/// A folder with the shaders, of which a line can be replaced by another.
+/// A folder with the shaders; a test can replace one of their lines.
 class EditedShaders : public RenderTest {
 protected:
     void SetUp() override {
@@ -288,7 +289,7 @@ protected:
         ASSERT_TRUE(writeFileAtomically(folder.path() / name, viewBytes(text)));
     }
 
-    /// Draws until the picture has this colour: somebody has to notice that a file has changed.
+    /// Draws until the picture has this colour: a watcher has to notice that a file has changed.
     bool becomes(glm::vec4 color) {
         return within([&] { return bool(isColor(onlyColor(flatScene()), color)); });
     }

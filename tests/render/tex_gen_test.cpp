@@ -1,5 +1,5 @@
 // Generated coordinates against section 2.11.4 of the OpenGL 2.1 specification: a scene that generates them
-// looks as one whose vertices were given what the formulas say.
+// looks like one whose vertices have the results of the formulas.
 
 #include "core/reference/draw.h"
 #include "core/scene/animation.h"
@@ -25,7 +25,7 @@ class ZeroNormal : public RenderTest {};
 constexpr std::array planes{glm::vec4{0.5F, 0.25F, -0.3F, 0.1F}, glm::vec4{-0.2F, 0.6F, 0.4F, 0.3F},
                             glm::vec4{0.1F, 0.2F, 0.3F, 0.4F}, glm::vec4{0.05F, -0.1F, 0.02F, 1}};
 
-/// A sphere that is turned, moved and seen in perspective: nothing falls on an axis.
+/// A sphere that is rotated, moved and seen in perspective, so that nothing is on an axis.
 Scene sphereScene() {
     Scene scene = texturedScene();
     scene.view = View{.azimuth = 25, .elevation = 10, .distance = 5};
@@ -42,7 +42,8 @@ Scene sphereScene() {
     return scene;
 }
 
-/// A vertex as section 2.11.4 names things: its place in the model and for the eye, and its normal there.
+/// A vertex with the values of section 2.11.4: its position in model and eye coordinates, and its normal in
+/// eye coordinates.
 struct Seen {
     glm::vec4 object;
     glm::vec4 eye;
@@ -178,7 +179,7 @@ TEST_F(RenderTest, GeneratedCoordinatesBeginWithGlsInitialValues) {
     }
 }
 
-// OpenGL leaves open what becomes of a normal without a length; the shaders and the reference keep it 0.
+// OpenGL leaves the result of a normal without a length open; the shaders and the reference keep it 0.
 TEST_F(ZeroNormal, IsTheSameInShadersAndReference) {
     if (testedRenderer() != RendererKind::Shader)
         GTEST_SKIP() << "fixed function has its own answer";

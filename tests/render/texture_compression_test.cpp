@@ -192,7 +192,7 @@ TEST_F(Compressed, LevelsMadeAtRunTimeAreUploadedAsTheyAre) {
     const Scene scene = sceneWith(Compression::Cached, MipPolicy::Generated);
     images.put("image", softPicture(16, 12));
     const auto levels = levelsOf(scene);
-    EXPECT_THAT(problems, ElementsAre(HasSubstr("textures[0]: the compressed levels are not kept")));
+    EXPECT_THAT(problems, ElementsAre(HasSubstr("textures[0]: the compressed levels can't be cached")));
     ASSERT_EQ(levels.size(), 5U);
     const auto wanted = encodeBlocks(softPicture(16, 12), BlockFormat::Dxt1, EncodeQuality::Normal);
     EXPECT_EQ(std::get<BlockImage>(*levels[0].surface), *wanted);

@@ -109,7 +109,7 @@ TEST_F(Flip, ThatIsImpossibleWithoutLossIsSaidAndStillUpright) {
     images.put("image", std::move(file));
     Scene scene = texturedScene();
     const Image image = picture(scene, 24);
-    EXPECT_THAT(problems, testing::ElementsAre(testing::HasSubstr("8 x 6 texels")));
+    EXPECT_THAT(problems, testing::ElementsAre(testing::HasSubstr("8 × 6 texels")));
     EXPECT_TRUE(isColor(colorAt(image, 4, 20), {1, 0, 0, 1}));
     EXPECT_TRUE(isColor(colorAt(image, 4, 9), {1, 0, 0, 1})) << "two thirds are red";
     EXPECT_TRUE(isColor(colorAt(image, 4, 6), {0, 0, 1, 1}));

@@ -1,5 +1,5 @@
-// The picture of the texture-space panel is uploaded as the texture is: read back, it has the values that
-// OpenGL 2.1, table 3.11 and section 3.8.1, give to each base internal format.
+// The picture of the texture-space panel is uploaded like the texture: read back, it has the values that
+// OpenGL 2.1, table 3.11 and section 3.8.1, gives to each base internal format.
 
 #include "app/offscreen/context.h"
 #include "app/render/capabilities.h"
@@ -57,7 +57,7 @@ TEST_P(Preview, HasTheComponentsOfItsInternalFormat) {
     EXPECT_EQ((Texel{drawn[0], drawn[1], drawn[2], drawn[3]}), GetParam().expected);
 }
 
-// REPLACE: what a format doesn't have comes from the fragment, which is white.
+// REPLACE: missing components come from the fragment, which is white.
 INSTANTIATE_TEST_SUITE_P(
     Formats, Preview,
     testing::Values(
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Rgba4", InternalFormat::Rgba4, {204, 102, 51, 136}},
         // 5 and 3 of 7, 1 of 3, in 255ths.
         Case{"R3G3B2", InternalFormat::R3G3B2, {182, 109, 85, 255}},
-        // As the file has it, whatever curve the texture takes it by.
+        // As in the file, regardless of the texture's transfer curve.
         Case{"Srgb", InternalFormat::Srgb8Alpha8, {200, 100, 50, 128}}),
     [](const auto& test) { return test.param.name; });
 
@@ -109,7 +109,7 @@ TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
 TEST(TexturePreview, LeavesTexelsOutOfALargeImage) {
     const auto context = offscreen::Context::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
-    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * PreviewPicture::mostTexels + 1, 5);
+    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * PreviewPicture::maxTexels + 1, 5);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x)
             image.at(x, y)[0] = static_cast<std::byte>(x % 50 + 51 * y);

@@ -281,7 +281,7 @@ TEST_F(InputQueueFrames, MoreKeysAndButtonsThanItCanFollowAreDroppedWithTheirEnd
         queue.add(press());
         queue.add(release());
     }
-    EXPECT_LE(framesFor(queue), static_cast<int>(4 * InputQueue::mostPresses));
+    EXPECT_LE(framesFor(queue), static_cast<int>(4 * InputQueue::maxPresses));
     EXPECT_FALSE(ui::isKeyDown('A'));
     EXPECT_FALSE(ImGui::GetIO().MouseDown[0]);
     int clicks = 0;

@@ -1,5 +1,4 @@
-// The program without a display: what happens and the time go in, frames and the time of the next one come
-// out.
+// The program without a display: takes events and the time, returns frames and the time of the next one.
 
 #include "app/stage/loop.h"
 #include "app/ui/model/scene_files.h"
@@ -36,7 +35,7 @@ Scene spinning() {
     return scene;
 }
 
-/// A host of its own time.
+/// A host with its own clock.
 class LoopTest : public testing::Test {
 protected:
     void start(Scene scene = defaultScene(), ui::UnsavedWork* unsaved = nullptr, Clipboard clipboard = {}) {
@@ -52,7 +51,7 @@ protected:
         return last;
     }
 
-    /// As a host does it: frames, until it is to be called later than the display can take another one.
+    /// Runs like a host: draws frames until the next call is later than the display's next picture.
     void run(std::vector<Event> events = {}) {
         drawn = 0;
         do {
@@ -255,7 +254,7 @@ TEST_F(LoopTest, AShortcutWithinOneFrameSaves) {
 
 TEST_F(LoopTest, EveryClickWithinOneFrameCounts) {
     start(spinning());
-    session->window.playback.speed = 0; // nothing moves, and the button is there all the same
+    session->window.playback.speed = 0; // nothing moves, but the button is still shown
     run();
     const PointerMoved play = at("play");
     for (const int clicks : {1, 2, 3}) {
@@ -274,7 +273,7 @@ TEST_F(LoopTest, TheLastInputOfAClickIsFollowedByFramesToo) {
     start();
     run();
     run({PointerMoved{100, 100}, ButtonChanged{0, true}, ButtonChanged{0, false}});
-    EXPECT_GE(drawn, 5) << "three that take the input, and two that show what came of it";
+    EXPECT_GE(drawn, 5) << "three that take the input, and two that show the result";
 }
 
 TEST_F(LoopTest, AChoiceUnderThePointerIsDrawnWithTheNextFrame) {
@@ -288,7 +287,7 @@ TEST_F(LoopTest, AChoiceUnderThePointerIsDrawnWithTheNextFrame) {
     step();
     EXPECT_EQ(wrap(), Wrap::Clamp);
     run();
-    EXPECT_EQ(last.wake, std::nullopt) << "it stands still";
+    EXPECT_EQ(last.wake, std::nullopt) << "nothing moves";
     step({elsewhere});
     step();
     EXPECT_EQ(wrap(), Wrap::Repeat);
@@ -345,7 +344,7 @@ TEST_F(LoopTest, ThePointerShowsWhatItCanDo) {
     EXPECT_EQ(last.cursor, ImGuiMouseCursor_ResizeEW);
 }
 
-/// Unsaved work, on a clock that stands still until a test lets it go on.
+/// Unsaved work, with a clock that moves only when a test sets it.
 class LoopsUnsavedWork : public LoopTest {
 protected:
     void edit() {

@@ -1,4 +1,4 @@
-// A frame as a host without OpenGL gets it.
+// A frame of a host without OpenGL.
 
 #include "app/ui/widgets/palette.h"
 #include "tests/stage/numbers_for_pictures.h"
@@ -41,7 +41,7 @@ TEST_F(StageTest, AFrameIsDrawnByWhatTheHostLends) {
     EXPECT_THAT(graphics.pictures, Contains(2000U)) << "the texture space";
     graphics.reads = 0;
     frame();
-    EXPECT_EQ(graphics.reads, 0) << "the history has its picture, and nobody else asks for pixels";
+    EXPECT_EQ(graphics.reads, 0) << "the history has its picture, and nothing else needs pixels";
     EXPECT_THAT(stage.problems(), IsEmpty());
 }
 
@@ -66,7 +66,7 @@ TEST_F(StageTest, OnlyWhatTheHostHasIsAskedFor) {
     EXPECT_EQ(session.window.view.renderer, RendererKind::Fixed);
     EXPECT_THAT(graphics.drawn, Each(RendererKind::Fixed));
     EXPECT_THAT(stage.problems(), IsEmpty());
-    EXPECT_EQ(session.window.notice.text, "") << "nobody had asked for it when that came out";
+    EXPECT_EQ(session.window.notice.text, "") << "it was requested only after that frame";
 }
 
 TEST_F(StageTest, WhatWasChosenAndIsNotThereGivesWayAndIsSaid) {
@@ -112,7 +112,7 @@ TEST_F(StageTest, WhatWasKeptIsDrawnBesideWhatIsNow) {
     session.document.scene.passes[0].blend = true;
     graphics.drawnScenes.clear();
     frame();
-    EXPECT_FALSE(graphics.drawnScenes.contains(view::Side::Kept)) << "nobody looks at it";
+    EXPECT_FALSE(graphics.drawnScenes.contains(view::Side::Kept)) << "it is not shown";
     splitKept(session);
     session.document.scene.view.azimuth += 10;
     frame();

@@ -80,7 +80,7 @@ std::string brokenByTexture(const CodecRow& row, const TextureImage& texture, co
     return {};
 }
 
-/// What is said of a texture without its pixels is what they say.
+/// The outline of a texture must match its pixels.
 std::string brokenByOutline(const TextureImage& texture, const TextureImage& outline) {
     if (outline.format != texture.format || outline.faces != texture.faces ||
         outline.levels != texture.levels || outline.surfaces.size() != texture.surfaces.size() ||
@@ -159,7 +159,7 @@ std::string brokenPromise(const CodecRow& row, ByteView file, const DecodeLimits
         if (std::string broken = brokenByAnatomy(row, row.dissect(file)); !broken.empty())
             return broken;
 
-    // Two heaps that are filled with different bytes: pixels that a decoder leaves as it got them differ.
+    // Two heaps that are filled with different bytes: pixels that a decoder does not write differ.
     heapFill = std::byte{0x55};
     const Result<TextureImage> texture = row.decode(file, limits);
     heapFill = std::byte{0xAA};
@@ -183,9 +183,10 @@ std::string brokenPromise(const CodecRow& row, ByteView file, const DecodeLimits
     if (std::string broken = brokenByTexture(row, *texture, limits); !broken.empty())
         return broken;
     if (texture->surfaces != again->surfaces)
-        return "pixels that nobody wrote: the second decoding of the same file gives others";
+        return "uninitialised pixels: the second decoding of the same file gives others";
 
-    constexpr std::size_t manyBytes = std::size_t{1} << 18; // writing larger ones finds no more, only later
+    constexpr std::size_t manyBytes = std::size_t{1}
+                                      << 18; // writing larger ones finds nothing more, but takes longer
     if (!row.encode || byteCount(texture->surfaces.front()) > manyBytes)
         return {};
     for (const WriteOptions& options : {WriteOptions{}, WriteOptions{.small = true, .runLengthCoded = true}})

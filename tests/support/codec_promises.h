@@ -1,15 +1,14 @@
 #pragma once
 
-// What every row of codecRows() promises for any bytes at all: the tests and the fuzzers ask the same
-// questions.
+// The promises of every row of codecRows() for any bytes. The tests and the fuzzers use the same checks.
 
 #include "core/codec/registry.h"
 
 namespace texplorer::test {
 
-/// Decodes, dissects and writes again. Empty, or the first promise that was broken: a picture that
-/// contradicts itself or exceeds the limits, an error that isn't one sentence beginning with the format's
-/// name, pixels that nobody wrote, an anatomy without end, a written file that reads back as another picture.
+/// Decodes, dissects and writes again. Returns an empty text, or the first broken promise: a picture that
+/// contradicts itself or exceeds the limits, an error that is not one sentence beginning with the format's
+/// name, uninitialised pixels, an endless anatomy, a written file that reads back as another picture.
 [[nodiscard]] std::string brokenPromise(const CodecRow& row, ByteView file, const DecodeLimits& limits);
 
 /// Whether the text is one line that a terminal can show: not empty, UTF-8, no control characters, at most

@@ -35,7 +35,7 @@ view::Capabilities madeUpCapabilities() {
     return capabilities;
 }
 
-/// Dear ImGui's complaint about a frame that opened what it didn't close.
+/// Dear ImGui's error callback for unbalanced begin and end calls.
 void complain(void* /*data*/, const char* format, ...) IM_FMTARGS(2);
 void complain(void* /*data*/, const char* format, ...) {
     std::array<char, 200> text{};
@@ -121,10 +121,10 @@ void Workbench::speak(Language language, std::set<std::string, std::less<>>* gap
     useCatalogue(nullptr);
     catalogue_ = *std::move(catalogue);
     useCatalogue(catalogue_.get(), gaps);
-    textPercent_ = 0; // so that the fonts are made anew
+    textPercent_ = 0; // so that the fonts are built again
 }
 
-/// As the stage does it before a frame.
+/// As the stage does before a frame.
 void Workbench::layOut() {
     const Settings& settings = session->window.settings;
     const ImDrawData* drawn = ImGui::GetDrawData();
@@ -193,7 +193,7 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
                    return graphics.show(image, stage::Graphics::Use::Enlarged);
                }});
     glViewport(0, 0, width_, height_);
-    clearTo({1, 0, 1, 1}); // what no panel covers is glaring
+    clearTo({1, 0, 1, 1}); // a glaring colour where no panel covers the window
     glEnable(GL_SCISSOR_TEST);
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
         const bool stands = window->Active && !window->Hidden && !window->ParentWindow;
@@ -252,7 +252,7 @@ ImVec2 Workbench::place(std::string_view name) {
 
 void Workbench::moveTo(ImVec2 place) {
     ImGui::GetIO().MousePos = place;
-    frames(2); // a widget that others may cover wants to have been hovered before
+    frames(2); // a widget that others may cover must have been hovered before
 }
 
 void Workbench::clickAt(ImVec2 place, int button) {
@@ -304,7 +304,7 @@ void Workbench::open(std::string_view section) {
     ASSERT_NE(row, sectionRows.end()) << section;
     session->window.wantedSection = row->section;
     frames(1);
-    session->window.wantedSection = row->section; // where it is, is known now
+    session->window.wantedSection = row->section; // its place is known now
     frames(2);
 }
 
@@ -314,7 +314,7 @@ void Workbench::putListRight() {
 }
 
 void Workbench::scrollTo(std::string_view name) {
-    for (const ParameterTabRow& tab : parameterTabRows) { // the one in front may have it
+    for (const ParameterTabRow& tab : parameterTabRows) { // the tab in front may have it
         if (has(name))
             break;
         states.parameters = {tab.tab, {}};

@@ -19,41 +19,41 @@
 
 namespace texplorer::test {
 
-/// The whole window without a window; the tests are its hands. Widgets are found by the name under which they
-/// note where they are. Nothing is drawn until a test asks for a picture: then OSMesa does.
+/// The whole window without a display; tests provide the input. Widgets are found by the name under which
+/// they record their position. Nothing is drawn until a test asks for a picture: then OSMesa draws it.
 class Workbench : public testing::Test {
 protected:
     Workbench();
     ~Workbench() override;
 
-    /// Begins again with another scene or another window size.
+    /// Restarts with another scene or another window size.
     void start(Scene scene, int width = 1280, int height = 800, float scale = 1);
 
-    /// Begins again with other services than those that do everything at once.
+    /// Restarts with other services than the default ones, which do everything at once.
     void lend(const ui::Services& services);
 
-    /// What the window's texts are from here on, until a test begins; `gaps` as in useCatalogue.
+    /// Sets the language of the window until the end of the test; `gaps` as in useCatalogue.
     void speak(ui::Language language, std::set<std::string, std::less<>>* gaps = nullptr);
 
-    /// Draws frames, with whatever the hands hold. The clock stands still unless a test lets it run.
+    /// Draws frames with the pressed keys and buttons. The clock is stopped unless a test starts it.
     void frames(int count = 1);
 
     [[nodiscard]] bool has(std::string_view name) const { return places.items.contains(name); }
-    /// The middle of a widget that is in sight; fails the test where it isn't.
+    /// The middle of a visible widget; fails the test if it is not visible.
     [[nodiscard]] ImVec2 place(std::string_view name);
 
     void moveTo(ImVec2 place);
     void click(std::string_view name, int button = ImGuiMouseButton_Left);
     void clickAt(ImVec2 place, int button = ImGuiMouseButton_Left);
     void doubleClickAt(ImVec2 place);
-    /// Presses, moves in ten steps, lets go.
+    /// Presses, moves in ten steps, releases.
     void drag(ImVec2 from, ImVec2 way, int button = ImGuiMouseButton_Left);
     void wheel(ImVec2 place, float notches);
     /// Opens a section of the parameters and scrolls there.
     void open(std::string_view section);
-    /// The list of vertices on the right, where one may drag it: so it is in sight beside a tab below.
+    /// Moves the list of vertices to the right, so that it is visible together with a tab below.
     void putListRight();
-    /// Turns the wheel over the parameters until a widget is whole in sight.
+    /// Turns the wheel over the parameters until a widget is completely visible.
     void scrollTo(std::string_view name);
     void choose(std::string_view param, std::string_view name); ///< in a combo
 
@@ -61,13 +61,13 @@ protected:
     void key(int code, std::initializer_list<int> modifiers = {});
     void type(std::string_view text);
 
-    /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test where GL reports anything, or
-    /// the renderers say anything else than what the test expects of them.
+    /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test if GL reports an error, or if
+    /// the renderers report anything that the test does not expect.
     [[nodiscard]] Image
     picture(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty());
 
-    /// Fails the test where what was drawn last is nothing that can be drawn: a vertex or a clip rectangle
-    /// that isn't a finite number.
+    /// Fails the test if the last frame cannot be drawn: a vertex or a clip rectangle that is not a finite
+    /// number.
     static void expectSoundFrame();
 
     [[nodiscard]] Scene& scene() { return session->document.scene; }
@@ -86,7 +86,7 @@ private:
     struct Drawing;
 
     void layOut();
-    void rest(); ///< so long that the next click is no second one
+    void rest(); ///< long enough that the next click is not a double click
     void build(const ui::Pictures& pictures);
 
     ui::ServicesAtOnce atOnce_;
@@ -94,7 +94,7 @@ private:
     int width_ = 1280;
     int height_ = 800;
     float scale_ = 1;
-    int textPercent_ = 100; ///< with the theme, what Dear ImGui was set up for
+    int textPercent_ = 100; ///< with the theme: the settings that Dear ImGui has
     std::set<int> held_;    ///< keys
     ui::Theme theme_ = ui::Theme::Dark;
     std::unique_ptr<const ui::Catalogue> catalogue_;
@@ -102,7 +102,7 @@ private:
     std::unique_ptr<Drawing> drawing_;
 };
 
-/// Of a picture of the window: how many pixels no panel covers.
+/// The number of pixels that no panel covers in a picture of the window.
 [[nodiscard]] int pixelsOfNoPanel(const Image& picture);
 
 constexpr int ctrl = 341; // GLFW's left control and shift keys

@@ -14,9 +14,8 @@ void addAxesArgument(Command& command, std::vector<std::string>& axes, const std
     command.option(
         "--axis", axes,
         fmt::format(
-            "A parameter and values that it goes through, as in 'textures[0].minFilter=*': {}. V1,V2 are "
-            "values (of vectors and colours with ; between them), A..B/N are N numbers, * is every "
-            "choice.",
+            "A parameter and its values, as in 'textures[0].minFilter=*': {}. V1,V2 are values (of vectors "
+            "and colours with ; between them), A..B/N are N numbers, * is every choice.",
             what),
         {.value = "PATH=VALUES",
          .required = required,

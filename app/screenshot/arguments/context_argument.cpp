@@ -10,9 +10,9 @@ constexpr const char* contextVariable = "TEXPLORER_CONTEXT";
 void addContextArgument(Command& command, ContextArgument& argument) {
     argument.option = &command.option(
         "--context", argument.text,
-        "Where OpenGL draws, as \"texshot drivers\" lists it. auto: OSMesa where this texshot was built with it, "
-        "else egl. osmesa: into memory. egl: the first of EGL's that gives a context. egl:surfaceless: EGL's "
-        "surfaceless platform. egl:N: its device N, from 0.",
+        "Where OpenGL draws; \"texshot drivers\" lists the contexts. auto: OSMesa if texshot was built "
+        "with it, else egl. osmesa: into memory. egl: the first EGL display that makes a context. "
+        "egl:surfaceless: EGL's surfaceless platform. egl:N: EGL device N, from 0.",
         {.value = "CONTEXT",
          .environment = contextVariable,
          .showsDefault = true,

@@ -11,7 +11,7 @@ namespace texplorer::screenshot {
 namespace {
 
 std::string toleranceHelp() {
-    std::string text = "What a pixel's value may be. Unless given,";
+    std::string text = "The maximum value of a pixel. Default:";
     for (const MetricRow& each : metricRows)
         text += fmt::format("{} {:g} for {}", each.metric == metricRows.front().metric ? "" : ",",
                             each.tolerance, rowOf(each.metric).name);
@@ -35,24 +35,24 @@ void addCriterionArgument(Command& command, CriterionArgument& argument, const O
         return of + text;
     };
     command.option(
-        "--metric", argument.metric, help("What a pixel's value is.") + explainChoices<Metric>(),
+        "--metric", argument.metric, help("How the value of a pixel is measured.") + explainChoices<Metric>(),
         {.value = "METRIC", .showsDefault = true, .needs = needs, .offers = {choiceNames<Metric>}});
     argument.givenTolerance = &command.option("--tolerance", argument.tolerance, help(toleranceHelp()),
                                               {.value = "N", .needs = needs});
     argument.givenShare = &command.option(
         "--share", argument.share,
-        help("Which share of the pixels may be above the tolerance: 0 to 1, or in percent as in "
-             "0.1%. Unless given, none."),
+        help("The share of the pixels that may be above the tolerance: 0 to 1, or in percent as in 0.1%. "
+             "Default: 0."),
         {.value = "P", .needs = needs});
     command.option(
         "--mask", argument.mask,
-        help("A picture of the same size: where it is black or wholly transparent, pixels don't count."),
+        help("A picture of the same size. Pixels that are black or transparent in it are ignored."),
         {.value = "FILE", .needs = needs});
-    command.flag("--rgb", argument.rgb, help("Leave alpha out."), {.needs = needs});
+    command.flag("--rgb", argument.rgb, help("Ignore alpha."), {.needs = needs});
     argument.givenPixelsPerDegree = &command.number(
         "--pixels-per-degree", argument.pixelsPerDegree, 1, 512,
-        of + "flip: how many pixels of the picture lie in a degree of the viewer's field of view. 67 is a 4K "
-             "screen of 0.7 m at a distance of 0.7 m.",
+        of + "flip: the pixels of the picture per degree of the viewer's field of view. 67 is a 4K screen "
+             "of 0.7 m at a distance of 0.7 m.",
         {.showsDefault = true, .needs = needs});
 }
 
@@ -74,7 +74,7 @@ Result<Criterion> parseCriterion(const CriterionArgument& argument) {
     criterion.compared = argument.rgb ? Compared::Rgb : Compared::Rgba;
     criterion.pixelsPerDegree = argument.pixelsPerDegree;
     if (argument.givenPixelsPerDegree->isGiven() && *metric != Metric::Flip)
-        noteUnused("--pixels-per-degree", "it is for --metric flip");
+        noteUnused("--pixels-per-degree", "it needs --metric flip");
     return criterion;
 }
 

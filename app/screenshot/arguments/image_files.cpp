@@ -239,7 +239,7 @@ void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const 
                            {"shareOfRgb8", made.report->shareOfRgb8}};
     told.written.push_back(std::move(entry));
     if (!made.report || !alone)
-        told.text += fmt::format("{} -> {}: {}, {} x {}, {}{}{}, {}\n", printable(inputName(job.in)),
+        told.text += fmt::format("{} -> {}: {}, {} × {}, {}{}{}, {}\n", printable(inputName(job.in)),
                                  printable(job.out), format.name, widthOf(base), heightOf(base),
                                  layers > 1 ? fmt::format("{} layers, ", layers) : std::string(),
                                  faces > 1 ? fmt::format("{} faces, ", faces) : std::string(),
@@ -261,10 +261,10 @@ Result<void> settleLosses(const ImageJob& job, const CodecRow& format, bool allo
     std::ranges::move(lossesIn(made.texture, format.name), std::back_inserter(made.losses));
     const std::string lost = pixelsLost(made.losses);
     if (!lost.empty() && !allowed)
-        return fail(ErrorCode::Unsupported,
-                    fmt::format("as {} it would lose something: {}; --lossy writes it all the same",
-                                format.name, lost),
-                    inputName(job.in));
+        return fail(
+            ErrorCode::Unsupported,
+            fmt::format("as {} it would lose something: {}; --lossy writes it anyway", format.name, lost),
+            inputName(job.in));
     if (!made.losses.empty())
         warn({ErrorCode::Unsupported, fmt::format("lost in {}: {}", format.name, allLost(made.losses)),
               inputName(job.in)});
@@ -304,7 +304,7 @@ ExitCode printTold(const ImageFiles& files, const ToldImages& told) {
 
 } // namespace
 
-const Option& addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
+const Option* addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
                             const std::string& in, const std::string& report) {
     command.usage({"IN OUT", "IN... -o DIR"});
     std::string format;
@@ -317,19 +317,19 @@ const Option& addImageFiles(Command& command, ImageFiles& files, const ImageForm
     command.option(
         "IN", files.files,
         fmt::format(
-            "{}; - for standard input. Behind it OUT, the file to write, its format by its extension: {}; - "
-            "for standard output, {}.",
+            "{}; - for standard input. After it OUT, the file to write, with the format of its extension: "
+            "{}; - for standard output, {}.",
             in, writtenExtensions(" or ", formats.only), format),
         {.required = true});
     const Option& out = command.option(
         "-o,--out", files.folder,
-        "In the place of OUT: a folder that gets a file for each IN, of the same name with the extension "
-        "of its format. One that fails is said, and the others go on.",
+        "Instead of OUT: a folder for one file for each IN, with the same name and the extension of the "
+        "format. Failures are reported, and the others continue.",
         {.value = "DIR"});
     if (formats.only.empty())
         command.option(
             "--to", files.format,
-            fmt::format("The format of what has no extension: with -o and -. One of {}.", formatNames()),
+            fmt::format("The format if there is no extension, with -o and -. One of {}.", formatNames()),
             {.value = "FORMAT", .offers = {writtenFormats}});
     if (!formats.lossy.empty())
         command.flag("--lossy", files.lossy, std::string(formats.lossy));
@@ -338,7 +338,7 @@ const Option& addImageFiles(Command& command, ImageFiles& files, const ImageForm
         "--json", files.json,
         "The report as JSON, for programs: \"written\" (input, output, format, width, height, depth, layers, "
         "faces, levels, bytes, losses) and \"failed\" (input, error).");
-    return out;
+    return &out;
 }
 
 ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const MakeImage& make,

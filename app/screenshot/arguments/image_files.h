@@ -37,7 +37,7 @@ struct ImageFormats {
 
 /// Declares IN, OUT, -o, --to, --lossy, --report and --json; -o is what it returns. `report`: what --report
 /// prints.
-const Option& addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
+const Option* addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats,
                             const std::string& in, const std::string& report);
 
 /// What a command makes of an image, and how it is written.

@@ -46,7 +46,7 @@ std::string inputName(const std::string& path) {
 
 Result<void> checkStandardInputOnce(std::span<const std::string> paths) {
     if (std::ranges::count_if(paths, isStandardInput) > 1)
-        return fail(ErrorCode::OutOfRange, "can be read once, and is named twice", "standard input");
+        return fail(ErrorCode::OutOfRange, "can be read only once, but is named twice", "standard input");
     return {};
 }
 
@@ -75,13 +75,13 @@ bool ImageHead::operator()(ByteView start) {
     const Result<TextureImage> outline = decodeTexture(start, {.pixels = false});
     if (!outline) // what is said of half of it, too, isn't for want of bytes
         return std::exchange(last_, outline.error().message) != outline.error().message;
-    constexpr std::uint64_t most = std::uint64_t{16} << 20; // of what isn't pixels
-    constexpr std::uint64_t perTexel = 16;                  // in 16 bits, and twice that
+    constexpr std::uint64_t maxOtherBytes = std::uint64_t{16} << 20; // of what isn't pixels
+    constexpr std::uint64_t perTexel = 16;                           // in 16 bits, and twice that
     std::uint64_t texels = 0;
     for (const Surface& each : outline->surfaces)
         texels += static_cast<std::uint64_t>(widthOf(each)) * static_cast<std::uint64_t>(heightOf(each)) *
                   static_cast<std::uint64_t>(depthOf(each));
-    return start.size() < most + perTexel * texels;
+    return start.size() < maxOtherBytes + perTexel * texels;
 }
 
 } // namespace texplorer::screenshot

@@ -8,14 +8,15 @@
 namespace texplorer::screenshot {
 
 /// An option that changes nothing here gets a note and is no error, so that a loop over renderers or formats
-/// goes on. `why`: "it is for TGA files". What can't be done as it was asked for is an error of its own.
+/// goes on. `why`: "it applies to TGA files only". What can't be done as it was asked for is an error of its
+/// own.
 inline void noteUnused(const std::string& option, const std::string& why) {
     warn({ErrorCode::OutOfRange, "has no effect here: " + why, option});
 }
 
 /// What prints its answer for programs can't write a picture there, too.
 [[nodiscard]] inline tl::unexpected<Error> standardOutputIsTaken(const std::string& option) {
-    return fail(ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", option);
+    return fail(ErrorCode::OutOfRange, "standard output can have the picture or the JSON, not both", option);
 }
 
 } // namespace texplorer::screenshot

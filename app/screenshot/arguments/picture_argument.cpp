@@ -25,35 +25,34 @@ void addPictureArgument(Command& command, PictureArgument& argument, Several sev
     const std::string each = several == Several::Yes ? " Of several, with commas: a picture for each." : "";
     command.option("--size", argument.size, "Of the picture, in pixels." + each,
                    {.value = "WIDTHxHEIGHT", .showsDefault = true});
-    command.option("--time", argument.time, "On the scene's clock, for what moves." + each,
+    command.option("--time", argument.time, "The scene's time in seconds, for animated scenes." + each,
                    {.value = "SECONDS", .showsDefault = true});
     argument.ofReference = {
         &command.option(
             "--anisotropy", argument.anisotropy,
-            "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
-            "leaves open." +
+            "How the reference filters a texture with max anisotropy above 1, which OpenGL does not define." +
                 explainChoices<reference::AnisotropyMethod>(),
             {.value = "METHOD", .showsDefault = true, .offers = {choiceNames<reference::AnisotropyMethod>}}),
         &command.option(
             "--rho", argument.rho,
-            "How the reference computes rho, the texels a pixel that choose mip levels, of a texture whose max "
-            "anisotropy is 1. OpenGL 2.1, section 3.8.8, allows a range." +
+            "How the reference computes rho, the texels per pixel that select mip levels, for a texture "
+            "with max anisotropy 1. OpenGL 2.1, section 3.8.8, allows a range." +
                 explainChoices<reference::RhoMethod>(),
             {.value = "METHOD", .showsDefault = true, .offers = {choiceNames<reference::RhoMethod>}})};
 }
 
-Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest) {
+Result<view::Size> parsePictureSize(std::string_view text, view::Size min) {
     view::Size size;
     const char* end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
     if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
         const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        if (height.ec == std::errc() && height.ptr == end && size.width >= smallest.width &&
-            size.width <= maxExtent && size.height >= smallest.height && size.height <= maxExtent)
+        if (height.ec == std::errc() && height.ptr == end && size.width >= min.width &&
+            size.width <= maxExtent && size.height >= min.height && size.height <= maxExtent)
             return size;
     }
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected WIDTHxHEIGHT from {} to {}, found \"{}\"", asArgument(smallest),
+                fmt::format("expected WIDTHxHEIGHT from {} to {}, found \"{}\"", asArgument(min),
                             asArgument({maxExtent, maxExtent}), text),
                 "--size");
 }
@@ -68,9 +67,8 @@ Result<double> parseTime(std::string_view text) {
                 "--time");
 }
 
-Result<std::vector<view::Size>> parsePictureSizes(std::string_view text, view::Size smallest) {
-    return parseEach(text, "--size",
-                     [smallest](std::string_view each) { return parsePictureSize(each, smallest); });
+Result<std::vector<view::Size>> parsePictureSizes(std::string_view text, view::Size min) {
+    return parseEach(text, "--size", [min](std::string_view each) { return parsePictureSize(each, min); });
 }
 
 Result<std::vector<double>> parseTimes(std::string_view text) {

@@ -24,12 +24,12 @@ enum class Several : bool { No, Yes };
 /// Declares --size, --time, --anisotropy and --rho.
 void addPictureArgument(Command& command, PictureArgument& argument, Several several = Several::No);
 
-[[nodiscard]] Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest = {1, 1});
+[[nodiscard]] Result<view::Size> parsePictureSize(std::string_view text, view::Size min = {1, 1});
 [[nodiscard]] Result<double> parseTime(std::string_view text);
 
 /// With commas between them, each once.
 [[nodiscard]] Result<std::vector<view::Size>> parsePictureSizes(std::string_view text,
-                                                                view::Size smallest = {1, 1});
+                                                                view::Size min = {1, 1});
 [[nodiscard]] Result<std::vector<double>> parseTimes(std::string_view text);
 
 /// A note where --anisotropy or --rho changes nothing: where the reference draws nothing.

@@ -23,7 +23,7 @@ void addRendererArgument(Command& command, RendererArgument& argument, Several s
         "--shaders", argument.shaders,
         fmt::format(
             "With --renderer shader{}: the folder of the shader renderer's files, a copy of shaders/. "
-            "Without it: those that the program was built with.",
+            "Default: the files that the program was built with.",
             orElse),
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     addContextArgument(command, argument.context);
@@ -53,13 +53,13 @@ void noteRendererUse(const RendererArgument& argument, std::span<const RendererK
                      const std::string& orElse) {
     if (argument.shadersOption->isGiven() &&
         std::ranges::find(renderers, RendererKind::Shader) == renderers.end())
-        noteUnused("--shaders", "it is for --renderer shader" + orElse);
+        noteUnused("--shaders", "it needs --renderer shader" + orElse);
     const bool asksOpenGl = std::ranges::any_of(
         renderers, [](RendererKind renderer) { return renderer != RendererKind::Reference; });
     if (!argument.pretended.empty() && !asksOpenGl)
-        noteUnused("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
+        noteUnused("--pretend", "it concerns OpenGL's driver, which the reference doesn't use");
     if (argument.context.option->isGiven() && !asksOpenGl)
-        noteUnused("--context", "it is about OpenGL, which the reference doesn't ask");
+        noteUnused("--context", "it concerns OpenGL, which the reference doesn't use");
 }
 
 } // namespace texplorer::screenshot

@@ -37,17 +37,17 @@ std::string checkAssignment(const std::string& text) {
 }
 
 /// How much is read of an input that should hold a scene: of a PNG, which has its pixels beside it, all.
-std::size_t mostBytesOf(const std::string& path) {
+std::size_t maxBytesOf(const std::string& path) {
     std::error_code ignored;
     if (isStandardInput(path) || !std::filesystem::is_regular_file(path, ignored))
         return maxSceneBytes;
     constexpr std::size_t begin = 8; // as long as the signature of a PNG
     const Result<Bytes> start = readFileStart(path, begin);
-    return start ? mostSceneFileBytes(*start) : maxSceneBytes;
+    return start ? maxSceneFileBytes(*start) : maxSceneBytes;
 }
 
 Result<std::string> readSceneInput(const std::string& path) {
-    const Result<Bytes> file = readInput(path, mostBytesOf(path));
+    const Result<Bytes> file = readInput(path, maxBytesOf(path));
     if (!file)
         return fail(file.error());
     Result<std::string> text = sceneTextIn(*file);
@@ -167,26 +167,25 @@ Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
 
 const Option& addSceneArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
     constexpr const char* help =
-        "A scene file (JSON), or a PNG that texshot has drawn, which holds its scene; - for standard "
-        "input. Without one: the cube and the sphere that Texplorer starts with.";
+        "A scene file (JSON), or a PNG drawn by texshot, which contains its scene; - for standard input. "
+        "Default: Texplorer's start scene, a cube and a sphere.";
     const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
                                : command.option("SCENE", argument.file, help);
-    command.option("--example", argument.example,
-                   fmt::format("In the place of a scene: an example of the program's, one of {}.",
-                               fmt::join(exampleNames(), ", ")),
-                   {.value = "NAME", .excludes = &file, .offers = {exampleNames}});
+    command.option(
+        "--example", argument.example,
+        fmt::format("Instead of a scene: a built-in example, one of {}.", fmt::join(exampleNames(), ", ")),
+        {.value = "NAME", .excludes = &file, .offers = {exampleNames}});
     command.option("--set", argument.assignments,
-                   "Change one parameter, as in 'textures[0].minFilter=GL_NEAREST', in quotes because of the "
-                   "brackets. May be given again; "
-                   "\"texshot params\" lists every path.",
+                   "Change one parameter, as in 'textures[0].minFilter=GL_NEAREST' (quoted because of the "
+                   "brackets). Can be repeated; \"texshot params\" lists every path.",
                    {.value = "PATH=VALUE",
                     .oneEach = true,
                     .check = checkAssignment,
                     .offers = {.assigned = assignedParams}});
     command.option(
         "--preset", argument.presets,
-        "What a textbook shows of a setting, as in alpha-test, after every --set; or several, with "
-        "commas. May be given again; \"texshot presets\" lists them.",
+        "A preset such as alpha-test, applied after every --set; or several, separated by commas. Can be "
+        "repeated; \"texshot presets\" lists them.",
         {.value = "PRESET", .oneEach = true, .offers = {[] { return namesIn(presets()); }, true}});
     return file;
 }
@@ -195,15 +194,15 @@ void addSceneOrLessonArgument(Command& command, SceneArgument& argument, std::ve
     const Option& file = addSceneArgument(command, argument, files);
     const Option& lesson =
         command.option("--lesson", argument.lesson,
-                       "In the place of a scene: a step of a lesson, by its name, which \"texshot lessons\" "
-                       "lists, or its folder.",
+                       "Instead of a scene: a step of a lesson, by its name (\"texshot lessons\" lists "
+                       "them) or its folder.",
                        {.value = "NAME", .excludes = &file, .offers = {lesson::builtInLessons}});
-    command.number("--step", argument.step, 1, lesson::maxSteps, "Which step of the lesson.",
+    command.number("--step", argument.step, 1, lesson::maxSteps, "The step of the lesson.",
                    {.needs = &lesson});
     const Option& answer =
-        command.number("--answer", argument.answer, 1, lesson::mostAnswers,
-                       "What that answer of the step's question would look like.", {.needs = &lesson});
-    command.flag("--reached", argument.reached, "The picture that is to be reached in the step.",
+        command.number("--answer", argument.answer, 1, lesson::maxAnswers,
+                       "Draw the picture of this answer to the step's question.", {.needs = &lesson});
+    command.flag("--reached", argument.reached, "Draw the picture to reach in the step.",
                  {.needs = &lesson, .excludes = &answer});
 }
 
@@ -272,7 +271,7 @@ void tellOfImages(const ImageSource& images) {
         if (!image || image->surfaces.empty())
             continue;
         const Surface& base = image->surface(0, 0);
-        tell(fmt::format("read {}, {}, {} x {}", file, image->format, widthOf(base), heightOf(base)));
+        tell(fmt::format("read {}, {}, {} × {}", file, image->format, widthOf(base), heightOf(base)));
     }
 }
 

@@ -67,8 +67,8 @@ Result<ui::Language> parseLanguage(std::string_view name) {
     return parseRow(ui::languageRows, name, "--language").map(&ui::LanguageRow::language);
 }
 
-constexpr float leastScale = 0.5F;
-constexpr float largestScale = 4;
+constexpr float minScale = 0.5F;
+constexpr float maxScale = 4;
 
 Result<float> parseScale(std::string_view text) {
     if (text.empty())
@@ -76,10 +76,10 @@ Result<float> parseScale(std::string_view text) {
     float scale = 0;
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, scale);
-    if (error == std::errc() && stop == end && scale >= leastScale && scale <= largestScale)
+    if (error == std::errc() && stop == end && scale >= minScale && scale <= maxScale)
         return scale;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a number from {} to {}, found \"{}\"", leastScale, largestScale, text),
+                fmt::format("expected a number from {} to {}, found \"{}\"", minScale, maxScale, text),
                 "--scale");
 }
 
@@ -123,16 +123,14 @@ Result<void> take(Result<T> parsed, T& place) {
 } // namespace
 
 void addWindowArgument(Command& command, const Option& window, WindowArgument& argument) {
-    command.option(
-        "--tab", argument.tab,
-        fmt::format("With --ui: the tab that is in front where it lies, one of {}.", namesOf(ui::tabRows)),
-        {.value = "TAB", .needs = &window, .offers = {[] { return namesIn(ui::tabRows); }}});
+    command.option("--tab", argument.tab,
+                   fmt::format("With --ui: the selected tab, one of {}.", namesOf(ui::tabRows)),
+                   {.value = "TAB", .needs = &window, .offers = {[] { return namesIn(ui::tabRows); }}});
     command.option("--figure", argument.figure,
-                   fmt::format("With --ui: the figure that is in front with its tab, one of {}.",
-                               namesOf(ui::figureRows)),
+                   fmt::format("With --ui: the selected figure, one of {}.", namesOf(ui::figureRows)),
                    {.value = "FIGURE", .needs = &window, .offers = {[] { return namesIn(ui::figureRows); }}});
     command.option("--layout", argument.layout,
-                   fmt::format("With --ui: which panels are open, one of {}.", namesOf(ui::layoutRows)),
+                   fmt::format("With --ui: the layout of the panels, one of {}.", namesOf(ui::layoutRows)),
                    {.value = "LAYOUT", .needs = &window, .offers = {[] { return namesIn(ui::layoutRows); }}});
     command.option("--theme", argument.theme,
                    fmt::format("With --ui: the colours, one of {}.", namesOf(ui::themeRows)),
@@ -141,22 +139,19 @@ void addWindowArgument(Command& command, const Option& window, WindowArgument& a
         "--language", argument.language,
         fmt::format("With --ui: the language of the window's texts, one of {}.", namesOf(ui::languageRows)),
         {.value = "LANGUAGE", .needs = &window, .offers = {[] { return namesIn(ui::languageRows); }}});
-    command.option("--scale", argument.scale,
-                   "With --ui: the size of text and controls, 0.5 to 4, as of a monitor with that scale.",
+    command.option("--scale", argument.scale, "With --ui: the scale of text and controls, 0.5 to 4.",
                    {.value = "S", .needs = &window});
     command.number("--tour", argument.tour, 1, ui::tourSteps,
                    "With --ui: a step of the tour over the window.", {.needs = &window});
     command.option(
         "--section", argument.section,
-        fmt::format("With --ui: the part of the parameters that is opened, at their top, one of {}.",
-                    namesOf(ui::sectionRows)),
+        fmt::format("With --ui: the open section of the parameters, one of {}.", namesOf(ui::sectionRows)),
         {.value = "SECTION", .needs = &window, .offers = {[] { return namesIn(ui::sectionRows); }}});
-    command.option(
-        "--probe", argument.probe,
-        "With --ui: the pixel of the picture that is explained, counted from the picture's top left.",
-        {.value = "X,Y", .needs = &window});
+    command.option("--probe", argument.probe,
+                   "With --ui: the explained pixel, counted from the picture's top left.",
+                   {.value = "X,Y", .needs = &window});
     command.option("--compare", argument.compared,
-                   "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
+                   "With --ui: two renderers in one picture, as in fixed,reference; or all three and the "
                    "difference of the first two.",
                    {.value = "A,B", .needs = &window, .offers = {choiceNames<RendererKind>, true}});
 }

@@ -27,8 +27,8 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr std::size_t mostPictures = 10'000;
-constexpr double mostPerSecond = 1000;
+constexpr std::size_t maxPictures = 10'000;
+constexpr double maxPerSecond = 1000;
 
 struct AnimateOptions {
     SceneArgument scene;
@@ -74,8 +74,7 @@ Result<double> lengthOf(const AnimateOptions& options, const Scene& scene, doubl
     const double rest = texplorer::lengthOf(scene.timeline) - begin;
     if (rest > 0)
         return rest;
-    return fail(ErrorCode::OutOfRange, "expected how long it is, as the scene has no key frames that say so",
-                "--seconds");
+    return fail(ErrorCode::OutOfRange, "expected a length, as the scene has no key frames", "--seconds");
 }
 
 Result<void> putMoves(const AnimateOptions& options, const std::vector<std::string>& moves, Motion& motion) {
@@ -83,7 +82,7 @@ Result<void> putMoves(const AnimateOptions& options, const std::vector<std::stri
     if (!easing)
         return fail(easing.error());
     if (moves.empty() && options.easingOption->isGiven())
-        noteUnused("--easing", "it is for parameters that --set moves");
+        noteUnused("--easing", "it applies only to parameters that --set moves");
     Scene& scene = motion.opened.scene;
     for (const std::string& move : moves) {
         if (Result<void> put = putMove(scene, move, {motion.request.time, motion.seconds, *easing}); !put)
@@ -94,9 +93,9 @@ Result<void> putMoves(const AnimateOptions& options, const std::vector<std::stri
 
 Result<void> countPictures(Motion& motion) {
     const double pictures = std::max(1.0, std::round(motion.seconds * motion.perSecond));
-    if (pictures > static_cast<double>(mostPictures))
+    if (pictures > static_cast<double>(maxPictures))
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} pictures, found {}: {} s with {} a second", mostPictures,
+                    fmt::format("expected at most {} pictures, found {}: {} s with {} a second", maxPictures,
                                 pictures, motion.seconds, motion.perSecond),
                     "--seconds");
     motion.pictures = static_cast<std::size_t>(pictures);
@@ -112,7 +111,7 @@ tl::expected<Motion, SceneProblem> motionOf(const AnimateOptions& options) {
         return wrong({ErrorCode::OutOfRange,
                       fmt::format("expected a begin from 0 to {} s, found {}", maxKeyTime, request->time),
                       "--time"});
-    const Result<double> perSecond = parseNumber(options.perSecond, 0, mostPerSecond, "--fps");
+    const Result<double> perSecond = parseNumber(options.perSecond, 0, maxPerSecond, "--fps");
     if (!perSecond)
         return wrong(perSecond.error());
     SceneArgument scene = options.scene;
@@ -212,15 +211,14 @@ Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
 /// What a file of its own can't be: the error is about the line.
 Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
                          const animation::FormatRow& format) {
-    if (motion.perSecond > format.mostPerSecond)
+    if (motion.perSecond > format.maxPerSecond)
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected at most {} a second in {} files, of which viewers show more of them "
-                        "slower; found {}",
-                        format.mostPerSecond, format.name, motion.perSecond),
+            fmt::format("expected at most {} a second in {} files, which viewers show slower; found {}",
+                        format.maxPerSecond, format.name, motion.perSecond),
             "--fps");
     const double shown = std::min(1 / motion.perSecond, motion.seconds);
-    const double longest = static_cast<double>(format.mostUnits) / format.unitsPerSecond;
+    const double longest = static_cast<double>(format.maxShownUnits) / format.unitsPerSecond;
     if (shown > longest)
         return fail(
             ErrorCode::OutOfRange,
@@ -228,15 +226,15 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
                         format.name, longest, shown),
             "--fps");
     const auto [width, height] = motion.request.size;
-    if (std::max(width, height) > format.mostExtent)
+    if (std::max(width, height) > format.maxExtent)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {0}x{0} for {1} files, found {2}x{3}", format.mostExtent,
+                    fmt::format("expected at most {0}x{0} for {1} files, found {2}x{3}", format.maxExtent,
                                 format.name, width, height),
                     "--size");
     if (!options.quality.empty() && format.format != animation::Format::WebP)
-        noteUnused("--quality", "it is for WebP, the others lose nothing by choice");
+        noteUnused("--quality", "it applies to WebP only");
     if (options.withoutMetadata && format.format != animation::Format::Apng)
-        noteUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it applies to PNG files only");
     return {};
 }
 
@@ -307,14 +305,14 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
 
 ExitCode animateIntoFiles(const AnimateOptions& options, const Motion& motion, const FileNames& name) {
     if (!options.quality.empty())
-        noteUnused("--quality", "it is for WebP");
+        noteUnused("--quality", "it applies to WebP only");
     if (options.playsOption->isGiven())
-        noteUnused("--loop", "single pictures don't say how often they are shown");
+        noteUnused("--loop", "single pictures don't loop");
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
     if (options.withoutMetadata && (*format)->name != "PNG")
-        noteUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it applies to PNG files only");
     const std::vector<double> times = timesOf(options, motion);
     const ShotList list({{nameOf(options.scene), options.scene.file, motion.opened, {}}},
                         {{motion.request.renderer}, {motion.request.size}, times});
@@ -346,46 +344,47 @@ ExitCode animate(const AnimateOptions& options) {
 } // namespace
 
 void addAnimate(CommandLine& line) {
-    Command& command = line.command(
-        "animate", "Draw a scene while it moves, into a GIF, WebP or APNG, or into numbered files.");
+    Command& command =
+        line.command("animate", "Draw an animated scene into a GIF, WebP or APNG, or into numbered files.");
     auto options = std::make_shared<AnimateOptions>();
     addSceneOrLessonArgument(command, options->scene);
     command.option("--fps", options->perSecond, "Pictures a second.", {.value = "N", .showsDefault = true});
-    command.option("--seconds", options->seconds,
-                   "How long it is. Without it: as long as the scene's key frames are.", {.value = "S"});
+    command.option("--seconds", options->seconds, "The length. Default: that of the scene's key frames.",
+                   {.value = "S"});
     options->easingOption =
         &command.option("--easing", options->easing,
-                        "How what --set moves goes from each value to the next." + explainChoices<Easing>(),
+                        "The easing of --set from each value to the next." + explainChoices<Easing>(),
                         {.value = "NAME", .showsDefault = true, .offers = {choiceNames<Easing>}});
-    command.flag(
-        "--pingpong", options->pingPong,
-        "Then back to the beginning, by the same pictures: twice as long, and a loop whatever moves.");
+    command.flag("--pingpong", options->pingPong,
+                 "Then play the pictures backwards: twice as long, and always a smooth loop.");
     options->playsOption =
-        &command.number("--loop", options->plays, 0, 65535, "How often it is shown; 0: again and again.");
+        &command.number("--loop", options->plays, 0, 65535, "How often it is played; 0: forever.");
     addPictureArgument(command, options->picture);
     addRendererArgument(command, options->renderer);
     command.option("--quality", options->quality,
-                   "Of a WebP, with losses: 0 to 100. Without it: without any.", {.value = "Q"});
+                   "The quality of a lossy WebP, 0 to 100. Default: "
+                   "lossless.",
+                   {.value = "Q"});
     command.flag("--no-metadata", options->withoutMetadata,
-                 "Write no texts into a PNG, which say how it was drawn and the complete scene.");
+                 "Don't write texts into a PNG (how it was drawn and the complete scene).");
     command.option(
         "-o,--out", options->out,
-        "The file to write: .gif, .webp or .png (APNG). With a place for a number, 'frame-%04d.png' "
-        "or 'frame-{number}.tga', each picture becomes a file of its own, as of \"texshot shot\", "
-        "counted from 1.",
+        "The file to write: .gif, .webp or .png (APNG). With a place for a number, 'frame-%04d.png' or "
+        "'frame-{number}.tga', each picture is a separate file, as of \"texshot shot\", counted from 1.",
         {.value = "FILE", .required = true});
     command.footer(fmt::format(
-        "What moves: the scene's key frames, spins and rates, and what --set moves. --set PATH=A..B goes from A "
-        "to B over the whole length, A..B..C by way of B; of vectors and colours every component, "
-        "'view.background=0,0,0,1..1,1,1,1'. Names, and what is on or off, have nothing in between: each is shown "
-        "for an equal part of the length, and * stands for all of them.\n"
-        "Picture number i, from 0, is \"texshot shot --time\" at i / fps after --time. That at the very end isn't "
-        "drawn: where it is the first one again, as with 'view.azimuth=0..360', the loop is exact.\n"
-        "GIFs have 256 colours in each picture, count in hundredths of a second and go up to {} pictures a second; "
-        "APNG and WebP lose nothing. A call draws at most {} pictures each way.\n"
-        "Exit status: 0 done, 1 a picture couldn't be drawn or the file written, 2 a wrong call, 130 Ctrl+C: then "
-        "there is no file, or what numbered files there are by then are whole.",
-        animation::rowOf(animation::Format::Gif).mostPerSecond, mostPictures));
+        "What moves: the scene's key frames, spins and rates, and parameters of --set. --set PATH=A..B "
+        "goes from A to B over the whole length, A..B..C through B; for vectors and colours every "
+        "component, 'view.background=0,0,0,1..1,1,1,1'. Names and switches are not interpolated: each "
+        "value is shown for an equal part of the length, and * means all of them.\n"
+        "Picture number i, from 0, is \"texshot shot --time\" at i / fps after --time. The picture at the "
+        "very end isn't drawn: if it equals the first one, as with 'view.azimuth=0..360', the loop is "
+        "exact.\n"
+        "GIFs have 256 colours in each picture, count in hundredths of a second and go up to {} pictures a "
+        "second; APNG and WebP are lossless. A call draws at most {} pictures each way.\n"
+        "Exit status: 0 done, 1 a picture couldn't be drawn or the file written, 2 invalid arguments, 130 "
+        "Ctrl+C: then there is no file, or the numbered files written so far are complete.",
+        animation::rowOf(animation::Format::Gif).maxPerSecond, maxPictures));
     command.onCall([options] { return animate(*options); });
 }
 

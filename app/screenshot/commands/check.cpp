@@ -136,7 +136,8 @@ ExitCode check(const Options& options) {
 } // namespace
 
 void addCheck(CommandLine& line) {
-    Command& command = line.command("check", "What is wrong in a scene, undefined, or without effect.");
+    Command& command = line.command("check", "Find errors, undefined results and settings without effect "
+                                             "in a scene.");
     auto options = std::make_shared<Options>();
     addSceneOrLessonArgument(command, options->scene);
     command.flag(
@@ -144,12 +145,13 @@ void addCheck(CommandLine& line) {
         "As JSON, for programs: \"findings\" (severity, rule, path, sentence, and of \"fixes\" label and "
         "set) and \"notes\" (path, sentence).");
     command.footer(
-        "A line for each finding on standard output, errors first, and below it each way to mend it; then "
-        "a note for each oddity of an image's file that is survived. Of the images, the headers are read.\n"
-        "Settings without effect are named where they differ from what OpenGL and Texplorer start with.\n"
-        "The driver is not asked: \"texshot shot\" says what it lacks.\n"
-        "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be "
-        "read, 2 a wrong call.");
+        "A line for each finding on standard output, errors first, with its fixes below it; then a note "
+        "for each recovered defect of an image file. Only the headers of images are read.\n"
+        "Settings without effect are listed if they differ from the initial values of OpenGL and "
+        "Texplorer.\n"
+        "The driver is not used: \"texshot shot\" reports what it lacks.\n"
+        "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be read, 2 "
+        "invalid arguments.");
     command.onCall([options] { return check(*options); });
 }
 

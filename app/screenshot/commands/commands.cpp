@@ -39,12 +39,10 @@ void addCommands(CommandLine& line) {
     Command& command = line.command("commands", "The OpenGL calls that draw a scene, as a program in C.");
     auto options = std::make_shared<CallsOptions>();
     addSceneOrLessonArgument(command, options->scene);
-    command.flag("--all", options->all,
-                 "All calls; without it only those that change what OpenGL starts with.");
+    command.flag("--all", options->all, "All calls. Default: only those that change OpenGL's initial state.");
     command.flag("--json", options->json, "As JSON, for programs: \"language\" and \"lines\".");
-    command.footer(
-        "The program of \"texshot emit\", on standard output: what the window's Commands tab shows.\n"
-        "Exit status: 0 done, 1 the scene or an image can't be read, 2 a wrong call.");
+    command.footer("The program of \"texshot emit\" on standard output, as in the window's Commands tab.\n"
+                   "Exit status: 0 done, 1 the scene or an image can't be read, 2 invalid arguments.");
     command.onCall([options] { return commands(*options); });
 }
 

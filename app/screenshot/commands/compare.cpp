@@ -56,7 +56,7 @@ Result<ReadPicture> readPicture(const std::string& path) {
                                       std::pair{depthOf(base), "slice"}})
         if (count > 1)
             return fail(ErrorCode::Unsupported,
-                        fmt::format("expected one picture, found {}; texshot decode takes one out of it",
+                        fmt::format("expected one picture, found {}; texshot decode extracts one",
                                     countOf(count, part)),
                         path);
     const int bits = file->componentBits;
@@ -97,7 +97,7 @@ void addNumbers(Json& document, const Comparison& comparison) {
 /// What is said where a file has more than is compared; empty: none has.
 std::string depthNote(int componentBits) {
     return componentBits > 8
-               ? fmt::format("{} bits a component: they are compared rounded to 8", componentBits)
+               ? fmt::format("{} bits a component: they are rounded to 8 for the comparison", componentBits)
                : std::string();
 }
 
@@ -235,31 +235,32 @@ std::string citations() {
 } // namespace
 
 void addCompare(CommandLine& line) {
-    Command& command = line.command("compare", "Whether two pictures are alike, and what differs where.");
+    Command& command = line.command("compare", "Compare two pictures and find where they differ.");
     auto options = std::make_shared<CompareOptions>();
     command.usage({"EXPECTED ACTUAL", "--expected FILE --actual FILE"});
     command.option(
         "FILE", options->pictures,
-        "The picture as it should be, then the one as it is: any format that Texplorer reads; - for "
-        "standard input.");
-    command.option("--expected", options->expected, "The picture as it should be.", {.value = "FILE"});
-    command.option("--actual", options->actual, "The picture as it is.", {.value = "FILE"});
+        "The expected picture, then the actual one, in any format that Texplorer reads; - for standard "
+        "input.");
+    command.option("--expected", options->expected, "The expected picture.", {.value = "FILE"});
+    command.option("--actual", options->actual, "The actual picture.", {.value = "FILE"});
     addCriterionArgument(command, options->criterion);
     command.option(
         "-o,--out", options->out,
-        fmt::format("Write the difference as a picture, its format by its extension: {}; - for standard "
-                    "output, as PNG. Black is equal, a dark blue is within the tolerance, violet, red to "
-                    "pale yellow is above it, grey is masked.",
+        fmt::format("Write the difference as a picture, with the format of its extension: {}; - for "
+                    "standard output, as PNG. Black is equal, dark blue is within the tolerance, violet, "
+                    "red to pale yellow is above it, grey is masked.",
                     writtenExtensions(" or ")),
         {.value = "FILE"});
     command.flag("--json", options->json, "As JSON, for programs.");
     command.footer(
-        "Components are compared as numbers from 0 to 255: what has more bits is rounded to 8, which the "
-        "sentence, or the note of the JSON, says. Positions are counted from the upper left.\n"
-        "ssim: of each of red, green, blue (and alpha, unless both are opaque) with the paper's Gaussian window; the "
-        "edge repeats outside. flip: where they aren't opaque, over black and over white.\n" +
+        "Components are compared as numbers from 0 to 255. Components of more bits are rounded to 8, which "
+        "the output mentions. Positions are counted from the upper left.\n"
+        "ssim: for red, green, blue (and alpha, unless both are opaque) with the paper's Gaussian window; "
+        "the edge repeats outside. flip: pictures that aren't opaque are compared over black and over "
+        "white.\n" +
         citations() +
-        "Exit status: 0 they are alike, 1 they differ, 2 one of them can't be read, or a wrong call.");
+        "Exit status: 0 they are alike, 1 they differ, 2 one of them can't be read, or invalid arguments.");
     command.onCall([options] { return comparePictureFiles(*options); });
 }
 

@@ -125,7 +125,7 @@ bool keepsLevels(const TextureImage& texture, const CompressOptions& options, co
 /// What becomes of levels that are not kept.
 Loss levelsLost(int levels, const Choices& choices) {
     return {"levels", fmt::format("{} of its {} mip levels{}", levels - 1, levels,
-                                  choices.mips ? " (made anew of the base)" : "")};
+                                  choices.mips ? " (generated from the base)" : "")};
 }
 
 /// The pictures to compress, bottom row first, the levels of a face together: of one picture, or of the six
@@ -138,8 +138,8 @@ Result<std::vector<MipChain>> picturesOf(TextureImage texture, const CompressOpt
     const Surface& base = texture.surface(0, 0);
     if (texture.layers != 1)
         return refused(
-            fmt::format("expected a picture or a cube map, found an array of {}; texshot decode takes "
-                        "one layer out of it",
+            fmt::format("expected a picture or a cube map, found an array of {}; texshot decode extracts "
+                        "one layer",
                         countOf(texture.layers, "layer")));
     if (depthOf(base) != 1)
         return refused(
@@ -148,7 +148,7 @@ Result<std::vector<MipChain>> picturesOf(TextureImage texture, const CompressOpt
     if (texture.faces == 1 && options.cube) { // cubeFace takes and gives them with the top row first
         if (cubeLayout(widthOf(base), heightOf(base)) == CubeLayout::Same)
             return refused(fmt::format(
-                "expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found {} x {}",
+                "expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found {} × {}",
                 widthOf(base), heightOf(base)));
         Image picture = uprightImage(std::move(texture));
         flipVertically(picture);
@@ -199,7 +199,7 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     if (file->levels > 1 && !keeps)
         losses.push_back(levelsLost(file->levels, choices));
     if (keeps && options.gamma)
-        noteUnused("--gamma", "it is for mip levels that are made, and those of the file are kept");
+        noteUnused("--gamma", "it applies only to generated mip levels, but those of the file are kept");
     Result<std::vector<MipChain>> pictures = picturesOf(*std::move(file), options, keeps, in);
     if (!pictures)
         return fail(pictures.error());
@@ -237,7 +237,7 @@ ExitCode run(const CompressOptions& options) {
     if (!choices)
         return complain(choices.error(), wrongCall);
     if (options.gamma && !choices->mips && !options.powerOfTwo)
-        noteUnused("--gamma", "it is for mip levels and --power-of-two, and there is neither");
+        noteUnused("--gamma", "it applies only to mip levels and --power-of-two, but there is neither");
     return makeImages(options.files, compressFormats,
                       [&](const std::string& in) { return compressFile(in, options, *choices); });
 }
@@ -250,31 +250,31 @@ void addCompress(CommandLine& line) {
     auto options = std::make_shared<CompressOptions>();
     addImageFiles(
         command, options->files, compressFormats, "The picture: any format that Texplorer reads",
-        "Print each level's bytes and what it lost (PSNR against the picture, in those of red, green, "
-        "blue and alpha that the format keeps and the picture has), and the sum against the base level "
-        "and against uncompressed pixels.");
+        "Print each level's bytes and loss (PSNR against the picture, over the components that the format "
+        "keeps and the picture has), and the sum relative to the base level and to uncompressed pixels.");
     command.option(
         "--format", options->format,
         "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5; also as bc1, bc1a, bc2, bc3, ati1 or rgtc1, ati2 or "
         "rgtc2.",
         {.value = "FORMAT", .required = true, .offers = {formatChoices}});
     command.option("--quality", options->quality,
-                   "fast, normal or best: from tens of megatexels a second to half a one.",
+                   "fast, normal or best: from tens of megatexels to half a megatexel a second.",
                    {.value = "QUALITY", .offers = {choiceNames<EncodeQuality>}});
     command.option(
         "--mips", options->mips,
         fmt::format(
-            "The filter that makes the mip levels, or none: {}. Without this the levels of a file that "
-            "has some are compressed as they are, and of another a box makes them.",
+            "The filter that makes the mip levels, or none: {}. Default: the levels of the file if it has "
+            "some, else a box filter.",
             mipNames()),
         {.value = "FILTER", .offers = {mipChoices}});
     command.flag("--gamma", options->gamma,
-                 "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
+                 "Average colours as amounts of light, by the sRGB curve: black and white then give 188, "
+                 "not 128.");
     command.flag("--power-of-two", options->powerOfTwo,
-                 "Scale the picture to the nearest powers of two first, as gluBuild2DMipmaps does it.");
+                 "Scale the picture to the nearest powers of two first, as in gluBuild2DMipmaps.");
     command.flag("--cube", options->cube,
-                 "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map stays "
-                 "one in any case.");
+                 "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map "
+                 "always stays a cube map.");
     command.onCall([options] { return run(*options); });
 }
 

@@ -114,8 +114,8 @@ Result<std::vector<conform::Pair>> pairsOf(const ConformOptions& options) {
     if (*subject == *against && (options.renderer.empty() || options.against.empty())) {
         const bool named = !options.against.empty();
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected another renderer than {}, which {} is unless it is given",
-                                rowOf(*subject).name, named ? "--renderer" : "--against"),
+                    fmt::format("expected a renderer other than {}, the default of {}", rowOf(*subject).name,
+                                named ? "--renderer" : "--against"),
                     named ? "--against" : "--renderer");
     }
     if (*subject == *against)
@@ -214,7 +214,7 @@ ExitCode conformTo(const ConformOptions& options) {
     const bool shaders =
         std::ranges::any_of(*pairs, [](const conform::Pair& pair) { return pair.has(RendererKind::Shader); });
     if (options.shadersOption->isGiven() && !shaders)
-        noteUnused("--shaders", "it is for the shader renderer, which is not compared");
+        noteUnused("--shaders", "it needs the shader renderer, which is not compared");
     const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
     if (!pretence)
         return complain(pretence.error(), wrongCall);
@@ -270,54 +270,52 @@ ExitCode conformTo(const ConformOptions& options) {
 } // namespace
 
 void addConform(CommandLine& line) {
-    Command& command =
-        line.command("conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
+    Command& command = line.command("conform", "Compare the renderers on thousands of small scenes.");
     auto options = std::make_shared<ConformOptions>();
     const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
     command.option(
         "--renderer", options->renderer,
         fmt::format(
-            "The renderer to compare, {}. Without it and --against: shader against fixed, and reference "
-            "against fixed.",
+            "The renderer to compare, {}. Default, if --against is also missing: shader against fixed, and "
+            "reference against fixed.",
             renderers),
         {.value = "RENDERER", .offers = {choiceNames<RendererKind>}});
-    command.option("--against", options->against,
-                   fmt::format("The renderer to compare it with, {}.", renderers),
+    command.option("--against", options->against, fmt::format("The renderer to compare with, {}.", renderers),
                    {.value = "RENDERER", .offers = {choiceNames<RendererKind>}});
-    command.option("--feature", options->features, "Only these features, with commas; --list names them.",
+    command.option("--feature", options->features,
+                   "Only these features, separated by commas; --list shows "
+                   "them.",
                    {.value = "FEATURE", .offers = {[] { return namesIn(conform::features()); }, true}});
-    command.number(
-        "--scenes", options->scenes, 1, 100000,
-        fmt::format("How many, shared out among the features. Without it: {}.", conform::defaultScenes));
+    command.number("--scenes", options->scenes, 1, 100000,
+                   fmt::format("The number of scenes, divided among the features. Default: {}.",
+                               conform::defaultScenes));
     command.number("--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
-                   "Other scenes; the same number gives the same ones.", {.showsDefault = true});
+                   "The seed of the random scenes. The same seed gives the same scenes.",
+                   {.showsDefault = true});
     command.option("-o,--out,--report", options->folder,
                    "A folder for the report: index.html for a browser, report.json, and for each feature "
                    "its worst scene with both pictures and their difference.",
                    {.value = "DIR"});
     options->shadersOption = &command.option(
         "--shaders", options->shaders,
-        "The folder of the shader renderer's files. Without it: those that the program was built "
-        "with.",
+        "The folder of the shader renderer's files. Default: the files that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     addContextArgument(command, options->context);
     command.option("--pretend", options->pretended,
-                   view::pretenceHelp() + " What can't be compared then is skipped, and counted.",
+                   view::pretenceHelp() + " Scenes that can't be compared are skipped and counted.",
                    {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     for (const Option& option : command.options())
         options->notListing.push_back(&option);
     command.flag("--json", options->json, "The report, or the list, as JSON, for programs.");
     command.flag("--list", options->list,
-                 "Name the features, the rules that they are held to with their reasons, and what is not "
-                 "compared.");
+                 "List the features, their rules with reasons, and what is not compared.");
     command.footer(
-        "A table on standard output: \"over\" are the pixels that differ by more than the rule's "
-        "bound (in 255ths), "
-        "\"unexplained\" those of them that the driver's precision, as the rule grants it, does not "
-        "explain. What is allowed holds for thousands of scenes; of fewer it is as much more as chance, once in "
-        "10,000 samples, makes it, and \"too few scenes\" where there are fewer than 19 and more pixels.\n"
-        "Exit status: 0 none differ, 1 some do or nothing could be drawn, 2 a wrong call, 130 "
-        "Ctrl+C.");
+        "A table on standard output: \"over\" are the pixels that differ by more than the rule's bound (in "
+        "255ths), \"unexplained\" those of them that the precision granted to the driver does not explain. "
+        "The limits apply to thousands of scenes. For fewer scenes they are higher by as much as chance "
+        "makes once in 10,000 samples, and the result is \"too few scenes\" if more pixels differ in fewer "
+        "than 19 scenes.\n"
+        "Exit status: 0 none differ, 1 some do or nothing could be drawn, 2 invalid arguments, 130 Ctrl+C.");
     command.onCall([options] { return conformTo(*options); });
 }
 

@@ -13,8 +13,9 @@ constexpr ImageFormats convertFormats{
     .start = "PNG",
     .named = true,
     .lossy =
-        "Write what OUT can't hold all of: layers, faces, slices and mip levels in a format of one picture, more "
-        "than 8 bits a component. Else such a file is refused; what is lost is said in any case."};
+        "Also write files that OUT can't hold completely: layers, faces, slices and mip levels in a format "
+        "of one picture, or more than 8 bits a component. Else these are refused; losses are always "
+        "reported."};
 
 struct ConvertOptions {
     ImageFiles files;
@@ -25,7 +26,7 @@ void noteOptions(const CodecRow& written, const WriteOptions& options) {
     for (const auto& [option, given, format] :
          {std::tuple{"--rle", options.runLengthCoded, "TGA"}, std::tuple{"--small", options.small, "PNG"}})
         if (given && written.name != format)
-            noteUnused(option, fmt::format("it is for {} files, OUT is {}", format, written.name));
+            noteUnused(option, fmt::format("it applies to {} files only, OUT is {}", format, written.name));
 }
 
 } // namespace
@@ -33,11 +34,11 @@ void noteOptions(const CodecRow& written, const WriteOptions& options) {
 void addConvert(CommandLine& line) {
     Command& command = line.command(
         "convert",
-        "Write images in another format. DDS takes all that a texture has; of what formats of one picture "
-        "can't hold, --lossy leaves the first: level, face, slice and layer 0.");
+        "Write images in another format. DDS can hold complete textures. For formats of one picture, "
+        "--lossy keeps level, face, slice and layer 0.");
     auto options = std::make_shared<ConvertOptions>();
     addImageFiles(command, options->files, convertFormats, "The image: any format that Texplorer reads",
-                  "Print a line for each image: what became of what.");
+                  "Print a line for each image with its input and output.");
     command.flag("--rle", options->write.runLengthCoded, "TGA: run-length coded.");
     command.flag("--small", options->write.small, "PNG: smaller rather than faster.");
     command.onCall([options] {

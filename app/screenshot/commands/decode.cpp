@@ -16,9 +16,8 @@ constexpr ImageFormats decodeFormats{
     .only = {},
     .start = "PNG",
     .named = false,
-    .lossy =
-        "Take the first of several layers, faces or slices where none is chosen, and 8 bits of a component that "
-        "has more. Else such a file is refused; what is lost is said in any case."};
+    .lossy = "Use the first of several layers, faces or slices if none is selected, and 8 bits of components "
+             "with more. Else such a file is refused; losses are always reported."};
 
 constexpr int notChosen = -1;
 
@@ -122,17 +121,17 @@ void addDecode(CommandLine& line) {
     Command& command = line.command("decode", "Turn an image file, or a part of it, into a picture.");
     auto options = std::make_shared<DecodeOptions>();
     addImageFiles(command, options->files, decodeFormats, "The image: any format that Texplorer reads",
-                  "Print a line for each picture: what became of what.");
+                  "Print a line for each picture with its input and output.");
     command.number(
         "--level", options->level, 0, 30,
-        "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.");
-    command.number("--layer", options->layer, 0, 2047, "Which layer of an array, 0 the first.");
+        "The mip level; 0 is the base. If the file has only the base, a box filter makes the levels.");
+    command.number("--layer", options->layer, 0, 2047, "The layer of an array, from 0.");
     command.number("--face", options->face, 0, 5,
-                   "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.");
-    command.number("--slice", options->slice, 0, 16383, "Which slice of a volume, 0 the first.");
+                   "The face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.");
+    command.number("--slice", options->slice, 0, 16383, "The slice of a volume, from 0.");
     command.flag("--no-flip", options->noFlip,
-                 "Put the file's first row at the bottom, as a loader does that hands its bytes to "
-                 "glTexImage2D: upside down for most formats.");
+                 "Put the file's first row at the bottom, like a loader that passes its bytes to "
+                 "glTexImage2D. Upside down for most formats.");
     command.onCall([options] {
         return makeImages(options->files, decodeFormats,
                           [&](const std::string& in) { return pictureOf(in, *options); });

@@ -58,17 +58,17 @@ int diff(const DiffOptions& options) {
 } // namespace
 
 void addDiff(CommandLine& line) {
-    Command& command = line.command("diff", "What differs between two scenes.");
+    Command& command = line.command("diff", "List the differences between two scenes.");
     auto options = std::make_shared<DiffOptions>();
     command.option("FROM", options->from, "A scene file (JSON); - for standard input.", {.required = true});
-    command.option("TO", options->to, "Another one.", {.required = true});
+    command.option("TO", options->to, "The other scene file.", {.required = true});
     command.flag("--json", options->json,
                  "As JSON, for programs: \"same\" and \"changes\" (path, label, from, to).");
     command.footer(
-        "A line for each parameter that both have with different values; of lists that have different "
-        "lengths their lengths, and what differs in the elements that both have.\n"
-        "Exit status: 0 they are the same, 1 they differ, 2 one of them can't be read, or a wrong "
-        "call.");
+        "A line for each parameter with different values. For lists of different lengths: the lengths, and "
+        "the differences of their common elements.\n"
+        "Exit status: 0 they are the same, 1 they differ, 2 one of them can't be read, or invalid "
+        "arguments.");
     command.onCall([options] { return diff(*options); });
 }
 

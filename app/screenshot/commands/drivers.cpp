@@ -31,13 +31,13 @@ std::string driversText(const DriverReport& report, bool extensions) {
                        line("version", report.version) +
                        line("GLSL", report.shadingLanguage.empty() ? "none" : report.shadingLanguage) +
                        line("profile", report.isCore ? "core" : "compatibility") +
-                       line("largest texture", fmt::format("{0} x {0}", report.maxTextureSize));
+                       line("largest texture", fmt::format("{0} × {0}", report.maxTextureSize));
     if (report.lack.empty()) // else nobody has asked
         text += line("anisotropy", report.maxAnisotropy > 1
                                        ? fmt::format("up to {}", formatNumber(report.maxAnisotropy))
                                        : "none") +
                 line("S3TC", report.s3tc ? "yes" : "no") +
-                line("texture borders", report.textureBorders ? "yes" : "no: the driver takes them away");
+                line("texture borders", report.textureBorders ? "yes" : "no: the driver drops them");
     text += line("extensions", fmt::format("{}", report.extensions.size()));
     for (const std::string& name : extensions ? report.extensions : std::vector<std::string>())
         text += fmt::format("    {}\n", printable(name));
@@ -93,7 +93,7 @@ ExitCode listDrivers(const DriversOptions& options) {
     const ExitCode status =
         std::ranges::any_of(*answers, canDraw)
             ? success
-            : complain({ErrorCode::Driver, "Texplorer can draw in none of these contexts", {}});
+            : complain({ErrorCode::Driver, "Texplorer can't draw in any of these contexts", {}});
     const std::string text =
         options.json ? driversJson(*answers, options.extensions) : driversText(*answers, options.extensions);
     if (const Result<void> printed = print(text); !printed)
@@ -104,31 +104,31 @@ ExitCode listDrivers(const DriversOptions& options) {
 } // namespace
 
 void addDrivers(CommandLine& line) {
-    Command& command = line.command(
-        "drivers", "The contexts of OpenGL that --context may name, and what each driver can do.");
+    Command& command =
+        line.command("drivers", "List the OpenGL contexts of --context and the features of each driver.");
     auto options = std::make_shared<DriversOptions>();
-    command.flag("--extensions", options->extensions, "Name each driver's extensions.");
+    command.flag("--extensions", options->extensions, "List each driver's extensions.");
     command.flag("--json", options->json, "As JSON, for programs.");
     command.number("--timeout,--time-limit", options->seconds, 1, 3600,
-                   "In seconds: a driver that hasn't answered by then hangs.", {.showsDefault = true});
+                   "The maximum time for a driver to answer, in seconds.", {.showsDefault = true});
     command.footer(
-        "Each driver is asked in a process of its own: one that crashes or hangs is a line of the list. Exit "
+        "Each driver runs in a separate process, so crashes and hangs are reported in the list. Exit "
         "status: 0 Texplorer can draw in one of the contexts, 1 in none.\n"
-        "Mesa heeds these variables, here and wherever texshot draws:\n"
-        "GALLIUM_DRIVER=llvmpipe or softpipe: which of its drivers draws on the processor. With EGL also zink "
-        "or d3d12, which draw by Vulkan and Direct3D.\n"
-        "LP_NUM_THREADS=N: how many threads llvmpipe draws with, 0 to 32; pictures are the same.\n"
-        "GALLIVM_PERF=no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling: llvmpipe chooses and filters mip "
-        "levels without its shortcuts, as \"texshot conform\" has it do.\n"
-        "MESA_GL_VERSION_OVERRIDE=2.1 and MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_compression_s3tc: as an older "
-        "driver. --pretend takes more away, of any driver.\n"
-        "LIBGL_ALWAYS_SOFTWARE=1, with EGL: on the processor though there is a GPU. "
-        "MESA_LOADER_DRIVER_OVERRIDE=zink: another driver for the GPU. LIBGL_DRIVERS_PATH=DIR: where Mesa's "
-        "drivers lie.\n"
-        "__EGL_VENDOR_LIBRARY_FILENAMES=FILE.json: which EGL, where several are installed.\n"
+        "Mesa reads these variables, in this and all other commands that draw:\n"
+        "GALLIUM_DRIVER=llvmpipe or softpipe: the driver that draws on the CPU. With EGL also zink or "
+        "d3d12, which draw with Vulkan and Direct3D.\n"
+        "LP_NUM_THREADS=N: the number of threads of llvmpipe, 0 to 32. Pictures do not change.\n"
+        "GALLIVM_PERF=no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling: llvmpipe selects and filters "
+        "mip levels without approximations, as in \"texshot conform\".\n"
+        "MESA_GL_VERSION_OVERRIDE=2.1 and MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_compression_s3tc: like "
+        "an older driver. --pretend disables more, for any driver.\n"
+        "LIBGL_ALWAYS_SOFTWARE=1, with EGL: on the CPU even if there is a GPU. "
+        "MESA_LOADER_DRIVER_OVERRIDE=zink: another driver for the GPU. LIBGL_DRIVERS_PATH=DIR: the folder "
+        "of Mesa's drivers.\n"
+        "__EGL_VENDOR_LIBRARY_FILENAMES=FILE.json: the EGL to use, if several are installed.\n"
         "MESA_SHADER_CACHE_DIR=DIR: where Mesa keeps compiled shaders; MESA_SHADER_CACHE_DISABLE=true: "
         "nowhere.\n"
-        "OSMesa has llvmpipe and softpipe alone.");
+        "OSMesa has only llvmpipe and softpipe.");
     command.onCall([options] { return listDrivers(*options); });
 }
 

@@ -29,17 +29,16 @@ Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour)
     if (options.files && flavour == emit::Flavour::WebGl)
         noteUnused("--files", "a page of webgl needs no other file");
     else if (options.files && options.scene.lesson.empty())
-        return fail(ErrorCode::OutOfRange, "only the files of a lesson are written beside a program",
+        return fail(ErrorCode::OutOfRange, "only the files of a lesson are written next to a program",
                     "--files");
     if (options.files && isStandardOutput(options.out))
-        return fail(ErrorCode::OutOfRange, "expected a file's name, beside which there may be others",
-                    "--out");
+        return fail(ErrorCode::OutOfRange, "expected a file name, to write other files next to it", "--out");
     std::error_code ignored;
     const std::filesystem::file_status there = std::filesystem::status(options.out, ignored);
     if (options.files && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected a file, beside which there may be others, found \"{}\"", options.out),
+            fmt::format("expected a file, to write other files next to it, found \"{}\"", options.out),
             "--out");
     return {};
 }
@@ -108,26 +107,27 @@ ExitCode emitProgram(const EmitOptions& options) {
 } // namespace
 
 void addEmit(CommandLine& line) {
-    Command& command = line.command("emit", "A scene as a program, which a C compiler takes as it is.");
+    Command& command = line.command("emit", "Write a scene as a complete program in C or JavaScript.");
     auto options = std::make_shared<EmitOptions>();
     addSceneOrLessonArgument(command, options->scene);
-    command.option("--as", options->flavour, "What it is written for." + explainChoices<emit::Flavour>(),
+    command.option("--as", options->flavour, "The target of the program." + explainChoices<emit::Flavour>(),
                    {.value = "FLAVOUR", .showsDefault = true, .offers = {choiceNames<emit::Flavour>}});
     command.option("-o,--out", options->out, "The file to write; - for standard output.",
                    {.value = "FILE", .showsDefault = true});
     command.flag("--files", options->files,
-                 "Write the lesson's BMP, TGA and DDS files beside the program, which reads them; without it "
-                 "their texels stand in the program.");
+                 "Write the lesson's BMP, TGA and DDS files next to the program, which reads them. "
+                 "Default: their texels are part of the program.");
     command.footer(
-        "One file that needs GLFW and OpenGL; the line that compiles it stands at its top. In a framebuffer "
-        "object it draws the pixels of \"texshot shot\"; in its window a driver may round otherwise. It moves as the scene "
-        "and its key frames do and turns by the mouse. Patterns of few lines are computed; the "
-        "texels of other images, and meshes of many vertices, are arrays at its end. With --lesson the step's text "
-        "stands at the top, and the calls that it is about have a word on what they do.\n"
-        "The shaders of glsl and webgl are those of the GLSL tab. A page of webgl needs no other file, and its pixels are "
-        "the browser's. What OpenGL 3.3 or WebGL 2 has no word for, and key frames of what no call or uniform of a frame "
-        "sets, as a model's shape, is named in one sentence, and nothing is written.\n"
-        "Exit status: 0 done, 1 the scene, an image or what the flavour can't say, 2 a wrong call.");
+        "One file that needs GLFW and OpenGL, with the command to compile it at the top. In a framebuffer "
+        "object it draws the same pixels as \"texshot shot\"; in its window a driver may round "
+        "differently. It is animated like the scene and turns with the mouse. Simple patterns are "
+        "computed; the texels of other images and large meshes are arrays at the end. With --lesson the "
+        "step's text is at the top, and the relevant calls have comments.\n"
+        "The shaders of glsl and webgl are those of the GLSL tab. A page of webgl needs no other file, and "
+        "its pixels are the browser's. If OpenGL 3.3 or WebGL 2 can't express the scene, or a key frame "
+        "changes something that no call or uniform sets, such as a model's shape, an error names it and "
+        "nothing is written.\n"
+        "Exit status: 0 done, 1 the scene or an image can't be read or expressed, 2 invalid arguments.");
     command.onCall([options] { return emitProgram(*options); });
 }
 

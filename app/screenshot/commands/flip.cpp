@@ -13,9 +13,9 @@ namespace {
 /// The format is that of the file which is turned.
 ImageFormats flipFormats() {
     static const std::string lossy = fmt::format(
-        "Turn what loses something by it: levels of blocks whose extent is not {} are decompressed and compressed "
-        "again, and what OUT can't hold is left out, as convert has it. Else such a file is refused; what is lost is "
-        "said in any case.",
+        "Also flip with losses: levels of blocks whose size is not {} are decompressed and compressed "
+        "again, and parts that OUT can't hold are dropped, as in convert. Else such a file is refused; "
+        "losses are always reported.",
         losslessExtents);
     ImageFormats turned;
     turned.lossy = lossy;
@@ -37,14 +37,14 @@ Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
     const bool lossy = options.files.lossy;
     if (!texture)
         return fail(texture.error());
-    LongWork work("texshot: turning around");
+    LongWork work("texshot: flipping");
     const Result<void> turned = flip(*texture, {.axis = options.axis(),
                                                 .lossy = lossy,
                                                 .progress = [&work](float done) { work.report(done); },
                                                 .stop = work.stopToken()});
     work.finish();
     if (work.stopToken().stop_requested())
-        return fail(ErrorCode::Cancelled, "turning around was stopped");
+        return fail(ErrorCode::Cancelled, "flipping was stopped");
     if (!turned) {
         const bool wouldLose = turned.error().code == ErrorCode::Unsupported && !lossy;
         return fail(turned.error().code,
@@ -60,16 +60,16 @@ Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
 void addFlip(CommandLine& line) {
     Command& command = line.command(
         "flip",
-        "Turn a texture upside down, every mip level, face, slice and layer; compressed blocks without "
-        "decompressing them.");
+        "Flip a texture upside down, with all mip levels, faces, slices and layers. Compressed blocks are "
+        "not decompressed.");
     auto options = std::make_shared<FlipOptions>();
-    const Option& out =
+    const Option* out =
         addImageFiles(command, options->files, flipFormats(), "The texture: any format that Texplorer reads",
-                      "Print a line for each texture: what became of what.");
+                      "Print a line for each texture with its input and output.");
     command.usage({"IN OUT", "IN... -o DIR", "IN... --in-place"});
     command.flag("--in-place", options->files.inPlace,
-                 "Write each texture in its own place: without this no output takes the place of an input.",
-                 {.excludes = &out});
+                 "Overwrite each input. Without this option no output may overwrite an input.",
+                 {.excludes = out});
     const Option& horizontal = command.flag("--horizontal", options->horizontal, "Left to right instead.");
     command.flag("--half-turn", options->halfTurn, "By 180 degrees instead.", {.excludes = &horizontal});
     command.onCall([options] {

@@ -100,122 +100,117 @@ struct CommandTable {
 const std::vector<CommandTable>& commandTables() {
     const std::pair<std::string, std::string> score{
         "score",
-        "What the metric says of both pictures: of absolute the mean over all components in 255ths, 0 "
-        "where they are equal; of ssim 1 where they are equal; of flip 0, and at most 1."};
+        "The metric of both pictures: absolute is the mean over all components in 255ths, 0 if equal; ssim "
+        "is 1 if equal; flip is 0 if equal and at most 1."};
     const std::pair<std::string, std::string> measured{"metric, tolerance, share",
-                                                       "What was measured, and how much of it was allowed."};
-    const std::pair<std::string, std::string> over{
-        "shareOver", "Which share of the pixels is above the tolerance, 0 to 1."};
+                                                       "The metric and its tolerance."};
+    const std::pair<std::string, std::string> over{"shareOver",
+                                                   "The share of pixels above the tolerance, 0 to 1."};
     static const std::vector<CommandTable> rows{
         {"compare",
          {"What --json prints",
           {},
-          {{"alike, sentence", "Whether they are, and what is said of it."},
-           {"expected, actual, expectedSize, actualSize", "The files and what they measure, in pixels."},
+          {{"alike, sentence", "Whether they are alike, and the sentence about it."},
+           {"expected, actual, expectedSize, actualSize", "The files and their size in pixels."},
            measured,
-           {"components, pixelsPerDegree", "rgba or rgb; of flip, how large pixels are."},
-           {"pixels, over", "How many pixels count, and how many of them are above the tolerance."},
+           {"components, pixelsPerDegree", "rgba or rgb; for flip, the size of pixels."},
+           {"pixels, over", "The number of compared pixels, and of those above the tolerance."},
            over,
            score,
            {"worst", "The worst pixel: x, y, value, expected, actual."},
            {"bounds, regions, largestRegions",
-            "Where pixels above the tolerance lie: x, y, width, height, pixels."},
-           {"difference", "Of the components: max and mean, in 255ths."}}}},
+            "Regions of pixels above the tolerance: x, y, width, height, pixels."},
+           {"difference", "The max and mean of each component, in 255ths."}}}},
         {"test",
          {"What --json writes",
           {},
-          {{"program, command, started, seconds", "What ran, when and for how long."},
-           {"suites, planned, shard, plan", "What of: the suites, the cases of the whole, which part."},
-           {"driver, version", "What drew."},
-           {"counts, status", "How many cases of each state, and the exit status."},
+          {{"program, command, started, seconds", "The program, start and duration."},
+           {"suites, planned, shard, plan", "The suites, the cases of the whole run and the part."},
+           {"driver, version", "The driver."},
+           {"counts, status", "The number of cases in each state, and the exit status."},
            {"names", "The cases of this part, run or not."},
            {"cases",
-            "Of each name, state, sentence, explanation, seconds, attempt, signal, renderer, driver, size, "
-            "time and golden; settings, the variables that say how precisely the driver draws it; expectedPicture, actualPicture and differencePicture of the report's folder; "
-            "worst, the pixel; fingerprint; and what follows."},
+            "For each: name, state, sentence, explanation, seconds, attempt, signal, renderer, driver, "
+            "size, time and golden; settings, the variables for the driver's precision; expectedPicture, "
+            "actualPicture and differencePicture in the report's folder; worst, the pixel; fingerprint; "
+            "and the following."},
            measured,
            {"pixels, over, unexplained",
-            "How many pixels count, how many of them are above the tolerance, and of these, where a rule decides, "
-            "how many it doesn't explain."},
+            "The number of compared pixels, of those above the tolerance, and of those that the rule, if "
+            "any, doesn't explain."},
            over,
            score}}},
         {"test",
          {"Suites",
-          "A suite is a JSON file, NAME.suite.json: {\"suite\": 1, \"defaults\": {...}, \"cases\": [{...}]}. What "
-          "an entry of cases or, for all, defaults may say is below; where several are possible, one alone will do. "
-          "Its schema is that of \"texshot schema --suites\".",
-          {{"name", "What its cases' names begin with. Without it: the scene's."},
+          "A suite is a JSON file, NAME.suite.json: {\"suite\": 1, \"defaults\": {...}, \"cases\": "
+          "[{...}]}. The keys of an entry of cases, or of defaults for all, are below. Lists of one "
+          "element may be written without brackets. \"texshot schema --suites\" writes the schema.",
+          {{"name", "The beginning of its cases' names. Default: the scene's name."},
            {"scene",
             "A file within the suite's folder, {\"example\": NAME}, {\"lesson\": NAME, \"step\": N} with "
-            "\"answer\" or \"reached\", or {\"inline\": {...}}, a scene written out. Without it: what the "
-            "program starts with."},
+            "\"answer\" or \"reached\", or {\"inline\": {...}}, a complete scene. Default: the start scene."},
            {"set", "Edits, PATH=VALUE or preset:NAME, in this order."},
-           {"axis", "PATH=VALUES: a case for each value, and of several for each combination."},
+           {"axis", "PATH=VALUES: a case for each value, or for each combination of several axes."},
            {"size, time, renderer",
-            "\"512x512\" pixels, 0 seconds, \"fixed\", \"shader\" or \"reference\": a case "
-            "for each. Without them 512x512, 0 and fixed."},
+            "\"512x512\" pixels, 0 seconds, \"fixed\", \"shader\" or \"reference\": a case for each. "
+            "Defaults: 512x512, 0 and fixed."},
            {"golden",
-            "Pictures of which any will do; the same by driver, {\"llvmpipe*\": [...], \"*\": ...}, of "
-            "which the longest name that fits counts; or \"reference\". {case} in a name is the case, "
-            "{picture} the case without its renderer, {driver} the driver. Without it: "
-            "golden/{case}.png."},
+            "Pictures, any of which may match; the same by driver, {\"llvmpipe*\": [...], \"*\": ...}, "
+            "where the longest matching name counts; or \"reference\". {case} in a name is the case, "
+            "{picture} the case without its renderer, {driver} the driver. Default: golden/{case}.png."},
            {"rule",
             "With \"reference\": auto, none (tolerance and share count), or a name of \"texshot conform "
-            "--list\". Without it: auto."},
+            "--list\". Default: auto."},
            {"metric, tolerance, share",
-            "What is measured, what a pixel may have of it, and which share of the "
-            "pixels may have more, 0.001 or \"0.1%\". Without them: absolute, the metric's own, and 0."},
+            "The metric, the maximum value of a pixel, and the share of pixels that may exceed it, 0.001 "
+            "or \"0.1%\". Defaults: absolute, the metric's own, and 0."},
            {"rgb, pixelsPerDegree",
-            "true leaves alpha out; of flip, how many pixels lie in a degree of the field of view. Without them: "
-            "false, 67."},
-           {"mask", "A picture whose black pixels don't count."},
-           {"seconds", "After which a case has hung. Without it: 60."}}}},
+            "true ignores alpha; for flip, the pixels per degree of the field of view. Defaults: false, 67."},
+           {"mask", "A picture whose black pixels are ignored."},
+           {"seconds", "The time limit of a case. Default: 60."}}}},
         {"sweep",
          {"What --json prints",
           {},
-          {{"sheets",
-            "Of each sheet that was written, what follows; of single pictures what \"texshot shot\" "
-            "says."},
-           {"file, width, height", "Its file, and what it measures in pixels."},
-           {"axes, time", "What its pictures go through, as --axis takes it, and the scene's clock."},
-           {"renderer, driver, version, context", "What drew it, as of \"texshot shot\"."},
+          {{"sheets", "For each sheet, the following; for single pictures, as \"texshot shot\"."},
+           {"file, width, height", "Its file and size in pixels."},
+           {"axes, time", "The axes, as --axis takes them, and the scene's time."},
+           {"renderer, driver, version, context", "The renderer and driver, as in \"texshot shot\"."},
            {"cells",
-            "Of each picture where it lies from the upper left (x, y, width, height), values, and warnings, "
-            "or an error; with --difference, how many pixels are differing."}}}},
+            "For each picture: its place from the upper left (x, y, width, height), values, and warnings "
+            "or an error; with --difference, differing, the number of different pixels."}}}},
         {"drivers",
          {"What --json prints",
           {},
-          {{"contexts", "Of each context, usable and, where it can't draw, error; renderer, vendor, version, "
+          {{"contexts", "For each context: usable and, if it can't draw, error; renderer, vendor, version, "
                         "shadingLanguage, profile, maxTextureSize, maxAnisotropy, s3tc, textureBorders, "
                         "extensionCount; with --extensions, extensions."}}}},
         {"conform",
          {"What --json prints",
           {},
-          {{"program, command, driver, seed, scenes, extent", "What was drawn, by what."},
-           {"compared, agrees", "Whether anything was, and whether all of it agrees."},
+          {{"program, command, driver, seed, scenes, extent", "The scenes and drivers."},
+           {"compared, agrees", "Whether anything was compared, and whether all of it agrees."},
            {"pairs",
-            "Of two renderers, renderer and against: agrees, and features (feature, sweeps, section, agrees, "
-            "verdict, rule, all, worstShareOfAScene, shapes, skipped, rho, limits, worst)."},
+            "For two renderers, renderer and against: agrees, and features (feature, sweeps, section, "
+            "agrees, verdict, rule, all, worstShareOfAScene, shapes, skipped, rho, limits, worst)."},
            {"features, rules, notCompared",
-            "With --list in their place: what is compared, how, and what isn't."}}}},
+            "With --list instead: the features, the rules, and what isn't compared."}}}},
         {"probe",
          {"What --json prints",
           {},
           {{"at, window, size, time",
             "The pixel, from the upper left and as OpenGL counts, and the picture."},
-           {"reference, fixed, shader", "Its colour as the specification and each renderer have it."},
-           {"asRight",
-            "The colours that it may have as well, where a coordinate or the level of detail is on a tie."},
-           {"color, background", "The same before it is stored, and what was there at first."},
+           {"reference, fixed, shader", "Its colour by the specification and by each renderer."},
+           {"asRight", "Other correct colours, if a coordinate or the level of detail is on a tie."},
+           {"color, background", "The same before it is stored, and the initial colour."},
            {"fragmentCount, firstFragment",
-            "How many fragments cover it; at most 32 are explained, up to the one that one sees, and so many "
-            "were left out before."},
+            "The number of fragments that cover it. At most 32 are explained, up to the visible one; the "
+            "rest before are skipped."},
            {"fragments",
-            "Of each fragment pass, model, shape, face, part, vertices, lighting, units (texture, "
-            "coords, sample with lod, levels, probes, wrapped and taps, ties, environment), fog, outcome and "
-            "color."},
+            "For each fragment: pass, model, shape, face, part, vertices, lighting, units (texture, "
+            "coords, sample with lod, levels, probes, wrapped and taps, ties, environment), fog, outcome "
+            "and color."},
            {"pass, unit, level, texel, pixels",
-            "With --texel in their place: the pixels that it has a share in."}}}},
+            "With --texel instead: the pixels that it contributes to."}}}},
     };
     return rows;
 }

@@ -31,13 +31,13 @@ std::string_view encodingOf(const Surface& surface) {
 }
 
 std::string_view nameOf(AlphaMeaning alpha) {
-    constexpr std::array<std::string_view, 4> names{"none", "straight", "premultiplied", "not said"};
+    constexpr std::array<std::string_view, 4> names{"none", "straight", "premultiplied", "not specified"};
     return names[static_cast<std::size_t>(alpha)];
 }
 
 std::string extentOf(const Surface& surface) {
-    std::string text = fmt::format("{} x {}", widthOf(surface), heightOf(surface));
-    return depthOf(surface) == 1 ? text : fmt::format("{} x {}", text, depthOf(surface));
+    std::string text = fmt::format("{} × {}", widthOf(surface), heightOf(surface));
+    return depthOf(surface) == 1 ? text : fmt::format("{} × {}", text, depthOf(surface));
 }
 
 /// A text too long for its column still stands apart from what follows.
@@ -238,18 +238,19 @@ void addInfo(CommandLine& line) {
         bool json = false;
     };
     Command& command =
-        line.command("info", "What image files hold, field by field; of a damaged file, up to the damage.");
+        line.command("info", "Show the contents of image files, field by field; for a damaged file, up to "
+                             "the damage.");
     auto options = std::make_shared<Options>();
     command.option("IN", options->files, "The images: any format that Texplorer reads; - for standard input.",
                    {.required = true});
     command.flag(
         "--json", options->json,
-        "As JSON, for programs: \"files\", of each \"file\", \"format\", \"width\", \"height\", \"depth\", \"pixelFormat\", "
-        "\"componentBits\" (of the file, where it has more than the 8 that are kept), "
-        "\"srgb\", \"alpha\", \"fileTopFirst\", \"layers\", \"faces\", \"levels\", \"fullChain\", \"fileBytes\", "
-        "\"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" (what was odd), "
-        "\"remarks\" (what is right and isn't followed) and \"anatomy\" "
-        "(fields, damage), or \"error\".");
+        "As JSON, for programs: \"files\", for each \"file\", \"format\", \"width\", \"height\", "
+        "\"depth\", \"pixelFormat\", \"componentBits\" (of the file, if more than the 8 that are kept), "
+        "\"srgb\", \"alpha\", \"fileTopFirst\", \"layers\", \"faces\", \"levels\", \"fullChain\", "
+        "\"fileBytes\", \"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" "
+        "(recovered defects), \"remarks\" (valid data that is ignored) and \"anatomy\" (fields, damage), "
+        "or \"error\".");
     command.onCall([options] { return examineAll(options->files, options->json); });
 }
 

@@ -144,7 +144,8 @@ std::vector<Error> checkCatalogues(const lesson::LessonFolder& folder, const les
         for (const std::string& key : keys) {
             if (!texts.contains(key))
                 problems.push_back({ErrorCode::NotFound,
-                                    fmt::format("the lesson has no text {} any more", inQuotes(key)), file});
+                                    fmt::format("the lesson no longer has the text {}", inQuotes(key)),
+                                    file});
         }
     }
     return problems;
@@ -257,9 +258,8 @@ ExitCode writePage(const LessonsOptions& options) {
 
 ExitCode lessons(const LessonsOptions& options) {
     if (options.checkOption->isGiven() && options.pageOption->isGiven())
-        return complain(
-            {ErrorCode::OutOfRange, "one is checked or shown, not both at once", "--check, --page"},
-            wrongCall);
+        return complain({ErrorCode::OutOfRange, "expected either --check or --page", "--check, --page"},
+                        wrongCall);
     if (!options.checked.empty())
         return check(options.checked, options.json);
     if (options.pageOption->isGiven())
@@ -271,7 +271,8 @@ ExitCode lessons(const LessonsOptions& options) {
 } // namespace
 
 void addLessons(CommandLine& line) {
-    Command& command = line.command("lessons", "The lessons and their steps, or what is wrong with one.");
+    Command& command = line.command("lessons", "List the lessons and their steps, check one, or write them "
+                                               "as a page.");
     auto options = std::make_shared<LessonsOptions>();
     const Option& json =
         command.flag("--json", options->json,
@@ -279,31 +280,34 @@ void addLessons(CommandLine& line) {
                      "--check \"file\", \"steps\" and \"problems\" (where, sentence).");
     const Option& check = command.option(
         "--check", options->checked,
-        "Look for mistakes in a lesson's folder: every scene is opened, every answer drawn, every "
-        "mark probed in pictures of several sizes, every translation compared with the texts.",
+        "Find errors in a lesson's folder: opens every scene, draws every answer, probes every mark in "
+        "pictures of several sizes and compares every translation with the texts.",
         {.value = "DIR"});
     const Option& page = command.option(
         "--page", options->page,
         "Write the lessons as a page for a browser or a printer into a folder: index.html with every step, "
-        "question and answer, beside it the pictures, and below programs/ those of each step.",
+        "question and answer, next to it the pictures, and in programs/ the programs of each step.",
         {.value = "DIR", .excludes = &json});
     options->pageOption = &page;
     options->checkOption = &check;
     command.option(
         "--lesson", options->lessons,
-        "On the page only this one, by its name or its folder; or several, with commas. May be given again.",
+        "With --page: only this lesson, by its name or its folder; or several, separated by commas. Can be "
+        "repeated.",
         {.value = "NAME", .oneEach = true, .needs = &page, .offers = {lesson::builtInLessons}});
     command.option("--language", options->language,
-                   fmt::format("The page's: one of {}. Where a lesson has no translation it stays English.",
+                   fmt::format("The language of the page, one of {}. Lessons without a translation stay "
+                               "English.",
                                fmt::join(pageLanguages(), ", ")),
                    {.value = "LANGUAGE", .needs = &page, .offers = {pageLanguages}});
     command.footer(
-        "\"texshot shot --lesson NAME --step N\" draws a step. CONTRIBUTING.md says how a lesson is written.\n"
-        "On the page a step's program is folded, and the calls that it is about stand beside its text. The files are "
-        "those of \"texshot emit --lesson NAME --step N --files\", for each --as that can say the scene; the page "
-        "says why another one can't. Printed on A4 or Letter, each lesson begins a page, without the folded programs, "
-        "and the answers are on the last pages.\n"
-        "Exit status: 0 done, 1 something is wrong with the lesson, 2 a wrong call.");
+        "\"texshot shot --lesson NAME --step N\" draws a step. docs/lessons.md says how a lesson is "
+        "written.\n"
+        "On the page a step's program is folded, and its relevant calls are next to the text. The files "
+        "are those of \"texshot emit --lesson NAME --step N --files\", for each --as that can express the "
+        "scene; the page gives the reason for the others. When printed on A4 or Letter, each lesson begins "
+        "a page, without the folded programs, and the answers are on the last pages.\n"
+        "Exit status: 0 done, 1 something is wrong with the lesson, 2 invalid arguments.");
     command.onCall([options] { return lessons(*options); });
 }
 

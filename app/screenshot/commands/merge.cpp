@@ -181,32 +181,30 @@ int merge(const MergeOptions& options) {
 } // namespace
 
 void addMerge(CommandLine& line) {
-    Command& command =
-        line.command("merge", "Join the parts of a run that \"texshot test --shard\" has made.");
+    Command& command = line.command("merge", "Join the parts of a run of \"texshot test --shard\".");
     auto options = std::make_shared<MergeOptions>();
     command.option(
         "RUN", options->runs,
-        "The report's folder of each part, its run.json, or what --json has written; a journal of a "
-        "run that was killed does, too. Pictures are beside run.json alone.",
+        "The report folder of each part, its run.json, or the output of --json; the journal of a killed "
+        "run works, too. Only run.json has pictures next to it.",
         {.required = true});
     command.option("-o,--out", options->out, "The whole run as JSON; - for standard output.",
                    {.value = "FILE", .required = true});
     command.option("--report", options->report,
-                   "A folder for the report of all of them, with the pictures that lie beside each RUN.",
+                   "A folder for the report of all parts, with the pictures next to each RUN.",
                    {.value = "DIR"});
     command.option("--junit", options->junit, "The whole run as JUnit's XML.", {.value = "FILE"});
-    command.option("--durations", options->durations,
-                   "A file with the seconds that each case took, to be brought up to date.",
+    command.option("--durations", options->durations, "A file with the seconds of each case, to update.",
                    {.value = "FILE"});
     command.footer(
-        "Of a case that is in several of them the later attempt stays, of the same the worse one.\n"
-        "Exit status: 0 all cases of the whole run are alike, 1 some are not, 2 cases could not "
-        "be tried or are missing, a file that can't be read, a wrong call.");
+        "If several parts have a case, the later attempt is used, or the worse one of the same attempt.\n"
+        "Exit status: 0 all cases of the whole run are alike, 1 some are not, 2 cases could not be tried "
+        "or are missing, or a file can't be read, or invalid arguments.");
     command.onCall([options]() -> int {
         try {
             return merge(*options);
         } catch (const std::bad_alloc&) {
-            return complainOfMerge({ErrorCode::TooLarge, "there is not enough memory for this", {}});
+            return complainOfMerge({ErrorCode::TooLarge, "not enough memory for this", {}});
         }
     });
 }

@@ -65,8 +65,8 @@ ExitCode params(const ParamsOptions& options) {
     if (text.empty())
         return complain(
             {ErrorCode::NotFound,
-             fmt::format("there is no parameter \"{}\": neither its path, nor its label, nor OpenGL's "
-                         "name for it, nor its choices, nor its help",
+             fmt::format("no parameter matches \"{}\": the path, the label, OpenGL's name, the choices and "
+                         "the help are searched",
                          options.pattern),
              {}});
     const auto written = print(text);
@@ -76,19 +76,19 @@ ExitCode params(const ParamsOptions& options) {
 } // namespace
 
 void addParams(CommandLine& line) {
-    Command& command = line.command("params", "The parameters of a scene: what each has unless a file says "
-                                              "otherwise, what it accepts and does.");
+    Command& command = line.command("params", "List the parameters of a scene with their initial values, "
+                                              "their ranges or choices, and help.");
     auto options = std::make_shared<ParamsOptions>();
     command.option(
         "PATTERN", options->pattern,
-        "Only those that are looked for: a part of the path, as in minFilter or units[0].combine, words "
-        "of the label, of OpenGL's name, of the choices or of the help, or a path with * and ?, as in "
-        "'textures[].wrap?'. In whatever case.");
+        "Only matching parameters: a part of the path, as in minFilter or units[0].combine; words of the "
+        "label, OpenGL's name, the choices or the help; or a path with * and ?, as in 'textures[].wrap?'. "
+        "Case is ignored.");
     command.flag(
         "--json", options->json,
         "As JSON, for programs: \"version\", \"parameters\" (path, kind, group, label, help, glCall, "
         "default, range or choices) and \"lists\" (path, minCount, maxCount).");
-    command.footer("Exit status: 0 done, 1 there is no such parameter, 2 a wrong call.");
+    command.footer("Exit status: 0 done, 1 there is no such parameter, 2 invalid arguments.");
     command.onCall([options] { return params(*options); });
 }
 

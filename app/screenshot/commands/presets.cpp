@@ -36,8 +36,7 @@ std::string presetsJson() {
 
 void addPresets(CommandLine& line) {
     Command& command =
-        line.command("presets", "What \"shot --preset\" accepts: what each sets, and what there is "
-                                "to see then.");
+        line.command("presets", "List the presets of \"shot --preset\": what each sets, and the result.");
     auto json = std::make_shared<bool>(false);
     command.flag("--json", *json, "As JSON, for programs: \"presets\" (name, group, label, help, look).");
     command.onCall([json] {

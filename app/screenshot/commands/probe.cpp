@@ -119,19 +119,19 @@ ExitCode probe(const ProbeOptions& options) {
     if (options.at.empty() == options.texel.empty())
         return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
     if (options.passOption->isGiven() && options.texel.empty())
-        noteUnused("--pass", "it is for --texel; --at explains every pass");
+        noteUnused("--pass", "it needs --texel; --at explains every pass");
     if (options.withoutGl && options.at.empty())
-        noteUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
+        noteUnused("--no-gl", "it needs --at; --texel doesn't use OpenGL");
     const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
     if (!pretence)
         return complain(pretence.error(), wrongCall);
     if (!options.pretended.empty() && (options.withoutGl || options.at.empty()))
-        noteUnused("--pretend", "it is about the driver, which only --at asks, without --no-gl");
+        noteUnused("--pretend", "it concerns the driver, which only --at without --no-gl uses");
     const Result<view::ContextChoice> context = parseContext(options.context);
     if (!context)
         return complain(context.error(), wrongCall);
     if (options.context.option->isGiven() && (options.withoutGl || options.at.empty()))
-        noteUnused("--context", "it is about OpenGL, which only --at asks, without --no-gl");
+        noteUnused("--context", "it concerns OpenGL, which only --at without --no-gl uses");
     const Result<view::Size> size = parsePictureSize(options.picture.size);
     if (!size)
         return complain(size.error(), wrongCall);
@@ -166,23 +166,20 @@ void addProbe(CommandLine& line) {
     addSceneOrLessonArgument(command, options->scene);
     addPictureArgument(command, options->picture);
     command.option("--at", options->at,
-                   "The pixel, counted from 0,0 at the top left, as in the PNG that \"texshot shot\" writes. "
-                   "Either this or --texel is needed, not both.",
+                   "The pixel, counted from 0,0 at the top left, as in the PNG of \"texshot shot\". Either "
+                   "--at or --texel is required.",
                    {.value = "X,Y"});
     command.option(
         "--texel", options->texel,
-        "The other way round: names a texel, I and J counted from s = 0 and t = 0 "
-        "(UNIT,LEVEL,I,J,K in a volume; K is the face of a cube map, 0 to 5), and lists the pixels "
-        "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
-        "border.",
+        "The reverse: lists the pixels that a texel contributes to, with its weight in each. I and J are "
+        "counted from s = 0 and t = 0 (UNIT,LEVEL,I,J,K for a volume; K is the face of a cube map, 0 to "
+        "5). -1 and the level's size are the border.",
         {.value = "UNIT,LEVEL,I,J"});
-    options->passOption =
-        &command.number("--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
-                        "With --texel: the pass that the unit belongs to.", {.showsDefault = true});
-    command.flag("--json", options->json, "As JSON, for programs: everything that the text says, and more.");
-    command.flag(
-        "--no-gl", options->withoutGl,
-        "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
+    options->passOption = &command.number("--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
+                                          "With --texel: the pass of the unit.", {.showsDefault = true});
+    command.flag("--json", options->json, "As JSON, for programs: all of the text and more.");
+    command.flag("--no-gl", options->withoutGl,
+                 "With --at: don't draw the picture with OpenGL for comparison with the specification.");
     addContextArgument(command, options->context);
     command.option("--pretend", options->pretended, view::pretenceHelp(),
                    {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});

@@ -58,7 +58,7 @@ void warnOfLostFiles(const Scene& scene, const ImageSource& images) {
     for (const std::string& file : filesOf(scene))
         if (images.fileInMemory(file))
             warn({ErrorCode::NotFound,
-                  "is an image of the lesson and lies in no folder; the scene names it all the same", file});
+                  "is an image of the lesson and not in a folder; the scene names it anyway", file});
 }
 
 /// What leads from one scene to another: what --set can do, and what it can't.
@@ -146,7 +146,7 @@ ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
 /// With --in-place what is read is what is written.
 Result<SceneOptions> placed(SceneOptions options) {
     if (options.inPlace && (options.scene.file.empty() || isStandardInput(options.scene.file)))
-        return fail(ErrorCode::OutOfRange, "expected SCENE, a file to be written again", "--in-place");
+        return fail(ErrorCode::OutOfRange, "expected SCENE, a file to overwrite", "--in-place");
     if (options.inPlace)
         options.out = options.scene.file;
     return options;
@@ -161,7 +161,7 @@ int sceneCommand(const SceneOptions& given) {
     if (const Result<void> once = checkStandardInputOnce(std::array{options.scene.file, options.from}); !once)
         return complain(once.error(), wrongCall);
     if (options.json && !compares)
-        noteUnused("--json", "a scene is JSON; it is for --diff");
+        noteUnused("--json", "a scene is JSON already; it needs --diff");
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, compares ? wrongCall : opened.error().code);
@@ -171,26 +171,24 @@ int sceneCommand(const SceneOptions& given) {
 } // namespace
 
 void addScene(CommandLine& line) {
-    Command& command =
-        line.command("scene", "Write a scene, with what is changed, as a file that says every parameter.");
+    Command& command = line.command("scene", "Write a scene, with changes, as a file with every parameter.");
     auto options = std::make_shared<SceneOptions>();
     addSceneOrLessonArgument(command, options->scene);
-    const Option& isShort = command.flag(
-        "--short", options->isShort,
-        "Only what differs from a scene that says nothing: the same scene with the fewest words.");
+    const Option& isShort =
+        command.flag("--short", options->isShort,
+                     "Only parameters that differ from the initial values: the shortest file of the scene.");
     const Option& out =
         command.option("-o,--out", options->out,
-                       "The scene file to write; - for standard output, where it goes without this. "
-                       "Images are named from its folder, on standard output from the current one.",
+                       "The scene file to write; - for standard output, the default. Images are named "
+                       "relative to its folder, on standard output to the current one.",
                        {.value = "FILE"});
-    command.flag(
-        "--in-place", options->inPlace,
-        "Write SCENE again, with what is changed: without this no output takes the place of what is read.",
-        {.excludes = &out});
+    command.flag("--in-place", options->inPlace,
+                 "Overwrite SCENE with the changes. Without this option no output may overwrite an input.",
+                 {.excludes = &out});
     command.option(
         "--diff", options->from,
-        "In the place of the scene, what leads to it from this one: a line --set PATH=VALUE for each "
-        "parameter, as a shell reads it. Elements that only one of them has can't be said so; a warning "
+        "Instead of the scene, write the changes from this one to it: a line --set PATH=VALUE for each "
+        "parameter, quoted for a shell. Elements that only one of them has can't be expressed; a warning "
         "names their list.",
         {.value = "FROM", .excludes = &out});
     command.flag(
@@ -199,8 +197,8 @@ void addScene(CommandLine& line) {
         {.excludes = &isShort});
     command.usage({"[SCENE]", "SCENE --in-place", "--diff FROM [SCENE]"});
     command.footer(
-        "Exit status: 0 done, 1 the scene can't be read or written, 2 a wrong call. With --diff: 0 they are "
-        "the same, 1 they differ, 2 one of them can't be read, or a wrong call.");
+        "Exit status: 0 done, 1 the scene can't be read or written, 2 invalid arguments. With --diff: 0 "
+        "they are the same, 1 they differ, 2 one of them can't be read, or invalid arguments.");
     command.onCall([options] { return sceneCommand(*options); });
 }
 

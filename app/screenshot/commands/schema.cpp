@@ -24,16 +24,16 @@ ExitCode writeSchema(const SchemaOptions& options) {
 } // namespace
 
 void addSchema(CommandLine& line) {
-    Command& command = line.command(
-        "schema", "The JSON Schema of scenes or suites, for editors that check and explain while one types.");
+    Command& command = line.command("schema", "Write the JSON Schema of scenes or suites, for editors.");
     auto options = std::make_shared<SchemaOptions>();
-    command.flag("--suites", options->ofSuites, "Of the suites that \"texshot test\" draws.");
+    command.flag("--suites", options->ofSuites, "The schema of the suites of \"texshot test\".");
     command.option("-o,--out", options->out, "The file to write; - for standard output.",
                    {.value = "FILE", .showsDefault = true});
     command.footer(
-        "Draft 2020-12, made of the table of \"texshot params\". A scene that Texplorer writes names it "
-        "in its \"$schema\", as the package installs it: share/texplorer/scene.schema.json; that of suites, suite.schema.json, lies beside it.\n"
-        "Exit status: 0 done, 1 it can't be written, 2 a wrong call.");
+        "Draft 2020-12, generated from the table of \"texshot params\". Scenes that Texplorer writes refer "
+        "to it in \"$schema\", where the package installs it: share/texplorer/scene.schema.json. The "
+        "schema of suites, suite.schema.json, is next to it.\n"
+        "Exit status: 0 done, 1 it can't be written, 2 invalid arguments.");
     command.onCall([options] { return writeSchema(*options); });
 }
 

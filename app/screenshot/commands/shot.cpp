@@ -9,7 +9,7 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
-#include "app/ui/window/smallest_window.h"
+#include "app/ui/window/min_window_size.h"
 #include "core/reference/false_colors.h"
 
 #include <fmt/core.h>
@@ -73,14 +73,14 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request,
     if (!request.window)
         noteRendererUse(options.renderer, renderers, orWindow);
     if (options.renderer.rendererOption->isGiven() && !request.compared.empty())
-        noteUnused("--renderer", "--compare names the renderers");
+        noteUnused("--renderer", "--compare has the renderers");
     return {};
 }
 
 /// The texts of a PNG are left out of a format that has none anyway.
 void noteMetadata(const ShotOptions& options, const CodecRow& format) {
     if (options.withoutMetadata && format.name != "PNG")
-        noteUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it applies to PNG files only");
 }
 
 /// The scene that a request is about, as the driver that is pretended has it; the reference asks none.
@@ -207,7 +207,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, Pictur
 
 ExitCode shoot(const ShotOptions& options, ShotReport* report) {
     Result<std::vector<view::Size>> sizes =
-        parsePictureSizes(options.picture.size, options.window ? ui::smallestWindow : view::Size{1, 1});
+        parsePictureSizes(options.picture.size, options.window ? ui::minWindowSize : view::Size{1, 1});
     if (!sizes)
         return complain(sizes.error(), wrongCall);
     Result<std::vector<double>> times = parseTimes(options.picture.time);
@@ -254,8 +254,7 @@ void addShot(CommandLine& line) {
     Command& command = line.command("shot", "Draw scenes into pictures.");
     auto options = std::make_shared<ShotOptions>();
     addSceneOrLessonArgument(command, options->scene, &options->files);
-    addAxesArgument(command, options->axes,
-                    "a picture for each, and for each combination where this is given again");
+    addAxesArgument(command, options->axes, "a picture for each value; if repeated, for each combination");
     addPictureArgument(command, options->picture, Several::Yes);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     addWindowArgument(command, window, options->shownWindow);
@@ -263,11 +262,11 @@ void addShot(CommandLine& line) {
     options->shownOption = &command.option(
         "--show", options->shown,
         fmt::format(
-            "With --renderer reference or --ui: the picture, or of one texture unit a number for each "
-            "pixel in false colours, one of {}. lambda: the level of detail, from dark violet at the "
-            "base level to yellow at the last one, black at 0 and below. anisotropy: how many times as "
-            "long as wide the footprint is, from 1, dark violet, in equal steps to 2, 4, 8 and 16, "
-            "yellow. Transparent where the unit samples nothing.",
+            "With --renderer reference or --ui: the picture, or false colours for one texture unit, one of "
+            "{}. lambda: the level of detail, from dark violet at the base level to yellow at the last "
+            "one, black at 0 and below. anisotropy: the ratio of length to width of the footprint, from 1, "
+            "dark violet, in equal steps to 2, 4, 8 and 16, yellow. Transparent where the unit samples no "
+            "texture.",
             listNames(EnumTable<reference::Shown>::rows)),
         {.value = "WHAT", .showsDefault = true, .offers = {choiceNames<reference::Shown>}});
     command.number("--pass", options->shownUnit.pass, 0, maxPasses - 1, "With --show: the pass.",
@@ -276,24 +275,24 @@ void addShot(CommandLine& line) {
                    {.needs = options->shownOption});
     command.flag(
         "--no-metadata", options->withoutMetadata,
-        "Write no texts into a PNG, which say the program, the renderer, the driver, time, size and the "
-        "complete scene: files of two drivers are the same bytes where their pixels are.");
+        "Don't write texts into a PNG (program, renderer, driver, time, size and the complete scene), so "
+        "that files with equal pixels are equal.");
     command.option(
         "-o,--out", options->out,
-        fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG. "
-                    "Of several pictures a name with places to fill in: {{scene}}, {{number}}, {{renderer}}, "
-                    "{{time}}, {{size}} and the axes' paths or their last parts, as in "
-                    "'out/{{scene}}-{{minFilter}}.png', whose folder is made; {{{{ is a brace.",
+        fmt::format("The picture to write, with the format of its extension: {}; - for standard output, as "
+                    "PNG. For several pictures a name with placeholders: {{scene}}, {{number}}, "
+                    "{{renderer}}, {{time}}, {{size}} and the axes' paths or their last parts, as in "
+                    "'out/{{scene}}-{{minFilter}}.png', whose folder is created; {{{{ is a brace.",
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
     command.flag("--json", options->json,
-                 "Print what was drawn as JSON, for programs: of each picture file, scene, axes, size, time, "
+                 "Print the result as JSON, for programs: for each picture file, scene, axes, size, time, "
                  "renderer, driver, context and warnings, or its error.");
     command.footer(fmt::format(
-        "One call draws at most {} pictures. A scene that can't be read or drawn gets its sentence, and the "
-        "others go on; a file that can't be written ends it.\n"
-        "Exit status: 0 done, 1 a picture couldn't be drawn or written, 2 a wrong call, 130 Ctrl+C: what was "
-        "written by then is whole.",
+        "One call draws at most {} pictures. If a scene can't be read or drawn, its error is reported and "
+        "the others continue; if a file can't be written, the call ends.\n"
+        "Exit status: 0 done, 1 a picture couldn't be drawn or written, 2 invalid arguments, 130 Ctrl+C: "
+        "files written so far are complete.",
         maxShots));
     command.onCall([options] { return shootAndTell(*options); });
 }

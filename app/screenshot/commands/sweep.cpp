@@ -27,7 +27,7 @@ namespace texplorer::screenshot {
 namespace {
 
 constexpr std::size_t tableAxes = 2;
-constexpr std::size_t mostAxes = 3;
+constexpr std::size_t maxSweepAxes = 3;
 constexpr const char* pagePlace = "page";
 constexpr const char* firstPicture = "first";
 
@@ -99,12 +99,12 @@ std::string placeOf(const SweepAxis& axis) {
 
 /// What is wrong with the name of sheets, or with how many there would be.
 Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
-    if (sweep.axes.size() > mostAxes)
+    if (sweep.axes.size() > maxSweepAxes)
         return fail(
             ErrorCode::OutOfRange,
             fmt::format("expected at most {} axes, down, across and pages, found {}; a name with a place "
                         "for each of them writes single pictures",
-                        mostAxes, sweep.axes.size()),
+                        maxSweepAxes, sweep.axes.size()),
             "--axis");
     const std::array<std::string_view, 4> fixedPlaces{"scene", "renderer", "time", "size"};
     for (const std::string& place : sweep.pattern.places()) {
@@ -152,8 +152,8 @@ Result<sheet::Layout> layoutOfPage(const SweepOptions& options, const Sweep& swe
         content.subtitle = fmt::format("{}: {} (page {} of {})", labels.back().title,
                                        labels.back().values[page], page + 1, sweep.pageCount());
     if (!options.difference.empty()) {
-        content.caption = "The other pictures show how they differ from the first: black is equal, and the "
-                          "lighter a pixel is, the more it differs.";
+        content.caption = "The other pictures show the difference from the first: black is equal, and "
+                          "lighter pixels differ more.";
         content.widestNote = wordsOfDifference(static_cast<std::size_t>(sweep.request.size.width) *
                                                static_cast<std::size_t>(sweep.request.size.height));
     }
@@ -184,8 +184,8 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
         if (std::ranges::find(names, name) != names.end())
             return tl::unexpected(
                 complain({ErrorCode::OutOfRange,
-                          fmt::format("expected a name for each page, found \"{}\" for two; "
-                                      "{{page}} in it would tell them apart",
+                          fmt::format("expected a name for each page, found \"{}\" for two; {{page}} in it "
+                                      "makes them different",
                                       name),
                           "--out"},
                          wrongCall));
@@ -202,7 +202,7 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
         outputs.push_back(*std::move(output));
     }
     if (options.withoutMetadata && outputs.front().format->name != "PNG")
-        noteUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it applies to PNG files only");
     return outputs;
 }
 
@@ -267,15 +267,15 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
 ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotReport* report) {
     if (!options.difference.empty())
         return complain(
-            {ErrorCode::OutOfRange, "expected a name for sheets: it is for these alone", "--difference"},
+            {ErrorCode::OutOfRange, "expected a name for sheets: it applies to sheets only", "--difference"},
             wrongCall);
     if (options.labelsOption->isGiven())
-        noteUnused("--labels", "it is for sheets");
+        noteUnused("--labels", "it applies to sheets only");
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
     if (options.withoutMetadata && (*format)->name != "PNG")
-        noteUnused("--no-metadata", "it is for PNG files");
+        noteUnused("--no-metadata", "it applies to PNG files only");
     const ShotList list = shotsOf(options, sweep, false);
     Result<std::vector<std::string>> names = list.names(sweep.pattern);
     if (!names)
@@ -324,41 +324,41 @@ void addSweep(CommandLine& line) {
     addSceneOrLessonArgument(command, options->scene);
     addAxesArgument(
         command, options->axes,
-        "a picture for each, in rows. A second axis makes a table, the first down, the second across; a third "
-        "one a page for each of its values",
+        "a picture for each, in rows. A second axis makes a table, with the first down and the second "
+        "across; a third axis makes a page for each value",
         true);
     addPictureArgument(command, options->picture);
     addRendererArgument(command, options->renderer);
     options->labelsOption = &command.option(
-        "--labels", options->labels, "What values are called." + explainChoices<sheet::LabelKind>(),
+        "--labels", options->labels, "The names of values." + explainChoices<sheet::LabelKind>(),
         {.value = "KIND", .showsDefault = true, .offers = {choiceNames<sheet::LabelKind>}});
     command.option("--difference", options->difference,
-                   "first: every picture but the first shows how it differs from the first, in colours as of "
-                   "\"texshot compare -o\", and how many pixels do.",
+                   "first: every other picture shows its difference from the first, in the colours of "
+                   "\"texshot compare -o\", and the number of different pixels.",
                    {.value = "FIRST", .offers = {[] { return std::vector<std::string>{firstPicture}; }}});
     command.flag("--no-metadata", options->withoutMetadata,
-                 "Write no texts into a PNG, which say how it was drawn, its axes and the complete scene.");
+                 "Don't write texts into a PNG (how it was drawn, its axes and the complete scene).");
     command.option(
         "-o,--out", options->out,
         fmt::format(
-            "The sheet to write, its format by its extension: {}; - for standard output, as PNG. Of "
+            "The sheet to write, with the format of its extension: {}; - for standard output, as PNG. For "
             "several pages a name with {{page}} or a place of the third axis in it, "
-            "'sheet-{{magFilter}}.png'. With a place for every axis, or {{number}}, each picture becomes a file of its "
-            "own, as of \"texshot shot\": '{{wrapS}}-{{minFilter}}.png'. {{scene}}, {{renderer}}, {{time}} and {{size}} "
-            "may stand anywhere.",
+            "'sheet-{{magFilter}}.png'. With a place for every axis, or {{number}}, each picture is a "
+            "separate file, as of \"texshot shot\": '{{wrapS}}-{{minFilter}}.png'. {{scene}}, "
+            "{{renderer}}, {{time}} and {{size}} are allowed anywhere.",
             writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
     command.flag(
         "--json", options->json,
-        "Print what was drawn as JSON, for programs: of each sheet its file, extent, axes and driver, and of "
-        "its cells where they lie, in pixels from the upper left, with their values and warnings, or an "
-        "error.");
+        "Print the result as JSON, for programs: for each sheet its file, size, axes and driver, and for "
+        "each cell its place in pixels from the upper left, values and warnings, or an error.");
     command.footer(fmt::format(
-        "--size is that of each picture, whose pixels are those of \"texshot shot\" with these values. A sheet "
-        "measures at most {0} x {0} pixels; a call draws at most {1} pictures onto sheets. A picture that can't "
-        "be drawn gets its sentence, in its place too, and the others go on.\n"
-        "Exit status: 0 done, 1 a picture couldn't be drawn or a file written, 2 a wrong call, 130 Ctrl+C: what "
-        "was written by then is whole.",
+        "--size is the size of each picture, whose pixels equal those of \"texshot shot\" with these "
+        "values. A sheet has at most {0} × {0} pixels; a call draws at most {1} pictures onto sheets. If a "
+        "picture can't be drawn, its error is reported, also in its place on the sheet, and the others "
+        "continue.\n"
+        "Exit status: 0 done, 1 a picture couldn't be drawn or a file written, 2 invalid arguments, 130 "
+        "Ctrl+C: files written so far are complete.",
         sheet::maxSheetExtent, sheet::maxPictures));
     command.onCall([options] { return sweep(*options); });
 }

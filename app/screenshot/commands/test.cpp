@@ -35,8 +35,8 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr int mostProcesses = 1024;
-constexpr std::size_t mostDurationsBytes = std::size_t{64} << 20;
+constexpr int maxProcesses = 1024;
+constexpr std::size_t maxDurationsBytes = std::size_t{64} << 20;
 
 struct TestOptions {
     std::vector<std::string> suites; ///< with --pictures the two folders, where they have no names
@@ -107,7 +107,7 @@ Result<RunChoice> choiceFor(const TestOptions& options) {
         choice.shard = *shard;
     }
     if (!options.durations.empty()) {
-        const Result<std::string> text = readText(options.durations, mostDurationsBytes);
+        const Result<std::string> text = readText(options.durations, maxDurationsBytes);
         if (!text && text.error().code != ErrorCode::NotFound) // before the first run there is none
             return fail(text.error());
         const Result<suite::Durations> durations =
@@ -290,14 +290,14 @@ Result<void> checkFolders(const TestOptions& options) {
     if (named ? !options.suites.empty() || options.expected.empty() || options.actual.empty()
               : options.suites.size() != 2)
         return fail(ErrorCode::OutOfRange,
-                    "expected two folders, that of the goldens and that of the pictures: EXPECTED ACTUAL, or "
-                    "--expected DIR --actual DIR",
+                    "expected two folders, the goldens and the pictures: EXPECTED ACTUAL, or --expected "
+                    "DIR --actual DIR",
                     "--pictures");
     if (!named && (options.update || !options.accepted.empty()))
         return fail(
             ErrorCode::OutOfRange,
-            "expected --expected DIR and --actual DIR where goldens are written, so that neither folder is "
-            "taken for the other",
+            "expected --expected DIR and --actual DIR when goldens are written, so that the folders can't "
+            "be confused",
             options.update ? "--update" : "--accept");
     return {};
 }
@@ -398,10 +398,10 @@ ExitCode test(const TestOptions& options, bool& tellsErrors) {
 void declarePictures(Command& command, TestOptions& options) {
     const Option& pictures = command.flag(
         "--pictures", options.pictures,
-        "Draw nothing: compare the PNGs of two folders, whatever program has made them, by their names. A "
-        "picture without its golden, a golden without its picture and a picture of another size are failures. "
-        "The folders stand in the order of \"texshot compare\", EXPECTED ACTUAL, or have names, which --update "
-        "and --accept want.");
+        "Don't draw: compare the PNGs of two folders, from any program, by name. A picture without a "
+        "golden, a golden without a picture and a picture of another size are failures. The folders are in "
+        "the order of \"texshot compare\", EXPECTED ACTUAL, or named by options, which --update and "
+        "--accept require.");
     command.option("--expected", options.expected, "With --pictures: the folder of the goldens.",
                    {.value = "DIR", .needs = &pictures});
     command.option("--actual", options.actual, "With --pictures: the folder of the pictures.",
@@ -412,25 +412,25 @@ void declarePictures(Command& command, TestOptions& options) {
 void declareChoice(Command& command, TestOptions& options) {
     const Option& update =
         command.flag("--update", options.update,
-                     "Write the goldens that are missing, different or no pictures. Others stay as they "
-                     "are, and nothing is written outside of the suite's folder.");
+                     "Write the goldens that are missing, different or not pictures. Others are unchanged, "
+                     "and nothing is written outside the suite's folder.");
     command.option(
         "--accept", options.accepted,
-        "Of a list of cases, a name on a line, as the report's page writes it: run these alone, and "
-        "write their goldens.",
+        "Run only the cases of a list, with one name a line as the report's page writes it, and write "
+        "their goldens.",
         {.value = "LIST", .excludes = &update});
     command.option("--only", options.only,
-                   "The cases that fit: their names, with * for any characters. May be given again.",
+                   "Only matching cases: a name, with * for any characters. Can be repeated.",
                    {.value = "PATTERN", .oneEach = true});
     options.ofSuites.push_back(&command.option(
         "--renderer", options.renderers,
-        fmt::format(
-            "In the place of those of the suite, one of {}, or several, with commas. May be given again.",
-            listNames(EnumTable<RendererKind>::rows)),
+        fmt::format("Instead of the renderers of the suite, one of {}, or several, separated by commas. "
+                    "Can be repeated.",
+                    listNames(EnumTable<RendererKind>::rows)),
         {.value = "RENDERER", .oneEach = true, .offers = {choiceNames<RendererKind>, true}}));
     options.ofSuites.push_back(&command.option(
         "--shaders", options.shaders,
-        "The folder of the shader renderer's files. Without it: those that the program was built with.",
+        "The folder of the shader renderer's files. Default: the files that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"}));
     addContextArgument(command, options.context);
     options.ofSuites.push_back(options.context.option);
@@ -438,77 +438,79 @@ void declareChoice(Command& command, TestOptions& options) {
         &command.option("--pretend", options.pretended, view::pretenceHelp(),
                         {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}}));
     command.option("--shard", options.shard,
-                   "A part of the cases, the first of four as 1/4; \"texshot merge\" joins the parts.",
+                   "Run a part of the cases, such as 1/4 for the first of four; \"texshot merge\" joins "
+                   "the parts.",
                    {.value = "I/N"});
     command.option("--durations", options.durations,
-                   "A file with the seconds that each case took: parts are made to take equally long. It is "
-                   "read, and without --shard written; \"texshot merge\" writes it, too.",
+                   "A file with the seconds of each case, to make parts of equal duration. It is read, and "
+                   "written without --shard; \"texshot merge\" also writes it.",
                    {.value = "FILE"});
 }
 
 void declareRunning(Command& command, TestOptions& options) {
     const auto running = [&options](const Option& option) { options.ofRunning.push_back(&option); };
-    running(command.number("-j,--jobs", options.processes, 1, mostProcesses,
-                           "How many processes draw. Without it: as many as there are processors."));
+    running(command.number("-j,--jobs", options.processes, 1, maxProcesses,
+                           "The number of processes. Default: the number of processors."));
     const Option& report = command.option(
         "--report", options.report,
-        "A folder for the report: index.html, to be opened as a file, with the pictures of every failure, and "
-        "run.json. The actual picture of a case holds its scene, as those of \"texshot shot\" do. Its journal, "
-        "journal.jsonl, is what --resume goes on with.",
+        "A folder for the report: index.html, which can be opened as a file, with the pictures of every "
+        "failure, and run.json. The actual picture of a case contains its scene, as those of \"texshot "
+        "shot\". --resume continues from its journal, journal.jsonl.",
         {.value = "DIR"});
     running(report);
     running(command.option("--junit", options.junit, "The result as JUnit's XML; - for standard output.",
                            {.value = "FILE"}));
     running(command.option(
         "--json", options.json,
-        "The result as JSON; - for standard output. Of a case that was compared: \"pixels\", of "
-        "these \"over\" the tolerance, of these \"unexplained\" by its rule, if it has one; "
-        "\"share\" is what may be over, or of a rule unexplained.",
+        "The result as JSON; - for standard output. For a compared case: \"pixels\", of these \"over\" the "
+        "tolerance, of these \"unexplained\" by its rule, if any; \"share\" is the allowed share of pixels "
+        "over, or unexplained with a rule.",
         {.value = "FILE"}));
     const Option& resume = command.option(
         "--resume", options.resume,
-        "Go on with a run that was interrupted or killed, whose report is in this folder: what its journal has "
-        "isn't run again, unless a scene, an image or a golden has changed since.",
+        "Continue an interrupted or killed run with a report in this folder: cases in its journal aren't "
+        "run again, unless a scene, an image or a golden has changed since.",
         {.value = "DIR"});
     running(resume);
     options.ofSuites.push_back(&resume);
     running(command.number("--timeout", options.timeout, 1, 86400,
-                           "Seconds after which a case has hung. Without it: as the suite says, or 60."));
-    running(command.flag("--fail-fast", options.failFast, "End with the first failure."));
-    command.flag("--list", options.list, "Name the cases, and run none.");
+                           "The time limit of a case in seconds. Default: that of the suite, or 60."));
+    running(command.flag("--fail-fast", options.failFast, "End after the first failure."));
+    command.flag("--list", options.list, "List the cases without running them.");
 }
 
 } // namespace
 
 void addTest(CommandLine& line) {
-    Command& command = line.command("test", "Draw the pictures of a suite: are they still as they were?");
+    Command& command = line.command("test", "Draw the pictures of a suite and compare them with their "
+                                            "goldens.");
     auto options = std::make_shared<TestOptions>();
     command.usage({"SUITE...", "--pictures EXPECTED ACTUAL"});
     command.option(
         "SUITE", options->suites,
-        "A suite's file; a folder of suites, *.suite.json, or, where there is none, of scenes X.json, each held "
-        "against X.png beside it: one without a picture is new, 512x512.");
+        "A suite's file; a folder of suites, *.suite.json, or, if there is none, of scenes X.json, each "
+        "compared with X.png next to it. A scene without a picture is new, 512x512.");
     declarePictures(command, *options);
     declareChoice(command, *options);
     declareRunning(command, *options);
     command.footer(
-        "Each case is drawn by one of several worker processes. One that crashes the driver, or hangs, fails "
-        "alone; one whose process is killed from outside, as for want of memory, is tried once more.\n"
-        "A failure has its picture, the golden, their difference and what \"texshot probe\" says of the worst "
-        "pixel in the report. A golden may be one or several stored pictures, or \"reference\": what the "
-        "specification says, which needs no stored picture. Its rule, of those of \"texshot conform --list\", says "
-        "what of a single picture may differ: " +
+        "Worker processes draw the cases. A case that crashes the driver or hangs fails alone; a case "
+        "whose process is killed from outside, for example when out of memory, is tried once more.\n"
+        "For a failure, the report has the picture, the golden, their difference and the output of "
+        "\"texshot probe\" for the worst pixel. A golden is one or several stored pictures, or "
+        "\"reference\": the picture by the specification, which needs no stored picture. Its rule, from "
+        "\"texshot conform --list\", defines how much of a single picture may differ: " +
         suite::ruleLimits() +
         ".\n"
-        "Exit status: 0 all are alike, 1 some are not, or are new, crashed or hung, 2 a wrong call, a suite "
-        "that can't be read, cases that could not be tried, 130 Ctrl+C.");
+        "Exit status: 0 all are alike, 1 some are not, or are new, crashed or hung, 2 invalid arguments, a "
+        "suite that can't be read or cases that could not be tried, 130 Ctrl+C.");
     command.onCall([options]() -> int {
         bool tellsErrors = false;
         ExitCode status = success;
         try {
             status = test(*options, tellsErrors);
         } catch (const std::bad_alloc&) {
-            status = complainOfRun({ErrorCode::TooLarge, "there is not enough memory for this", {}});
+            status = complainOfRun({ErrorCode::TooLarge, "not enough memory for this", {}});
         }
         if (tellsErrors)
             writeError(*options);

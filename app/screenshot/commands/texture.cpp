@@ -116,32 +116,31 @@ ExitCode writeTexture(const TextureOptions& options) {
 
 void addTexture(CommandLine& line) {
     Command& command = line.command(
-        "texture", "A texture of a scene as a picture: a level, or after a step of its preparation.");
+        "texture", "Write a texture of a scene as a picture: a level, or after a step of its preparation.");
     auto options = std::make_shared<TextureOptions>();
     addSceneArgument(command, options->scene);
     command.option(
         "-o,--out", options->out,
-        fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG.",
+        fmt::format("The picture to write, with the format of its extension: {}; - for standard output, as "
+                    "PNG.",
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
     command.number("--texture", options->texture, 0, static_cast<int>(maxTextures) - 1,
-                   "Which texture of the scene, 0 the first.");
+                   "The texture of the scene, from 0.");
     const Option& step =
         command.number("--step", options->step, 0, static_cast<int>(maxImageSteps),
-                       "The image after so many steps of its preparation; 0: as it is in its file.");
+                       "The image after this number of preparation steps; 0: as in its file.");
     command.number("--level", options->level, 0, 30,
-                   "The mip level as it is uploaded as GL_TEXTURE_2D, 0 the base, but upright and "
-                   "decompressed.",
+                   "The mip level as uploaded to GL_TEXTURE_2D, but upright and decompressed; 0 is the "
+                   "base.",
                    {.excludes = &step});
-    command.flag(
-        "--json", options->json,
-        "Print what was written as JSON, for programs: \"output\", \"format\", \"texture\", \"width\" and "
-        "\"height\".");
+    command.flag("--json", options->json,
+                 "Print the result as JSON, for programs: \"output\", \"format\", \"texture\", \"width\" and "
+                 "\"height\".");
     command.footer(
-        "Without --step and --level it is the base level, as it is uploaded. A shadow map "
-        "is that at time 0.\n"
-        "Exit status: 0 done, 1 the scene or an image can't be read, or the picture not written, 2 a "
-        "wrong call.");
+        "Without --step and --level it is the base level as uploaded. A shadow map is the one at time 0.\n"
+        "Exit status: 0 done, 1 the scene or an image can't be read or the picture can't be written, 2 "
+        "invalid arguments.");
     command.onCall([options] { return writeTexture(*options); });
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using PlainJson = nlohmann::json;
 
-constexpr std::size_t mostFaults = 100; // of a scene
+constexpr std::size_t maxFaults = 100; // of a scene
 
 /// What a file is held to be, and what is wrong with it.
 struct Validity {
@@ -123,12 +123,12 @@ bool takeAway(PlainJson& document, const std::string& pointer) {
 
 /// The document; null where brackets go deeper than a scene's, because nlohmann-json writes by recursion.
 PlainJson shallowDocument(std::string_view text) {
-    constexpr int deepest = 32;
+    constexpr int maxDepth = 32;
     bool isTooDeep = false;
     PlainJson document = PlainJson::parse(
         text,
         [&isTooDeep](int depth, PlainJson::parse_event_t, const PlainJson&) {
-            isTooDeep = isTooDeep || depth > deepest;
+            isTooDeep = isTooDeep || depth > maxDepth;
             return !isTooDeep;
         },
         false);
@@ -138,15 +138,15 @@ PlainJson shallowDocument(std::string_view text) {
 /// Reading a scene ends with its first fault: it is read again without what was at fault, as long as that is
 /// a member, and the text is neither long nor deep.
 std::vector<std::string> sceneFaults(std::string_view text) {
-    constexpr std::size_t longest = std::size_t{1} << 20;
+    constexpr std::size_t maxReadBytes = std::size_t{1} << 20;
     std::vector<std::string> faults;
     PlainJson document;
     std::string left;
     for (Result<Scene> scene = parseScene(text); !scene; scene = parseScene(left)) {
         faults.push_back(describe(scene.error()));
-        if (faults.size() == 1 && text.size() <= longest)
+        if (faults.size() == 1 && text.size() <= maxReadBytes)
             document = shallowDocument(text);
-        if (!document.is_object() || faults.size() == mostFaults || !takeAway(document, scene.error().where))
+        if (!document.is_object() || faults.size() == maxFaults || !takeAway(document, scene.error().where))
             break;
         left = document.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
     }
@@ -293,23 +293,22 @@ void addValidate(CommandLine& line) {
         std::vector<std::string> files;
         bool json = false;
     };
-    Command& command = line.command(
-        "validate", "Whether image files, scenes and suites are what they should be, to the letter.");
+    Command& command =
+        line.command("validate", "Check image files, scenes and suites strictly against their formats.");
     auto options = std::make_shared<Options>();
     command.option("FILE", options->files,
-                   "Images, scenes, suites and the run.json of reports, told apart by their content; - for "
+                   "Images, scenes, suites and the run.json of reports, recognized by their content; - for "
                    "standard input.",
                    {.required = true});
     command.flag(
         "--json", options->json,
         "As JSON, for programs: \"valid\" and \"files\" (file, valid, kind, drawn, faults, remarks).");
     command.footer(
-        "A line for each file on standard output. Of an image, what is odd and survived by who reads it is "
-        "a fault, too; what is right and Texplorer doesn't draw or follow is said of a valid one. Of a "
-        "scene, keys that there aren't and values out of their range are faults, as many as can be told; "
-        "of a suite, the first that \"texshot test --list\" finds. What a scene draws is not looked at: "
-        "\"texshot check\" does that.\n"
-        "Exit status: 0 all are valid, 1 one isn't or can't be read, 2 a wrong call.");
+        "A line for each file on standard output. For an image, defects that readers recover from are also "
+        "faults; valid data that Texplorer ignores is mentioned. For a scene, unknown keys and values out "
+        "of range are faults, as many as can be found; for a suite, the first that \"texshot test --list\" "
+        "finds. Use \"texshot check\" for the meaning of a scene.\n"
+        "Exit status: 0 all are valid, 1 one is invalid or can't be read, 2 invalid arguments.");
     command.onCall([options] { return validateAll(options->files, options->json); });
 }
 

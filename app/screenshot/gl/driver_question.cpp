@@ -21,8 +21,8 @@ using nlohmann::json;
 // or
 // {"error": "…"}.
 constexpr const char* processCommand =
-    "drivers";                          // which help knows; with workers::workerWord it is no user's call
-constexpr std::size_t mostQuoted = 200; // bytes of what a driver said
+    "drivers";                         // which help knows; with workers::workerWord it is no user's call
+constexpr std::size_t maxQuoted = 200; // bytes of what a driver said
 
 json asJson(const DriverReport& report) {
     return {{"renderer", report.renderer},
@@ -87,7 +87,7 @@ std::string lastLine(std::string_view words) {
     while (words.ends_with('\n'))
         words.remove_suffix(1);
     words.remove_prefix(words.rfind('\n') + 1); // npos + 1 is 0
-    return printable(words.substr(0, mostQuoted));
+    return printable(words.substr(0, maxQuoted));
 }
 
 /// What became of a question that got no answer.
@@ -100,7 +100,7 @@ Error errorOf(const workers::Outcome& outcome) {
         text =
             "the process of the driver was killed, twice (SIGKILL, as the system does when memory runs out)";
     else if (outcome.end == End::Garbled)
-        text = "the driver's process sent what is no answer";
+        text = "the driver's process sent an invalid answer";
     else if (WIFSIGNALED(outcome.status))
         text = fmt::format("the driver crashed: {}", workers::signalText(WTERMSIG(outcome.status)));
     else
@@ -124,7 +124,7 @@ Result<std::vector<Result<json>>> ask(const std::vector<std::string>& questions,
     workers::PoolSetup setup;
     setup.command.arguments = {"texshot", processCommand};
     setup.processes = static_cast<unsigned>(std::clamp<std::size_t>(questions.size(), 1, 4));
-    setup.mostJobs = 1;
+    setup.maxJobs = 1;
     workers::Pool pool(std::move(setup));
     std::vector<Result<json>> answers(questions.size());
     std::size_t next = 0;
@@ -143,7 +143,7 @@ Result<std::vector<Result<json>>> ask(const std::vector<std::string>& questions,
 }
 
 tl::unexpected<Error> noAnswer() {
-    return fail(ErrorCode::Driver, "the driver's process sent what is no answer");
+    return fail(ErrorCode::Driver, "the driver's process sent an invalid answer");
 }
 
 Result<DriverReport> reportOf(const Result<json>& answer) {

@@ -46,8 +46,7 @@ Result<void*> loadModule(const ModuleRow& row) {
     driverIsLoaded();
     if (void* handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL))
         return handle;
-    return fail(ErrorCode::Driver,
-                fmt::format("can't load the part that draws by {}: {}", row.name, dlerror()));
+    return fail(ErrorCode::Driver, fmt::format("can't load the module for {}: {}", row.name, dlerror()));
 }
 
 template<class Entry>

@@ -52,7 +52,7 @@ conform::Driver driverOf(const view::Capabilities& capabilities) {
 }
 
 constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
-constexpr int mostFrames = 40;    // of a window that is never finished
+constexpr int maxFrames = 40;     // of a window that is never finished
 
 Result<Shot> drawWindow(const ShotRequest& request) {
     if (const Result<void> readable = checkShaders(request.shaders); !readable)
@@ -128,7 +128,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     session.window.playback.time = request.time;
     session.window.showsFrameTime = false;
     stage::Loop loop(**graphics, session, {request.size, request.size, request.scale});
-    for (int frame = 0, last = settlingFrames; frame < std::min(last, mostFrames); ++frame) {
+    for (int frame = 0, last = settlingFrames; frame < std::min(last, maxFrames); ++frame) {
         session.window.wantedSection = request.section; // where it is, is known once the panel has its size
         if (loop.step(0, {}).unfinished)                // the scene's time stands still
             last = frame + 1 + settlingFrames;

@@ -59,8 +59,8 @@ tl::unexpected<Error> takesThePlaceOf(const NamedOutput& other, const NamedOutpu
     return fail(
         ErrorCode::OutOfRange,
         std::string_view(other.option) == output.option
-            ? fmt::format("expected another file than {}, which is written, too", inQuotes(other.path))
-            : fmt::format("expected another file than that of {}", other.option),
+            ? fmt::format("expected a file other than {}, which is also written", inQuotes(other.path))
+            : fmt::format("expected a file other than that of {}", other.option),
         output.option);
 }
 
@@ -77,7 +77,7 @@ Result<void> checkOutside(const NamedOutput& folder, Places& places, std::span<c
     for (const std::string& each : inputs)
         if (!each.empty() && isWithin(places.of(each), place))
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected another folder than that of {}, which is read", inQuotes(each)),
+                        fmt::format("expected a folder other than that of {}, which is read", inQuotes(each)),
                         folder.option);
     return {};
 }
@@ -108,7 +108,7 @@ Result<void> checkNotRead(std::span<const NamedOutput> outputs, std::span<const 
         const auto id = idOf(isStandardOutput(each.path) ? "/dev/stdout" : each.path);
         if (const auto input = id ? read.find(*id) : read.end(); input != read.end())
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected another file than {}, which is read", inQuotes(input->second)),
+                        fmt::format("expected a file other than {}, which is read", inQuotes(input->second)),
                         each.option);
     }
     return {};

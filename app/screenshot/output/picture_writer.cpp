@@ -11,8 +11,9 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr std::size_t mostOfEncoder = 3;                  // pictures that wait for one or are in it
-constexpr std::size_t mostBytes = std::size_t{256} << 20; // of all together; a larger picture waits alone
+constexpr std::size_t maxPerEncoder = 3; // pictures that wait for one or are in it
+constexpr std::size_t maxWaitingBytes = std::size_t{256}
+                                        << 20; // of all together; a larger picture waits alone
 
 } // namespace
 
@@ -48,7 +49,7 @@ PictureWriter::~PictureWriter() = default;
 
 std::unique_ptr<PictureWriter::Encoder> PictureWriter::makeEncoder(std::size_t index) {
     return std::make_unique<Encoder>(
-        WorkerSetup{.words = {"there is no memory to encode the picture", "the picture can't be encoded"}},
+        WorkerSetup{.words = {"not enough memory to encode the picture", "the picture can't be encoded"}},
         [this, index](const Encoder::Task& task) {
             PictureJob& job = *task.job();
             const Accounted accounted(*this, index, job.image.pixels.size());
@@ -70,8 +71,8 @@ void PictureWriter::write(PictureJob job) {
         freed_.wait(lock, [&] {
             encoder = static_cast<std::size_t>(std::ranges::min_element(waiting_) - waiting_.begin());
             const bool alone = std::accumulate(waiting_.begin(), waiting_.end(), std::size_t{0}) == 0;
-            return alone || (waiting_[encoder] < mostOfEncoder &&
-                             waitingBytes_ + job.image.pixels.size() <= mostBytes);
+            return alone || (waiting_[encoder] < maxPerEncoder &&
+                             waitingBytes_ + job.image.pixels.size() <= maxWaitingBytes);
         });
         if (failure_)
             return;

@@ -92,7 +92,7 @@ Result<std::vector<PageStep>> writeSteps(const LessonPageOptions& options,
     parallelFor(places.size(), processorThreads(), [&](std::size_t i) {
         if (hasFailed || options.stop.stop_requested())
             return;
-        constexpr FailureWords words{"there is no memory for the lessons", "the lessons can't be written"};
+        constexpr FailureWords words{"not enough memory for the lessons", "the lessons can't be written"};
         steps[i] =
             tried(words, [&] { return pageStep(lessons[places[i].lesson], places[i].step, options.stop); });
         if (!*steps[i])
@@ -212,9 +212,9 @@ private:
     [[nodiscard]] std::string whole() const {
         const std::string title = isBook() ? words_.wordHtml("Lessons") : titleOf(lessons_.front());
         const std::string programs = words_.wordHtml(
-            "Each step has its programs in the folder \"programs\"; the first lines of each say how it is "
-            "compiled. A ring on a picture marks the pixel that a question is about. What is to be tried is "
-            "done in Texplorer's window: \"texplorer --lesson NAME\" opens a lesson.");
+            "The programs of each step are in the folder \"programs\"; the first lines of each explain how "
+            "to compile it. A ring on a picture marks the pixel of a question. Try the tasks in "
+            "Texplorer's window: \"texplorer --lesson NAME\" opens a lesson.");
         const std::string answers = words_.wordHtml("The answers are on the last pages.");
         return fmt::format(
             "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -251,8 +251,8 @@ Result<void> checkPageFolder(const std::filesystem::path& folder) {
     if (page && !std::ranges::search(*page, viewBytes(pageMark)).empty())
         return {};
     return fail(ErrorCode::Unwritable,
-                "expected a new folder, an empty one or a page of lessons; found other files, which the "
-                "page's might replace",
+                "expected a new folder, an empty folder or a page of lessons; found other files, which the "
+                "page might overwrite",
                 folder.string());
 }
 

@@ -157,7 +157,7 @@ Result<void> StepWriter::writeTask(const lesson::Match& match) {
         edits +=
             fmt::format("{}<code>{}</code>", std::exchange(isFirst, false) ? "" : ", ",
                         htmlOf(edit.path.empty() ? "preset:" + edit.value : edit.path + "=" + edit.value));
-    writeHidden("What leads there", edits);
+    writeHidden("Solution", edits);
     return {};
 }
 

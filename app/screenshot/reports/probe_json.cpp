@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 using namespace reference;
 
 /// An average over an ellipse has thousands.
-constexpr std::size_t mostListedTaps = 1024;
+constexpr std::size_t maxListedTaps = 1024;
 
 Json listOf(glm::vec3 v) {
     return Json::array({v.x, v.y, v.z});
@@ -108,7 +108,7 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
                            {"given", each.given},
                            {"texels", each.texels}});
     Json& taps = json["taps"] = Json::array();
-    for (const Tap& tap : std::span(sample.taps).first(std::min(sample.taps.size(), mostListedTaps))) {
+    for (const Tap& tap : std::span(sample.taps).first(std::min(sample.taps.size(), maxListedTaps))) {
         Json entry{{"level", tap.level},
                    {"index", listOf(tap.index)},
                    {"weight", tap.weight},
@@ -116,7 +116,7 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
                    {"border", tap.border}};
         const auto stored = storedTexel(unit.internalFormat, tap.color);
         if (stored && !tap.border)
-            entry["stored"] = {{"numbers", stored->numbers}, {"largest", stored->largest}};
+            entry["stored"] = {{"numbers", stored->numbers}, {"largest", stored->max}};
         if (isDepth(unit.internalFormat))
             entry["depth"] = tap.depth;
         taps.push_back(std::move(entry));

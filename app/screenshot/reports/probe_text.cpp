@@ -31,7 +31,7 @@ std::string aligned(const std::string& text, std::size_t width) {
 
 /// Rows with the same number of cells that follow each other share their columns.
 std::string tableOf(const std::vector<StepRow>& rows) {
-    constexpr std::size_t widestLabel = 28;
+    constexpr std::size_t maxLabelWidth = 28;
     std::string text;
     for (std::size_t first = 0; first < rows.size();) {
         std::size_t last = first;
@@ -44,7 +44,7 @@ std::string tableOf(const std::vector<StepRow>& rows) {
             for (std::size_t c = 0; c < widths.size(); ++c)
                 widths[c] = std::max(widths[c], columnsOf(rows[i].cells[c].text));
         }
-        label = std::clamp(label, std::size_t{16}, std::max(widestLabel, label));
+        label = std::clamp(label, std::size_t{16}, std::max(maxLabelWidth, label));
         for (std::size_t i = first; i < last; ++i) {
             std::string line = "      " + (widths.empty() ? rows[i].label : aligned(rows[i].label, label));
             for (std::size_t c = 0; c < widths.size(); ++c)
@@ -73,7 +73,7 @@ std::string differenceText(const reference::Explanation& explanation, const Pixe
             text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", names.at(i), by > 0 ? " +" : " ", by);
     }
     return text.empty()                              ? "the same"
-           : isAsRight(explanation, theirs, sameTie) ? fmt::format("{}: as right, on a tie", text)
+           : isAsRight(explanation, theirs, sameTie) ? fmt::format("{}: also correct, on a tie", text)
                                                      : text;
 }
 
@@ -88,11 +88,11 @@ std::string placeText(const reference::TexelQuestion& question) {
 std::string asText(const reference::Explanation& explanation, const std::vector<ReadBack>& readBacks) {
     const auto& [x, y] = explanation.pixel;
     std::string text =
-        fmt::format("pixel {}, {} of {} x {}, from the top left (in OpenGL's window {}, {})\n", x,
+        fmt::format("pixel {}, {} of {} × {}, from the top left (in OpenGL's window {}, {})\n", x,
                     explanation.height - 1 - y, explanation.width, explanation.height, x, y);
     text += fmt::format("  reference  {}\n", bytesText(explanation.bytes));
     for (const PixelBytes& each : explanation.asRight)
-        text += fmt::format("  or         {}  as right, on a tie\n", aligned(bytesText(each), 15));
+        text += fmt::format("  or         {}  also correct, on a tie\n", aligned(bytesText(each), 15));
     for (const ReadBack& each : readBacks) {
         text += fmt::format("  {}  ", aligned(std::string(rowOf(each.renderer).name), 9));
         text += each.bytes ? fmt::format("{}  {}", aligned(bytesText(*each.bytes), 15),
@@ -102,7 +102,8 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
     }
     const auto fragments = stepsOf(explanation);
     if (fragments.empty())
-        text += "\nNothing covers it: it shows the background.\n";
+        text += "\n"
+                "No model covers it, so it shows the background.\n";
     const std::string cut = cutSentence(explanation);
     text += cut.empty() ? "" : fmt::format("\n{}\n", cut);
     for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -115,7 +116,7 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
 }
 
 std::string asText(const reference::Contributions& found, const reference::TexelQuestion& question) {
-    constexpr std::size_t mostListed = 20;
+    constexpr std::size_t maxListed = 20;
     struct Pixel {
         int x;
         int y;
@@ -136,16 +137,16 @@ std::string asText(const reference::Contributions& found, const reference::Texel
         sum += static_cast<double>(pixel.weight);
         least = {std::min(least.x, pixel.x), std::min(least.y, pixel.y), 0};
         most = {std::max(most.x, pixel.x), std::max(most.y, pixel.y), 0};
-        if (heaviest.size() == mostListed && !(pixel.weight > heaviest.back().weight))
+        if (heaviest.size() == maxListed && !(pixel.weight > heaviest.back().weight))
             continue;
-        if (heaviest.size() == mostListed)
+        if (heaviest.size() == maxListed)
             heaviest.pop_back();
         heaviest.insert(
             std::ranges::upper_bound(heaviest, pixel.weight, std::ranges::greater(), &Pixel::weight), pixel);
     }
     std::string text = placeText(question) + "\n";
     if (count == 0)
-        return text + "No pixel that one sees reads it.\n";
+        return text + "No visible pixel reads it.\n";
     text += fmt::format(
         "{}{} it, x from {} to {}, y from {} to {} (from the top left), {} pixels' worth of colour in all\n",
         count, count == 1 ? " pixel reads" : " pixels read", least.x, most.x, least.y, most.y,
@@ -153,8 +154,8 @@ std::string asText(const reference::Contributions& found, const reference::Texel
     for (const Pixel& pixel : heaviest)
         text += fmt::format("  {}{}\n", aligned(fmt::format("{}, {}", pixel.x, pixel.y), 12),
                             reference::amountText(pixel.weight));
-    if (count > mostListed)
-        text += fmt::format("  and {} of lesser weight; --json lists all\n", count - mostListed);
+    if (count > maxListed)
+        text += fmt::format("  and {} with less weight; --json lists all\n", count - maxListed);
     return text;
 }
 

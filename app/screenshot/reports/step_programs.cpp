@@ -16,10 +16,10 @@ namespace {
 
 using Paths = std::set<std::string, std::less<>>;
 
-constexpr std::size_t mostExcerptLines = 12;
-constexpr std::size_t mostNewCalls = 20; // of an answer
+constexpr std::size_t maxExcerptLines = 12;
+constexpr std::size_t maxNewCalls = 20; // of an answer
 /// Of a photograph the texels alone would be tens of megabytes.
-constexpr std::size_t mostProgramBytes = std::size_t{4} << 20;
+constexpr std::size_t maxProgramBytes = std::size_t{4} << 20;
 
 std::string codeHtml(const emit::Line& line) {
     std::string html;
@@ -102,11 +102,11 @@ emit::Excerpt excerptOfStep(const PageLesson& lesson, std::size_t index,
                             const std::vector<emit::Line>& program) {
     const Paths subjects = subjectsOf(lesson.lesson.steps[index]);
     for (const Paths& paths : {subjects, uploadsOf(subjects)}) {
-        emit::Excerpt excerpt = excerptOf(program, paths, mostExcerptLines);
+        emit::Excerpt excerpt = excerptOf(program, paths, maxExcerptLines);
         if (!excerpt.lines.empty())
             return excerpt;
     }
-    return newIn(program, programBefore(lesson, index), mostExcerptLines);
+    return newIn(program, programBefore(lesson, index), maxExcerptLines);
 }
 
 std::string fileOf(emit::Flavour flavour, const std::string& place) {
@@ -154,8 +154,9 @@ private:
             out_.excerpt = excerptHtml(words(), excerptOfStep(lesson_, index_, program.lines));
             shown_ = wholeHtml(words(), program.lines, paths);
         }
-        if (text.size() > mostProgramBytes)
-            return refusal(row, fmt::format("the program holds {} MB of texels; \"texshot emit\" writes it",
+        if (text.size() > maxProgramBytes)
+            return refusal(row, fmt::format("the program contains {} MB of texels; \"texshot emit\" writes "
+                                            "it",
                                             text.size() >> 20));
         const std::string folder = fmt::format("programs/{}/", lesson_.anchor);
         const ByteView bytes = viewBytes(text);
@@ -195,7 +196,7 @@ std::string newCallsHtml(const PageLesson& lesson, std::size_t index, const less
         return part.kind != emit::Part::Kind::Comment &&
                part.text.find_first_not_of(' ') != std::string::npos;
     };
-    const emit::Excerpt excerpt = newIn(linesOf(after), linesOf(before), mostNewCalls);
+    const emit::Excerpt excerpt = newIn(linesOf(after), linesOf(before), maxNewCalls);
     std::string html;
     for (const emit::Line& line : excerpt.lines)
         if (!line.heading && std::ranges::any_of(line.parts, isCode))

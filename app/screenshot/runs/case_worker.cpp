@@ -41,7 +41,8 @@ std::string methodNote(const reference::DrawRequest& request) {
     const bool isTold = request.anisotropy != reference::DrawRequest().anisotropy &&
                         std::ranges::any_of(request.scene.textures,
                                             [](const Texture& texture) { return texture.maxAnisotropy > 1; });
-    return isTold ? fmt::format("\nThis is what texshot probe says with --anisotropy {}.\n",
+    return isTold ? fmt::format("\n"
+                                "This is the output of texshot probe with --anisotropy {}.\n",
                                 texplorer::rowOf(request.anisotropy).name)
                   : std::string();
 }
@@ -56,7 +57,8 @@ std::string explanationOf(const suite::Case& of, const reference::DrawRequest& r
         return {};
     std::string note = methodNote(request);
     if (isOpaque && explanation->bytes[3] != 255) {
-        note += fmt::format("\nThe picture is opaque: of the framebuffer's alpha, {}, it shows nothing.\n",
+        note += fmt::format("\n"
+                            "The picture is opaque and does not show the framebuffer's alpha, {}.\n",
                             explanation->bytes[3]);
         explanation->bytes[3] = 255;
     }
@@ -104,12 +106,14 @@ Scene sceneBesidePictures(const suite::CaseScene& of, const fs::path& report) {
 
 /// What a record has room for, up to the end of a line. The command says all of it.
 std::string fitted(std::string text) {
-    constexpr std::size_t longest = std::size_t{64} << 10;
-    if (text.size() <= longest)
+    constexpr std::size_t maxReportBytes = std::size_t{64} << 10;
+    if (text.size() <= maxReportBytes)
         return text;
-    const std::size_t end = text.rfind('\n', longest - 1);
-    text.resize(end == std::string::npos ? longest : end + 1);
-    return text + fmt::format("\nThis is cut after {} bytes; texshot probe says all of it.\n", longest);
+    const std::size_t end = text.rfind('\n', maxReportBytes - 1);
+    text.resize(end == std::string::npos ? maxReportBytes : end + 1);
+    return text + fmt::format("\n"
+                              "This is cut after {} bytes; texshot probe prints all of it.\n",
+                              maxReportBytes);
 }
 
 CaseRecord problemOf(CaseRecord record, const Error& error) {
@@ -125,7 +129,7 @@ std::string CaseWorker::work(const std::string& bytes) {
     if (!order)
         return bytesOf(WorkAnswer{.problem = describe(order.error())});
     const Result<WorkAnswer> done =
-        tried({"there is not enough memory for it", "it can't be done"}, [&] { return follow(*order); });
+        tried({"not enough memory for it", "it failed"}, [&] { return follow(*order); });
     if (done)
         return bytesOf(*done);
     loaded_.reset();
@@ -148,7 +152,7 @@ WorkAnswer CaseWorker::follow(const WorkOrder& order) {
     case WorkOrder::What::Pictures:
         return comparePair(order);
     }
-    return {.problem = "no order that is known"};
+    return {.problem = "unknown order"};
 }
 
 Result<Studio*> CaseWorker::studio(const RunSetup& setup) {
@@ -183,7 +187,7 @@ Result<void> CaseWorker::plan(const RunSetup& setup) {
     if (!plan)
         return fail(plan.error());
     if (fingerprintOf(*plan) != setup.plan)
-        return fail(ErrorCode::Malformed, "the suite has other cases than when the run began");
+        return fail(ErrorCode::Malformed, "the cases of the suite have changed since the run began");
     plan_ = *std::move(plan);
     planned_ = setup;
     fingerprints_ = std::make_unique<suite::Fingerprints>();

@@ -44,7 +44,7 @@ WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, ByteVi
         return {.record = std::move(record)};
     }
     const bool isNew = record.state == State::New || record.state == State::Extra;
-    record.sentence = fmt::format("the golden is {}: {}", isNew ? "new" : "written anew", golden);
+    record.sentence = fmt::format("the golden is {}: {}", isNew ? "new" : "updated", golden);
     record.state = State::Passed;
     record.golden = golden;
     record.explanation.clear();

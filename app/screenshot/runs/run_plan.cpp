@@ -159,7 +159,7 @@ Result<PlannedRun> planPictures(const RunSetup& setup, const RunChoice& choice) 
                          .pixels = each.pixels});
     }
     if (items.empty())
-        return fail(ErrorCode::NotFound, "expected a pattern that fits a picture, none does", "--only");
+        return fail(ErrorCode::NotFound, "expected a pattern that matches a picture", "--only");
     Result<Chosen> own = chosen(std::move(items), choice);
     if (!own)
         return fail(own.error());

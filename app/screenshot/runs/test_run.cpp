@@ -28,7 +28,7 @@ using Outcome = workers::Outcome;
 
 /// Of the pictures that are drawn at once, unless one alone has more: each takes some 30 bytes a pixel while
 /// it is drawn, judged and encoded.
-constexpr std::uint64_t mostPixelsAtOnce = std::uint64_t{64} << 20;
+constexpr std::uint64_t maxPixelsAtOnce = std::uint64_t{64} << 20;
 
 /// What the user hasn't set.
 std::vector<std::string> environmentFor(bool precise, unsigned processes) {
@@ -63,7 +63,7 @@ public:
         , progress_(options.says, planned.items.size())
         , pool_({.command = {.arguments = {"texshot"}},
                  .processes = options.processes,
-                 .mostWeight = mostPixelsAtOnce,
+                 .maxWeight = maxPixelsAtOnce,
                  .stop = options.stop})
         , records_(planned.items.size())
         , started_(std::chrono::steady_clock::now()) {
@@ -110,8 +110,7 @@ Result<void> TestRun::openFolder() {
         return {};
     std::error_code ignored;
     if (options_.resume && !std::filesystem::exists(planned_.setup.report + "/" + journalName, ignored))
-        return fail(ErrorCode::NotFound, "there is no run to go on with in this folder",
-                    planned_.setup.report);
+        return fail(ErrorCode::NotFound, "there is no run to resume in this folder", planned_.setup.report);
     Result<RunFolder> folder = RunFolder::open(planned_.setup.report);
     if (!folder)
         return fail(folder.error());
@@ -147,8 +146,8 @@ Result<void> TestRun::askForDriver() {
             finished_.run.version = answer->version;
         }
     };
-    constexpr int mostRounds = 3;
-    for (int round = 0; round < mostRounds && !answered && !hung; ++round) {
+    constexpr int maxRounds = 3;
+    for (int round = 0; round < maxRounds && !answered && !hung; ++round) {
         std::size_t left = round > 0 ? 1 : std::min<std::size_t>(options_.processes, planned_.items.size());
         const Result<void> asked = pool_.run(
             [&]() -> std::optional<workers::Job> {
@@ -268,21 +267,20 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
             if (!answer->wrote.empty())
                 finished_.wrote.push_back(answer->wrote);
         } else {
-            record =
-                recordWithout(item, State::Error,
-                              !answer                   ? describe(answer.error())
-                              : answer->problem.empty() ? "the worker process answered about something else"
-                                                        : answer->problem);
+            record = recordWithout(item, State::Error,
+                                   !answer                   ? describe(answer.error())
+                                   : answer->problem.empty() ? "the worker process answered another question"
+                                                             : answer->problem);
         }
     } else {
         record = recordWithout(item, stateOf(outcome.end), sentenceOf(outcome, workerOf(item)));
         if (outcome.end == Outcome::End::Crashed && WIFSIGNALED(outcome.status))
             record.signal = WTERMSIG(outcome.status);
         if (!outcome.lastWords.empty())
-            record.explanation = "What it printed last:\n" + printable(outcome.lastWords, LineBreaks::Keep);
+            record.explanation = "Last output:\n" + printable(outcome.lastWords, LineBreaks::Keep);
     }
     if (const auto sharer = sharers_.find(index); sharer != sharers_.end() && record.state == State::Failed)
-        record.sentence += fmt::format("; its golden is also that of {}, which --update takes it from",
+        record.sentence += fmt::format("; its golden is also that of {}, from which --update writes it",
                                        planned_.items[sharer->second].name);
     if (drawsWithOpenGl(item))
         record.settings = settingsFor(item.precise);
@@ -352,7 +350,7 @@ Error TestRun::interrupted() const {
     const std::string far = fmt::format("{} of {} done", done, countOf(records_.size(), "case"));
     const bool resumable = begun_ && !planned_.plan.cases.empty();
     return {ErrorCode::Cancelled,
-            resumable ? fmt::format("{}; the same call with --resume {} goes on", far,
+            resumable ? fmt::format("{}; the same call with --resume {} continues", far,
                                     shellWord(planned_.setup.report))
                       : far,
             {}};

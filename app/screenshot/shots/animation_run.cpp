@@ -19,7 +19,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr std::size_t mostWaiting = 4; // pictures that are drawn and not encoded
+constexpr std::size_t maxWaiting = 4; // pictures that are drawn and not encoded
 
 /// Brings pictures that come from several threads into their order, and encodes them on whichever thread has
 /// the next one, while the others draw.
@@ -42,7 +42,7 @@ public:
         waiting_.emplace(drawn.index, std::move(drawn.shot->frame.image));
         if (!encoding_)
             encodeWaiting(lock);
-        moved_.wait(lock, stop_, [&] { return waiting_.size() <= mostWaiting || !goesOn(); });
+        moved_.wait(lock, stop_, [&] { return waiting_.size() <= maxWaiting || !goesOn(); });
     }
 
     [[nodiscard]] bool goesOnLocked() const {
@@ -73,7 +73,7 @@ private:
             const Image image = std::move(found->second);
             waiting_.erase(found);
             lock.unlock();
-            const Result<void> added = tried({"there is no memory for the animation", "it can't be encoded"},
+            const Result<void> added = tried({"not enough memory for the animation", "it can't be encoded"},
                                              [&]() -> Result<void> { return encode(image); });
             lock.lock();
             ++next_;

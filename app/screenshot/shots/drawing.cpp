@@ -20,7 +20,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr unsigned mostContexts = 4;         // which share the driver's own threads, where it has some
+constexpr unsigned maxContexts = 4;          // which share the driver's own threads, where it has some
 constexpr std::size_t picturesOfContext = 8; // that make up for what a context costs
 
 /// The same sentence, of one of several pictures.
@@ -151,7 +151,7 @@ void drawCase(Threads& all, std::size_t index, Scenes& scenes, ShotDrawer& drawe
     const std::string& name = all.drawing.names[index];
     std::vector<Error> warnings;
     std::optional<Error> failed;
-    Result<Shot> shot = tried({"there is no memory to draw it", "it can't be drawn"}, [&]() -> Result<Shot> {
+    Result<Shot> shot = tried({"not enough memory to draw it", "it can't be drawn"}, [&]() -> Result<Shot> {
         if (const Result<void> there = scenes.put(all.drawing.list.at(index), request); !there)
             return fail(there.error());
         Result<Shot> drawn = drawer.draw(request);
@@ -201,7 +201,7 @@ unsigned contextsFor(const Drawing& drawing) {
         return 1;
     const std::size_t worthwhile = std::max<std::size_t>(1, drawing.names.size() / picturesOfContext);
     return static_cast<unsigned>(
-        std::min<std::size_t>(worthwhile, std::min(processorThreads(), mostContexts)));
+        std::min<std::size_t>(worthwhile, std::min(processorThreads(), maxContexts)));
 }
 
 } // namespace

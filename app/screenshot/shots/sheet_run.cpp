@@ -54,7 +54,7 @@ public:
 
     /// From any thread.
     void take(const DrawnShot& drawn) {
-        const Result<void> taken = tried({"there is no memory for the sheet", "the sheet can't be made"},
+        const Result<void> taken = tried({"not enough memory for the sheet", "the sheet can't be made"},
                                          [&]() -> Result<void> { return put(drawn); });
         if (!taken)
             fail(taken.error());

@@ -16,9 +16,9 @@ namespace {
 constexpr const char* nameOption = "--out";
 constexpr std::array<std::string_view, 5> fixedPlaces{"scene", "number", "renderer", "time", "size"};
 
-/// Their product, or something above `most` where that is larger.
-std::size_t boundedProduct(std::size_t a, std::size_t b, std::size_t most) {
-    return b != 0 && a > most / b ? most + 1 : a * b;
+/// Their product, or something above `max` where that is larger.
+std::size_t boundedProduct(std::size_t a, std::size_t b, std::size_t max) {
+    return b != 0 && a > max / b ? max + 1 : a * b;
 }
 
 bool standsFor(std::string_view place, const SweepAxis& axis) {
@@ -110,7 +110,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
 Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) const {
     if (count_ > maxShots)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("one call draws at most {} pictures, these are more", maxShots));
+                    fmt::format("one call draws at most {} pictures, expected fewer", maxShots));
     if (const Result<void> known = checkPlaces(pattern); !known)
         return fail(known.error());
     const std::size_t digits = std::to_string(count_).size();
@@ -136,8 +136,8 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) con
         const auto [other, isNew] = numbers.try_emplace(name, i + 1);
         if (!isNew)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected a name for each of {} pictures, found \"{}\" for number {} and "
-                                    "number {}; {{number}} in it would tell them apart",
+                        fmt::format("expected a name for each of {} pictures, found \"{}\" for number {} "
+                                    "and number {}; {{number}} in it makes them different",
                                     count_, name, other->second, i + 1),
                         nameOption);
         names.push_back(std::move(name));

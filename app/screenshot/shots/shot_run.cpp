@@ -20,7 +20,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr unsigned mostEncoders = 4;
+constexpr unsigned maxEncoders = 4;
 
 bool isCompressed(const Scene& scene) {
     return std::ranges::find(scene.textures, Compression::Cached, &Texture::compression) !=
@@ -91,7 +91,7 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
 
 ExitCode drawAll(const ShotRun& run) {
     LongWork work("texshot: drawing");
-    PictureWriter writer(std::min(processorThreads(), mostEncoders));
+    PictureWriter writer(std::min(processorThreads(), maxEncoders));
     const DrawingEnd end = drawList({.list = run.list,
                                      .names = run.names,
                                      .common = run.common,

@@ -18,7 +18,7 @@ bool isKind(char letter) {
 } // namespace
 
 std::string bytesOf(Kind kind, std::string_view text) {
-    assert(text.size() <= mostMessageBytes);
+    assert(text.size() <= maxMessageBytes);
     std::string bytes;
     bytes.reserve(lengthBytes + 1 + text.size());
     for (unsigned i = 0; i < lengthBytes; ++i)
@@ -55,7 +55,7 @@ bool Inbox::read(int socket) {
 }
 
 bool Inbox::isBroken() const {
-    if (bytes_.size() >= lengthBytes && (length() == 0 || length() > mostMessageBytes + 1))
+    if (bytes_.size() >= lengthBytes && (length() == 0 || length() > maxMessageBytes + 1))
         return true;
     return bytes_.size() > lengthBytes && !isKind(bytes_[lengthBytes]);
 }

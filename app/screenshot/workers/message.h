@@ -23,9 +23,9 @@ struct Message {
 };
 
 /// What is longer was not written by a program in its senses.
-inline constexpr std::size_t mostMessageBytes = std::size_t{64} << 20;
+inline constexpr std::size_t maxMessageBytes = std::size_t{64} << 20;
 
-/// As it goes over the socket. `text` is at most mostMessageBytes long.
+/// As it goes over the socket. `text` is at most maxMessageBytes long.
 [[nodiscard]] std::string bytesOf(Kind kind, std::string_view text);
 
 /// Waits until all of it is sent; false leaves errno.

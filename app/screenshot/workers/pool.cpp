@@ -21,9 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto longestWait = std::chrono::milliseconds(500); // until it is looked whether a process is gone
-constexpr auto startLimit = std::chrono::seconds(60); // until a process has begun with what it was given
-constexpr auto patience = std::chrono::seconds(2);    // with processes that were told to end
+constexpr auto maxWait = std::chrono::milliseconds(500); // until it is looked whether a process is gone
+constexpr auto startLimit = std::chrono::seconds(60);    // until a process has begun with what it was given
+constexpr auto patience = std::chrono::seconds(2);       // with processes that were told to end
 
 } // namespace
 
@@ -105,7 +105,7 @@ bool Pool::Seats::fits(const Job& job) const {
             any = true;
         }
     }
-    return !any || setup_.mostWeight == 0 || sum + job.weight <= setup_.mostWeight;
+    return !any || setup_.maxWeight == 0 || sum + job.weight <= setup_.maxWeight;
 }
 
 bool Pool::Seats::hasRoom() const {
@@ -147,8 +147,8 @@ Result<void> Pool::Seats::handOut() {
             return {};
         if (failedStarts_ >= 3 + 3 * setup_.processes) // somebody may have killed all of them at once
             return fail(ErrorCode::Driver,
-                        fmt::format("worker processes end as soon as they are started{}{}",
-                                    failedWords_.empty() ? "" : "; the last one said: ", failedWords_));
+                        fmt::format("worker processes end immediately{}{}",
+                                    failedWords_.empty() ? "" : "; the last one printed: ", failedWords_));
         const Result<std::size_t> at = seatFor(task->job);
         if (!at)
             return fail(at.error());
@@ -169,7 +169,7 @@ Result<void> Pool::Seats::handOut() {
 /// Until a process has something to say, or it is time to look.
 void Pool::Seats::wait() {
     std::vector<pollfd> files{{woken_.get(), POLLIN, 0}};
-    Clock::time_point until = Clock::now() + longestWait;
+    Clock::time_point until = Clock::now() + maxWait;
     for (const auto& seat : seats_) {
         const Process& process = seat->process;
         const int wanted = POLLIN | (process.hasMoreToSend() ? POLLOUT : 0);
@@ -233,8 +233,8 @@ bool Pool::Seats::isOver(Seat& seat) {
     }
     if (seat.task)
         return false;
-    if (!seat.silent && seat.done < setup_.mostJobs &&
-        (seat.done == 0 || seat.process.residentBytes() <= setup_.mostResidentBytes))
+    if (!seat.silent && seat.done < setup_.maxJobs &&
+        (seat.done == 0 || seat.process.residentBytes() <= setup_.maxResidentBytes))
         return false;
     leave(seat);
     return true;
@@ -284,7 +284,7 @@ void Pool::Seats::checkTime() {
     // Whoever stops this process (Ctrl+Z, a debugger, a machine that sleeps) may have stopped the others,
     // too.
     const Clock::time_point now = Clock::now();
-    const auto late = now - looked_ - longestWait;
+    const auto late = now - looked_ - maxWait;
     if (late > std::chrono::seconds(2)) {
         for (const auto& seat : seats_)
             seat->deadline += late;
@@ -363,7 +363,7 @@ std::string sentenceOf(const Outcome& outcome, std::string_view who) {
             "out";
         break;
     case Outcome::End::Garbled:
-        text = "the process answered with what is no answer: something overwrote its memory";
+        text = "the process sent an invalid answer: its memory was overwritten";
         break;
     }
     if (outcome.before > 0)

@@ -52,9 +52,9 @@ struct Outcome {
 struct PoolSetup {
     StartCommand command;
     unsigned processes = 1;
-    std::uint64_t mostWeight = 0; ///< of the jobs that are done at once, if they are several; 0: no limit
-    std::size_t mostJobs = 1000;  ///< that a process does before another one takes its place
-    std::size_t mostResidentBytes = std::size_t{1536} << 20; ///< that a process may keep after a job
+    std::uint64_t maxWeight = 0; ///< of the jobs that are done at once, if they are several; 0: no limit
+    std::size_t maxJobs = 1000;  ///< that a process does before another one takes its place
+    std::size_t maxResidentBytes = std::size_t{1536} << 20; ///< that a process may keep after a job
     std::stop_token stop{};
 };
 

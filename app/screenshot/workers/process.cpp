@@ -18,7 +18,7 @@
 namespace texplorer::workers {
 namespace {
 
-constexpr std::size_t mostWords = 4096;
+constexpr std::size_t maxWords = 4096;
 
 std::string reason() {
     return std::generic_category().message(errno);
@@ -154,8 +154,8 @@ void Process::listen() {
         if (count <= 0)
             return;
         words_.append(piece.data(), static_cast<std::size_t>(count));
-        if (words_.size() > mostWords)
-            words_.erase(0, words_.size() - mostWords);
+        if (words_.size() > maxWords)
+            words_.erase(0, words_.size() - maxWords);
     }
 }
 

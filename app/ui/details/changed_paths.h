@@ -9,11 +9,11 @@
 
 namespace texplorer::ui {
 
-/// Values of the scene, as the parts of emitted lines name them: "models[0].texCoords0[2]" is a vertex's.
+/// Paths of values in the scene, as the parts of emitted lines name them: "models[0].texCoords0[2]" is a
+/// vertex's.
 using ChangedPaths = std::set<std::string, std::less<>>;
 
-/// What the last step of undo changed: the parameter, or of a list of coordinates those vertices that have
-/// others than before.
+/// The changes of the last undo step: the parameter, or the changed vertices of a list of coordinates.
 [[nodiscard]] ChangedPaths changedPaths(const Document& document);
 
 [[nodiscard]] bool mentionsAny(const emit::Line& line, const ChangedPaths& paths);

@@ -45,7 +45,7 @@ std::string codeName(const emit::Part& part) {
                               : fmt::format("command:{}[{}]", part.path, part.component);
 }
 
-/// A line below the last widget: there is something to do with it.
+/// Underlines the last widget: it can be used.
 void codeUnderline(ImU32 ink) {
     constexpr float resting = 0.45F;
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -58,14 +58,14 @@ void codeUnderline(ImU32 ink) {
                                               ImGui::ColorConvertFloat4ToU32(tint));
 }
 
-/// What the pointer is told where it rests on a value.
+/// The tooltip of a value.
 void codeTip(Session& session, const std::string& path, int component) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
         return;
     const std::optional<ParamPlace> place = placeOf(session.document.scene, path);
     if (!place)
         return;
-    ImGui::PushFont(nullptr); // words, no code
+    ImGui::PushFont(nullptr); // words, not code
     if (place->vertex) {
         constexpr std::array names{"s", "t", "r", "q"};
         helpTip(component >= 0 && component < 4
@@ -80,7 +80,7 @@ void codeTip(Session& session, const std::string& path, int component) {
     ImGui::PopFont();
 }
 
-/// A number as code that is dragged, and typed after a double click.
+/// A number in code that can be dragged, and typed after a double click.
 float codeNumber(Session& session, const emit::Part& part, const CodeLook& look) {
     const std::optional<ParamPlace> place = placeOf(session.document.scene, part.path);
     const float width = codeWidth(part);
@@ -100,7 +100,7 @@ float codeNumber(Session& session, const emit::Part& part, const CodeLook& look)
     constexpr ImU32 unseen = 0;
     ImGui::SetNextItemWidth(room);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
-    if (!isTyped) // what is drawn over it is the number as the text has it
+    if (!isTyped) // the text's own notation is drawn over it
         for (const ImGuiCol each :
              {ImGuiCol_Text, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive})
             ImGui::PushStyleColor(each, unseen);
@@ -119,13 +119,13 @@ float codeNumber(Session& session, const emit::Part& part, const CodeLook& look)
         const bool isCoordinate = part.component >= 0 && place->row->kind != Kind::Color;
         codeUnderline(isCoordinate && part.component < 4 ? componentColor(part.component) : ink);
     }
-    if (edited && !(isTyped && ImGui::IsItemActive())) // what is typed counts when it is done
+    if (edited && !(isTyped && ImGui::IsItemActive())) // a typed number is used when it is complete
         assignNumber(session, *place, part.component, shown == 0 ? 0.0F : sign * shown);
     sealAfterItem(session);
     return room;
 }
 
-/// A popup that is no code, though what opens it is.
+/// A popup of words, opened by code.
 bool beginCodePopup(const char* name) {
     if (!ImGui::BeginPopup(name))
         return false;
@@ -141,7 +141,7 @@ void endCodePopup() {
     ImGui::EndPopup();
 }
 
-/// The last widget's list of choices.
+/// The list of choices of the last widget.
 void codeChoices(Session& session, const ParamPlace& place, const std::string& path) {
     if (!beginCodePopup("choices"))
         return;
@@ -165,7 +165,7 @@ void codeChoices(Session& session, const ParamPlace& place, const std::string& p
     endCodePopup();
 }
 
-/// Words that are clicked.
+/// Clickable words.
 bool codeButton(const emit::Part& part, const CodeLook& look) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton("##word", {codeWidth(part), ImGui::GetFontSize()});
@@ -260,7 +260,7 @@ float codeSwatch(Session& session, const emit::Line& line, const CodeLook& look)
                                 flags | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
                                     ImGuiColorEditFlags_DisplayHex);
         noteItem(fmt::format("command:{}#picker", number->path));
-        sealAfterItem(session); // before the edit: a press is one already
+        sealAfterItem(session); // before the edit: a press is already an edit
         if (edited)
             assignParam(session, place->owner, *place->row, value);
         endCodePopup();

@@ -7,19 +7,19 @@
 
 namespace texplorer::ui {
 
-/// How a piece of code is drawn.
+/// The look of a piece of code.
 struct CodeLook {
-    float letter;   ///< how wide a letter is
-    bool isFaint;   ///< the line sets what OpenGL has anyway
-    bool isChanged; ///< the line's value is the one that changed last
+    float letter;   ///< width of a letter
+    bool isFaint;   ///< the line sets OpenGL's initial value
+    bool isChanged; ///< the line's value was changed last
 };
 
-/// Draws a part of a line at the cursor, as the control that its value is: numbers are dragged, choices have
-/// a list, switches are clicked; the name of a call leads to its control. The width that it took.
+/// Draws a part of a line at the cursor as a control: numbers can be dragged, choices have a list, switches
+/// are clicked; the name of a call goes to its control. Returns its width.
 float codePart(Session& session, const emit::Part& part, const CodeLook& look);
 
-/// A swatch of the colour whose numbers a line has, which opens the picker. The width that it took; 0: it is
-/// no colour.
+/// Draws a swatch for the colour in a line, which opens the picker. Returns its width; 0 if the line has no
+/// colour.
 float codeSwatch(Session& session, const emit::Line& line, const CodeLook& look);
 
 } // namespace texplorer::ui

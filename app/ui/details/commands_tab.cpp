@@ -31,7 +31,7 @@ void toolRow(Session& session, CommandsTabState& state) {
     const float width = buttonWidth(copy) + inner + buttonWidth(save);
     ImGui::Checkbox(label("All calls"), &session.window.allCalls);
     noteItem("all commands");
-    helpTip("Off: only the calls that change what OpenGL starts with");
+    helpTip("Off: only the calls that change OpenGL's initial state");
     ImGui::SameLine(0, ImGui::GetFontSize());
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(hint)).x + ImGui::GetFontSize() + width) {
         ImGui::AlignTextToFramePadding();
@@ -46,7 +46,7 @@ void toolRow(Session& session, CommandsTabState& state) {
         tell(session, fmt::format("Copied: {} lines", std::ranges::count(program, '\n')));
     }
     noteItem("copy commands");
-    helpTip("Copies the program that is listed, as C");
+    helpTip("Copies the listed program as C");
     ImGui::SameLine(0, inner);
     if (ImGui::Button(label(save)))
         ImGui::OpenPopup("export");
@@ -57,14 +57,14 @@ void toolRow(Session& session, CommandsTabState& state) {
         ImGui::GetFrameHeightWithSpacing() * static_cast<float>(emit::flavourRows.size() + 1);
     const bool hasRoom = corner.y + height < ImGui::GetIO().DisplaySize.y;
     ImGui::SetNextWindowPos({corner.x, hasRoom ? corner.y : ImGui::GetItemRectMin().y}, ImGuiCond_Appearing,
-                            {1, hasRoom ? 0.0F : 1.0F}); // beside the button, not over it
+                            {1, hasRoom ? 0.0F : 1.0F}); // next to the button, not over it
     if (ImGui::BeginPopup("export")) {
         programMenuItems(session);
         ImGui::EndPopup();
     }
 }
 
-/// The lines that are listed, broken into rows of so many letters.
+/// The listed lines, broken into rows of this many letters.
 void makeRows(CommandsTabState& state, bool showsAll) {
     state.rows.clear();
     for (std::size_t i = 0; i < state.lines.size(); ++i) {
@@ -80,13 +80,13 @@ void makeRows(CommandsTabState& state, bool showsAll) {
     }
 }
 
-/// Makes the lines anew where the scene is another one. Until its program is there, the last one's stay.
+/// Makes the lines again if the scene has changed. Until its program is ready, the previous lines stay.
 void renewLines(const Session& session, CommandsTabState& state) {
     const Document& document = session.document;
     const std::optional<Scene> timeless = withoutTime(document);
     const Scene& scene = timeless ? *timeless : document.scene;
     const bool isSame = state.scene && *state.scene == scene && state.images == document.images;
-    if (isSame && !session.services.programs.isMaking()) // what is made is of another scene: it is given up
+    if (isSame && !session.services.programs.isMaking()) // the running work is for another scene: cancel it
         return;
     const std::optional<emit::ProgramWorker::Program> made = programNow(session, emit::Flavour::Fixed);
     if (!made)
@@ -99,7 +99,7 @@ void renewLines(const Session& session, CommandsTabState& state) {
         return std::ranges::any_of(among,
                                    [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
     };
-    // A number that is dragged to where its call isn't needed stays under the hand.
+    // A number that is dragged to a value for which its call is not needed stays under the pointer.
     if (ImGui::IsAnyItemActive() && !haveChanged(lines) && haveChanged(state.lines))
         return;
     state.lines = std::move(lines);
@@ -107,10 +107,10 @@ void renewLines(const Session& session, CommandsTabState& state) {
     state.images = document.images;
 }
 
-/// Breaks them into rows anew where something is another.
+/// Breaks them into rows again if something has changed.
 void renewRows(const Session& session, CommandsTabState& state, std::size_t columns) {
     const Document& document = session.document;
-    // The numbers of a list are compared with those before only where something changed.
+    // The numbers of a list are compared with the previous ones only after a change.
     if (!state.rowsAreOld && state.columns == columns && state.rowsShowAll == session.window.allCalls &&
         state.lastChanged == document.lastChanged)
         return;
@@ -122,7 +122,7 @@ void renewRows(const Session& session, CommandsTabState& state, std::size_t colu
     makeRows(state, session.window.allCalls);
 }
 
-/// Scrolls to where the scene's own calls begin, once: what is before them is the same in most programs.
+/// Scrolls once to the first call of the scene: the calls before it are the same in most programs.
 void showCalls(CommandsTabState& state, float rowHeight) {
     if (state.rows.empty() || std::exchange(state.hasShownCalls, true))
         return;
@@ -139,7 +139,7 @@ void showCalls(CommandsTabState& state, float rowHeight) {
     ImGui::SetScrollY(rowHeight * static_cast<float>(blank.base() - state.rows.begin()));
 }
 
-/// Scrolls to the line that changed last, once, where it isn't in sight.
+/// Scrolls once to the last changed line, if it is not visible.
 void showChanged(CommandsTabState& state, float rowHeight) {
     if (state.revealed == state.changed)
         return;
@@ -181,7 +181,7 @@ void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row
         ImGui::SetCursorPos({x, start.y});
         codeSwatch(session, line, look);
     }
-    // All of a line belongs to what it sets, also its brackets.
+    // The whole line belongs to the parameter that it sets, including its brackets.
     const float end = corner.x + ImGui::GetWindowContentRegionMax().x;
     if (session.window.hoveringParam.empty() && ImGui::IsWindowHovered() &&
         ImGui::IsMouseHoveringRect(corner, {end, corner.y + ImGui::GetFontSize()}))
@@ -199,9 +199,9 @@ void drawCommandsTab(Session& session, CommandsTabState& state) {
         wrappedText(state.refused);
     ImGui::BeginChild("commands");
     ImGui::PushFont(codeFont());
-    constexpr int sample = 64; // letters: the width of one may be rounded
+    constexpr int sample = 64; // letters: the width of a single one may be rounded
     const float letter = ImGui::CalcTextSize(std::string(sample, 'M').c_str()).x / sample;
-    const float room = ImGui::GetContentRegionAvail().x / letter - 3; // a bar before, a swatch behind
+    const float room = ImGui::GetContentRegionAvail().x / letter - 3; // a bar in front, a swatch behind
     renewRows(session, state, static_cast<std::size_t>(std::max(16.0F, room)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.2F});
     const float rowHeight = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;

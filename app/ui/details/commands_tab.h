@@ -17,25 +17,25 @@ struct CodeRow {
     bool isLast; ///< of its line
 };
 
-/// What the tab remembers.
+/// The state of the tab.
 struct CommandsTabState {
-    bool hasShownCalls = false; ///< the list was scrolled to the scene's own calls
-    ChangedPaths revealed;      ///< the values that the list was scrolled to already
+    bool hasShownCalls = false; ///< the list was scrolled to the scene's first call
+    ChangedPaths revealed;      ///< the values that the list has already been scrolled to
 
-    // What was made of the scene, until there is what is made of another one.
+    // The lines and the scene that they were made of; kept until those of the next scene are ready.
     std::optional<Scene> scene;
     ImageSource images;
     std::string refused; ///< why there is no program; empty: there is one
     std::vector<emit::Line> lines;
     std::vector<CodeRow> rows;
-    ChangedPaths changed; ///< whose lines glow, and stay though OpenGL has their values
+    ChangedPaths changed; ///< their lines are highlighted, and stay even with OpenGL's initial value
     std::size_t columns = 0;
-    bool rowsAreOld = false; ///< they are not those of `lines`
+    bool rowsAreOld = false; ///< they do not match `lines`
     bool rowsShowAll = false;
     std::string lastChanged;
 };
 
-/// The calls that draw the scene, in C, with their values as controls.
+/// Draws the scene's calls in C, with their values as controls.
 void drawCommandsTab(Session& session, CommandsTabState& state);
 
 } // namespace texplorer::ui

@@ -47,7 +47,7 @@ void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Ta
     }
 }
 
-/// Close together: all of their names fit into a narrow panel.
+/// With little space: all their names fit into a narrow panel.
 void pushTabStyle() {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {ImGui::GetFontSize() * 0.2F, ImGui::GetStyle().FramePadding.y});
@@ -58,7 +58,7 @@ bool liesIn(const Workspace& workspace, Tab tab, Dock dock) {
     return isOpen(workspace, tab) && dockOf(workspace, tab) == dock;
 }
 
-/// What the mouse does with a tab, which is the last widget.
+/// Handles the mouse on a tab, which is the last widget.
 void handleTab(Workspace& workspace, DetailsState& state, const TabRow& row, Dock dock) {
     Tab& front = workspace.front[static_cast<std::size_t>(dock)];
     if (ImGui::IsItemActivated())
@@ -75,7 +75,7 @@ void handleTab(Workspace& workspace, DetailsState& state, const TabRow& row, Doc
     }
 }
 
-/// The tabs, with short labels where the long ones have no room.
+/// The tabs, with short labels if the long ones do not fit.
 void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
     const float em = ImGui::GetFontSize();
     float width = 0;
@@ -104,16 +104,16 @@ void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
     ImGui::EndTabBar();
 }
 
-/// What is to be done with the whole dock, at the right end of its tabs.
+/// The menu of the whole dock, at the right end of its tabs.
 void dockButtons(Workspace& workspace, Dock dock) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Button, 0));
-    if (squareButton("+", fmt::format("panels:{}", rowOf(dock).name), "Which tabs lie here", true))
+    if (squareButton("+", fmt::format("panels:{}", rowOf(dock).name), "The tabs of this panel", true))
         ImGui::OpenPopup("panels");
     const bool fills = maximisedOf(workspace) == maximised(dock);
     ImGui::SameLine(0, 0);
     if (squareButton(fills ? "❐" : "□", fmt::format("maximise:{}", rowOf(dock).name),
-                     fills ? "Back to its size (double click on a tab, Escape)"
-                           : "Fills everything but the parameters (double click on a tab)",
+                     fills ? "Restores the size (double click on a tab, Escape)"
+                           : "Maximises the panel (double click on a tab)",
                      true))
         toggleMaximised(workspace, maximised(dock));
     const std::optional<Tab> front = frontOf(workspace, dock);
@@ -139,7 +139,7 @@ void drawTabs(Workspace& workspace, DetailsState& state, Dock dock) {
     dockButtons(workspace, dock);
 }
 
-/// Where a tab falls into a dock, even into one that isn't there.
+/// Where a tab is dropped into a dock, even into an empty one.
 Rect dropZone(const Layout& layout, Dock dock) {
     if (!layout.of(dock).isEmpty())
         return layout.of(dock);

@@ -15,7 +15,7 @@
 
 namespace texplorer::ui {
 
-/// What each tab remembers.
+/// The state of each tab.
 struct DetailsState {
     VerticesTabState vertices;
     LevelsTabState levels;
@@ -27,15 +27,15 @@ struct DetailsState {
     HistoryTabState history;
     FiguresTabState figures;
     TimelineTabState timeline;
-    std::optional<Tab> dragged; ///< the tab that the mouse carries from one dock to the other
+    std::optional<Tab> dragged; ///< the tab that is being dragged from one dock to the other
 };
 
-/// The tabs that lie in a dock, and the contents of the one in front. Nothing where no tab is open.
+/// Draws the tabs of a dock and the contents of the one in front. Does nothing if no tab is open.
 void drawDock(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
               Dock dock);
 
-/// Where the tab that the mouse carries would fall, over all panels; moves it there when it is let go. To be
-/// called after the docks.
+/// Shows over all panels where the dragged tab would go, and moves it there when it is released. Call it
+/// after the docks.
 void drawDraggedTab(Session& session, DetailsState& state, const Layout& layout);
 
 } // namespace texplorer::ui

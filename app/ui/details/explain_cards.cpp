@@ -117,7 +117,7 @@ Lines filterLines(const UnitExplanation& unit) {
     Lines lines;
     for (const reference::LevelShare& share : levels)
         lines.push_back({fmt::format("level {}: {} %", share.level, reference::percentText(share.weight))});
-    lines.push_back(colorLine(color)); // what isn't opaque says so: a card has no fourth line
+    lines.push_back(colorLine(color)); // shows transparency: a card has no fourth line
     if (std::lround(color.a * 100) < 100)
         lines.back().text += fmt::format(" {:.2f}", color.a);
     return lines;
@@ -153,7 +153,7 @@ Lines pixelLines(const FragmentExplanation& fragment) {
     return {{fmt::format("{} {} {}", bytes[0], bytes[1], bytes[2])}, {fmt::format("alpha {}", bytes[3])}};
 }
 
-Lines linesOf(Stage stage, const FragmentExplanation& fragment, const UnitExplanation* unit) {
+Lines stageLines(Stage stage, const FragmentExplanation& fragment, const UnitExplanation* unit) {
     switch (stage) {
     case Stage::Vertices:
         return verticesLines(fragment);
@@ -198,7 +198,7 @@ std::vector<Card> cardsOf(const FragmentExplanation& fragment, const reference::
         Card& card = cards.emplace_back(Card{stage, step.unit, rowOf(stage).name, {}, {i}});
         if (step.unit >= 0 && severalUnits)
             card.name = fmt::format("{}, unit {}", rowOf(stage).name, step.unit);
-        card.lines = linesOf(stage, fragment, unit == fragment.units.end() ? nullptr : &*unit);
+        card.lines = stageLines(stage, fragment, unit == fragment.units.end() ? nullptr : &*unit);
     }
     return cards;
 }

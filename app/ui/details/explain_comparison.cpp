@@ -29,7 +29,7 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
         row.cells = {{reference::bytesText(bytes), Ink::Plain}, std::move(remark)};
     };
     add(RendererKind::Reference, explanation.bytes, {});
-    // While the scene moves the pictures are ahead of the answer: they have nothing in common.
+    // While the scene moves the pictures are newer than the answer, so that a comparison is meaningless.
     const bool comparable = explainsThePicture(session);
     for (const ViewFrame& view : pictures.frames) {
         if (!view.image || !view.whole || view.image->width != explanation.width ||

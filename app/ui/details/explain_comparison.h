@@ -9,18 +9,18 @@
 
 namespace texplorer::ui {
 
-/// What the reference and the pictures have at the pixel.
+/// The colours of the reference and of the pictures at the pixel.
 struct Comparison {
     std::vector<reference::StepRow> rows;
-    std::vector<std::string> compared; ///< labels of the renderers that are held against the reference
-    int most = 0;                      ///< the largest difference that is no tie
+    std::vector<std::string> compared; ///< labels of the renderers that are compared with the reference
+    int most = 0;                      ///< the largest difference that is not a tie
 };
 
-/// Of the explained pixel. While the answer is about an earlier picture, nothing is compared.
+/// For the explained pixel. Nothing is compared while the answer belongs to an earlier picture.
 [[nodiscard]] Comparison compareRenderers(const Session& session, const Pictures& pictures,
                                           const reference::Explanation& explanation);
 
-/// Whether the method of the anisotropic filter may be all that differs.
+/// Whether the method of the anisotropic filter may be the only difference.
 [[nodiscard]] bool mayDifferByMethod(const Session& session, const reference::Explanation& explanation);
 
 } // namespace texplorer::ui

@@ -23,7 +23,7 @@ bool differsFrom(const reference::FragmentSteps* other, const Step& step) {
     return same == other->steps.end() || same->summary != step.summary;
 }
 
-/// A bar, so that what differs isn't known by its colour alone.
+/// A bar, so that differences are not marked only by a colour.
 void differenceMark() {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -35,7 +35,7 @@ void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool 
     const std::string title =
         step.unit < 0 || !severalUnits ? step.title : fmt::format("{}, unit {}", step.title, step.unit);
     ImGui::PushID(static_cast<int>(step.kind) * 8 + step.unit);
-    // The texels are what one wants to see first.
+    // The texels are the most important.
     ImGui::SetNextItemOpen(openAtFirst && step.kind == reference::StepKind::Texels, ImGuiCond_FirstUseEver);
     const bool hasRows = !step.rows.empty();
     const bool open =

@@ -6,9 +6,9 @@
 
 namespace texplorer::ui {
 
-/// Every fragment of a pixel with its steps below each other, for a panel that is narrow: first the one that
-/// is seen, then the rest in the order of drawing. What the one that is seen has otherwise than `other` is
-/// marked; nullptr: nothing is.
+/// Every fragment of a pixel with its steps one below the other, for a narrow panel: first the visible one,
+/// then the others in drawing order. Differences of the visible one from `other` are marked; nullptr: none
+/// are.
 void drawFragmentList(const reference::Explanation& explanation,
                       const std::vector<reference::FragmentSteps>& fragments,
                       const reference::FragmentSteps* other = nullptr);

@@ -25,7 +25,7 @@ namespace {
 using reference::FragmentExplanation;
 using reference::UnitExplanation;
 
-/// The rectangle of a picture, and what is drawn into it.
+/// The rectangle of a picture and its draw list.
 struct Sketch {
     ImDrawList& draw;
     ImVec2 low, high;
@@ -34,13 +34,13 @@ struct Sketch {
     [[nodiscard]] float height() const { return high.y - low.y; }
     [[nodiscard]] ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 
-    /// A square in the middle, as large as there is room for.
+    /// The largest square that fits, in the middle.
     [[nodiscard]] Sketch square() const {
         const float half = std::min(width(), height()) / 2;
         const ImVec2 at = middle();
         return {draw, {at.x - half, at.y - half}, {at.x + half, at.y + half}};
     }
-    /// A place as shares, from the lower left.
+    /// A position in fractions of the size, from the lower left.
     [[nodiscard]] ImVec2 at(float x, float y) const { return {low.x + x * width(), high.y - y * height()}; }
     /// The i-th of `count` parts, from left to right.
     [[nodiscard]] Sketch part(int i, int count) const {
@@ -68,7 +68,7 @@ void filledBox(const Sketch& box, glm::vec4 color) {
     box.draw.AddRect(box.low, box.high, sketchOutline());
 }
 
-/// A small text in the middle of a place.
+/// A small text centred at a position.
 void sketchText(ImDrawList& draw, ImVec2 middle, const std::string& text, ImU32 tint) {
     const float size = ImGui::GetFontSize() * 0.8F;
     const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, text.c_str());
@@ -83,7 +83,7 @@ void sketchDot(const Sketch& box, ImVec2 at) {
     box.draw.AddCircleFilled(at, radius, color::probed);
 }
 
-/// Colours in a row, named below, with a sign before each but the first.
+/// Colours in a row with their names below, and a sign before each but the first.
 struct NamedColor {
     const char* sign;
     const char* name;
@@ -110,7 +110,7 @@ void drawNamedColors(const Sketch& box, const std::vector<NamedColor>& colors) {
     }
 }
 
-/// The corners, the pixel between them, and how much it has of each.
+/// The corners, the pixel between them, and the weight of each.
 void drawVerticesSketch(const Sketch& whole, const FragmentExplanation& fragment) {
     const float em = ImGui::GetFontSize();
     const Sketch box{whole.draw,
@@ -138,7 +138,7 @@ void drawVerticesSketch(const Sketch& whole, const FragmentExplanation& fragment
     sketchDot(whole, here);
 }
 
-/// The unit square, and where in it or beside it the coordinates lie.
+/// The unit square and the coordinates inside or outside of it.
 void drawCoordinatesSketch(const Sketch& whole, const UnitExplanation& unit) {
     const Sketch box = whole.square();
     glm::vec2 place(unit.coords);
@@ -165,7 +165,7 @@ void drawCoordinatesSketch(const Sketch& whole, const UnitExplanation& unit) {
     whole.draw.AddLine(at(shown.x, 0), at(shown.x, shown.y), color::s, line);
     whole.draw.AddLine(at(0, shown.y), at(shown.x, shown.y), color::t, line);
     sketchDot(whole, at(shown.x, shown.y));
-    // Not known by their colours alone, in a square large enough.
+    // Large squares have text, so that they are not distinguished only by colour.
     const float em = ImGui::GetFontSize();
     if (box.width() < em * 3)
         return;
@@ -175,7 +175,7 @@ void drawCoordinatesSketch(const Sketch& whole, const UnitExplanation& unit) {
     sketchText(whole.draw, {origin.x + em * 0.35F, corner.y + em * 0.4F}, "t", color::t);
 }
 
-/// How many texels the base level has, from a level that was read.
+/// The extent of the base level, computed from a level that was read.
 glm::vec2 baseExtent(const UnitExplanation& unit) {
     if (unit.extents.empty())
         return glm::vec2(1);
@@ -185,7 +185,7 @@ glm::vec2 baseExtent(const UnitExplanation& unit) {
     return {along(read.size.x), along(read.size.y)};
 }
 
-/// What the pixel covers over the texels of the base level, and below it lambda among the levels.
+/// The footprint of the pixel over the texels of the base level; below it lambda between the levels.
 void drawLodSketch(const Sketch& whole, const UnitExplanation& unit) {
     const float em = ImGui::GetFontSize();
     const Sketch box{whole.draw, whole.low, {whole.high.x, whole.high.y - em * 0.9F}};
@@ -201,7 +201,7 @@ void drawLodSketch(const Sketch& whole, const UnitExplanation& unit) {
         reach = 1;
         dx = dy = {};
     }
-    // A few texels, or of many of them blocks of 2, 4, 8 …
+    // Single texels if there are few, else blocks of 2, 4, 8 …
     const float side = std::max(2.0F, reach * 1.25F);
     const float block = std::exp2(std::max(0.0F, std::ceil(std::log2(side / 6))));
     for (float step = 0; step <= side / 2; step += block) {
@@ -239,7 +239,7 @@ void drawLodSketch(const Sketch& whole, const UnitExplanation& unit) {
                                  {level(lambda) + em * 0.25F, y - em * 0.55F}, color::probed);
 }
 
-/// The texels around the place, those that were read outlined by their weight.
+/// The texels around the sample; those that were read have an outline by their weight.
 void drawPatchSketch(const Sketch& whole, const reference::LevelPatch& patch) {
     if (patch.size.x < 1 || patch.size.y < 1 || patch.taps.empty())
         return;
@@ -295,7 +295,7 @@ void drawTexelsSketch(const Sketch& whole, const UnitExplanation& unit) {
     }
 }
 
-/// The mixture: bars as high as their weights, and what they make together.
+/// The mixture: bars with the heights of the weights, and the resulting colour.
 void drawFilterSketch(const Sketch& whole, const UnitExplanation& unit) {
     struct Bar {
         float weight = 0;

@@ -6,7 +6,7 @@
 
 namespace texplorer::ui {
 
-/// The small picture of a card: what its stage did, drawn into a rectangle.
+/// Draws the small picture of a card into a rectangle: what its stage did.
 void drawStagePicture(ImDrawList& draw, ImVec2 low, ImVec2 high, const Card& card,
                       const reference::FragmentExplanation& fragment);
 

@@ -16,13 +16,13 @@ namespace texplorer::ui {
 namespace {
 
 // In heights of the text.
-constexpr float leastPicture = 2.5F; // what is lower is left out
+constexpr float minPicture = 2.5F; // lower pictures are left out
 constexpr float usualPicture = 4;
-constexpr float largestPicture = 8;
-constexpr float leastOpen = 7.5F;     // what open cards need below
-constexpr float mostSlack = 5;        // that a card is wider than it must be
-constexpr float narrowestCard = 5.2F; // where cards share too little room
-constexpr float smallestText = 0.78F; // of the usual size, before a text is cut
+constexpr float maxPicture = 8;
+constexpr float minOpen = 7.5F;      // the height of open cards below
+constexpr float maxSlack = 5;        // the most that a card is wider than necessary
+constexpr float minCardWidth = 5.2F; // if cards share too little room
+constexpr float minText = 0.78F;     // relative to the usual size, before a text is cut
 
 /// The lengths of the cards, in pixels.
 struct CardMeasure {
@@ -32,13 +32,13 @@ struct CardMeasure {
     float line = std::floor(em * 1.2F);
     float picture = 0; ///< 0: cards show none
 
-    /// What stands between the texts gets less room, and they get more.
+    /// The space between texts is reduced, so that the texts get more.
     void tighten() {
         pad = std::floor(em * 0.3F);
         arrow = std::floor(em * 0.45F);
     }
 
-    /// Lines as close as they can be, where cards have little height.
+    /// The lines are as close as possible, for low cards.
     void flatten() {
         pad = std::floor(em * 0.2F);
         line = std::floor(em * 1.05F);
@@ -49,7 +49,7 @@ struct CardMeasure {
     }
 };
 
-/// With its text so much smaller.
+/// With a smaller text.
 float naturalWidth(const Card& card, const CardMeasure& measure, float scale = 1) {
     float width = std::max(ImGui::CalcTextSize(tr(card.name).c_str()).x, usualPicture * measure.em);
     for (const CardLine& line : card.lines)
@@ -57,14 +57,14 @@ float naturalWidth(const Card& card, const CardMeasure& measure, float scale = 1
     return std::ceil(width * scale) + 2 * measure.pad;
 }
 
-/// The cards of a lane that stand side by side: in as few lines as can be, which begin with a unit where that
-/// has room, and are else as even as can be. All lines but the first begin with an arrow.
+/// Distributes the cards of a lane over as few lines as possible. Lines begin with a unit if it fits, and are
+/// otherwise as even as possible. All lines but the first begin with an arrow.
 struct CardLines {
     std::vector<std::span<const Card>> lines;
 
     CardLines(const Lane& lane, const CardMeasure& measure, float available) {
-        const float least = narrowestCard * measure.em + measure.arrow;
-        const auto most = static_cast<std::size_t>(std::max(1.0F, available / least));
+        const float min = minCardWidth * measure.em + measure.arrow;
+        const auto most = static_cast<std::size_t>(std::max(1.0F, available / min));
         std::span<const Card> left(lane.cards);
         for (std::size_t count = (left.size() + most - 1) / most; count > 0; --count) {
             const std::size_t here = cardsInLine(left, count, most);
@@ -76,7 +76,7 @@ struct CardLines {
     [[nodiscard]] std::span<const Card> line(std::size_t index) const { return lines[index]; }
 
 private:
-    /// Of those that are left for so many lines.
+    /// For the remaining cards in this many lines.
     static std::size_t cardsInLine(std::span<const Card> left, std::size_t lines, std::size_t most) {
         const std::size_t even = (left.size() + lines - 1) / lines;
         const auto distance = [even](std::size_t cards) {
@@ -96,7 +96,7 @@ float arrowsOf(std::span<const Card> line, bool first, const CardMeasure& measur
     return measure.arrow * static_cast<float>(line.size() - (first ? 1 : 0));
 }
 
-/// Of a line whose cards are all as wide as what they say.
+/// The widths of a line's cards if all are as wide as their texts.
 float naturalWidth(std::span<const Card> line, bool first, const CardMeasure& measure, float scale = 1) {
     float width = arrowsOf(line, first, measure);
     for (const Card& card : line)
@@ -104,17 +104,16 @@ float naturalWidth(std::span<const Card> line, bool first, const CardMeasure& me
     return width;
 }
 
-/// The widest ones are made narrower, all of those to one width, until the cards have room; none becomes
-/// narrower than one can read.
-void shareRoom(std::vector<float>& widths, float room, float least) {
+/// Reduces the widest cards to one common width until all fit; none becomes too narrow to read.
+void shareRoom(std::vector<float>& widths, float room, float min) {
     std::vector<float> sorted = widths;
     std::ranges::sort(sorted);
-    float cap = least;
+    float cap = min;
     float before = 0;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         const float each = (room - before) / static_cast<float>(sorted.size() - i);
         if (each < sorted[i]) {
-            cap = std::max(least, std::floor(each));
+            cap = std::max(min, std::floor(each));
             break;
         }
         before += sorted[i];
@@ -123,13 +122,13 @@ void shareRoom(std::vector<float>& widths, float room, float least) {
         width = std::min(width, cap);
 }
 
-/// As wide as what they say and somewhat more, where that has room.
+/// As wide as the text and slightly more, if that fits.
 std::vector<float> widthsOf(std::span<const Card> line, bool first, const CardMeasure& measure,
                             float available) {
-    // Rather than to cut one text, all are somewhat smaller.
+    // All texts are made slightly smaller before one is cut.
     float scale = 1;
-    while (scale > smallestText && naturalWidth(line, first, measure, scale) > available)
-        scale = std::max(smallestText, scale - 0.01F);
+    while (scale > minText && naturalWidth(line, first, measure, scale) > available)
+        scale = std::max(minText, scale - 0.01F);
     const bool isTight = scale < 1 && naturalWidth(line, first, measure, scale) <= available;
     std::vector<float> widths;
     for (const Card& card : line)
@@ -138,16 +137,16 @@ std::vector<float> widthsOf(std::span<const Card> line, bool first, const CardMe
         return widths;
     const float left = available - naturalWidth(line, first, measure);
     if (left < 0) {
-        shareRoom(widths, available - arrowsOf(line, first, measure), narrowestCard * measure.em);
+        shareRoom(widths, available - arrowsOf(line, first, measure), minCardWidth * measure.em);
         return widths;
     }
     const float slack = left / static_cast<float>(line.size());
     for (float& width : widths)
-        width += std::floor(std::min(slack, mostSlack * measure.em));
+        width += std::floor(std::min(slack, maxSlack * measure.em));
     return widths;
 }
 
-/// What a card says in a line: somewhat smaller where it has little room, and cut where that is too little.
+/// A line of text in a card: slightly smaller if it has little room, and cut if that is not enough.
 struct ShownLine {
     std::string text;
     float scale = 1;
@@ -161,7 +160,7 @@ ShownLine lineThatFits(const std::string& english, float room) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     if (width <= room)
         return {text};
-    const float scale = std::max(smallestText, room / width);
+    const float scale = std::max(minText, room / width);
     const std::string shown = fitted(english, room / scale + 0.5F);
     return {shown, scale, shown != text};
 }
@@ -172,7 +171,7 @@ void drawLine(ImDrawList& draw, ImVec2 at, ImU32 tint, const ShownLine& line) {
                  tint, line.text.c_str());
 }
 
-/// All that a card says, for where it is cut.
+/// The full text of a card, for when it is cut.
 std::string wordsOf(const Card& card) {
     std::string words = card.name;
     for (const CardLine& line : card.lines)
@@ -182,10 +181,10 @@ std::string wordsOf(const Card& card) {
 
 struct CardClick {
     bool pressed;
-    bool cut; ///< it says more than it shows
+    bool cut; ///< its text is cut
 };
 
-/// A card at the cursor. `other` is what it is compared with.
+/// A card at the cursor. It is compared with `other`.
 CardClick drawCard(const Lane& lane, const Card& card, const Card* other, bool open, float width,
                    const CardMeasure& measure) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -290,12 +289,12 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
         const float titles = titled ? static_cast<float>(lanes.size()) * (measure.line + gap) : 0;
         return titles + count * (measure.height() + gap) - gap;
     };
-    const float room = available.y - (open ? leastOpen * measure.em + gap : 0);
+    const float room = available.y - (open ? minOpen * measure.em + gap : 0);
     if (lanesHeight() > room)
         measure.flatten();
     const float left = (room - lanesHeight()) / count - measure.pad;
-    if (left >= leastPicture * measure.em)
-        measure.picture = std::floor(std::min(left, (open ? usualPicture : largestPicture) * measure.em));
+    if (left >= minPicture * measure.em)
+        measure.picture = std::floor(std::min(left, (open ? usualPicture : maxPicture) * measure.em));
     for (std::size_t i = 0; i < lanes.size(); ++i) {
         const bool compared = titled && i + 1 == lanes.size();
         ImGui::PushID(i + 1 == lanes.size() ? "explained" : "pinned");
@@ -307,7 +306,7 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
         ImGui::PopID();
     }
     if (open) {
-        const float rest = std::max(ImGui::GetContentRegionAvail().y, leastOpen * measure.em);
+        const float rest = std::max(ImGui::GetContentRegionAvail().y, minOpen * measure.em);
         ImGui::BeginChild("open", {0, rest});
         drawOpenCards(state, lanes, ImGui::GetContentRegionAvail().y);
         ImGui::EndChild();

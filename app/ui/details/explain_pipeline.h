@@ -10,24 +10,24 @@
 
 namespace texplorer::ui {
 
-/// What the cards remember.
+/// The state of the cards.
 struct PipelineState {
-    std::set<std::pair<Stage, int>> open; ///< those that show all their numbers, with their units
+    std::set<std::pair<Stage, int>> open; ///< the cards that show all their numbers, with their units
 };
 
-/// The cards of one fragment, which must outlive it.
+/// The cards of one fragment; the fragment must outlive it.
 struct Lane {
-    std::string title; ///< above the cards, where there are several lanes
+    std::string title; ///< shown above the cards if there are several lanes
     const reference::FragmentExplanation& fragment;
     const reference::FragmentSteps& steps;
     std::vector<Card> cards;
 };
 
-/// Lanes below each other, and below them what the open cards have to say. What differs in the last lane from
-/// the first one is marked. Cards that have no room in the height leave their pictures out.
+/// Draws lanes one below the other, and below them the open cards. Differences of the last lane from the
+/// first one are marked. Cards leave their pictures out if the height is too small.
 void drawPipeline(PipelineState& state, std::span<const Lane> lanes);
 
-/// The stages with what happens in them, where there is no pixel to explain.
+/// Draws the stages with a description each, for when there is no pixel to explain.
 void drawStages();
 
 } // namespace texplorer::ui

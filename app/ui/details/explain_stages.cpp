@@ -16,7 +16,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// In one line, or in two where that is narrow.
+/// In one line, or in two if there is not enough width.
 struct StagesPlan {
     float em = ImGui::GetFontSize();
     float pad = std::floor(em * 0.4F);
@@ -45,7 +45,7 @@ struct StagesPlan {
 };
 
 StagesPlan planStages(ImVec2 available) {
-    constexpr float narrowestStage = 6.5F; // for the longest of its words, in heights of the text
+    constexpr float minStageWidth = 6.5F; // for its longest word, in heights of the text
     StagesPlan plan;
     std::vector<const StageRow*> all;
     for (const StageRow& row : stageRows) {
@@ -57,7 +57,7 @@ StagesPlan planStages(ImVec2 available) {
         return std::floor((available.x - (n - 1) * plan.arrow) / n);
     };
     std::size_t perLine = all.size();
-    if (widthOf(perLine) < narrowestStage * plan.em)
+    if (widthOf(perLine) < minStageWidth * plan.em)
         perLine = (all.size() + 1) / 2;
     plan.width = widthOf(perLine);
     for (std::size_t i = 0; i < all.size(); i += perLine)

@@ -24,16 +24,16 @@ namespace {
 using reference::Explanation;
 using reference::StepRow;
 
-constexpr float leastPipeline = 46; // heights of the text: what is narrower has a list
+constexpr float minPipeline = 46; // in heights of the text: narrower panels have a list
 
-/// As texshot probe --at counts: from the upper left.
+/// Counted like texshot probe --at: from the upper left.
 std::string pixelText(const Explanation& explanation) {
     return fmt::format("Pixel {},{}", explanation.pixel.x, explanation.height - 1 - explanation.pixel.y);
 }
 
 void offerEllipse(Session& session) {
     constexpr const char* offer = "Compare by ellipse";
-    hangingText("How to filter anisotropically is left to the driver. Mesa's averages over an ellipse.",
+    hangingText("Drivers may filter anisotropically in different ways. Mesa averages over an ellipse.",
                 color::text);
     noteItem("explain:ellipse");
     const float button = buttonWidth(offer);
@@ -64,12 +64,12 @@ void drawInLine(const std::vector<StepRow>& rows, float reserved) {
     }
 }
 
-/// Where the last widget ends, in the window.
+/// The right end of the last widget in the window.
 float lineEnd() {
     return ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX();
 }
 
-/// At the right end of the line, or below where that has no room.
+/// At the right end of the line, or below if it does not fit.
 void pixelButtons(Session& session) {
     const bool pinned = session.window.explaining.pinned != nullptr;
     const char* pin = pinned ? "Unpin" : "Pin";
@@ -84,9 +84,9 @@ void pixelButtons(Session& session) {
             pinPixel(session);
     }
     noteItem(pinned ? "explain:unpin" : "explain:pin");
-    helpTip(pinned ? "Lets go of the pixel that stays for comparison."
-                   : "Keeps this pixel as it is now. The next one, or the same one after a change, is shown "
-                     "beside it, with what differs marked.");
+    helpTip(pinned ? "Unpins the pixel kept for comparison."
+                   : "Keeps this pixel. The next one, or the same one after a change, is shown next to it "
+                     "with the differences marked.");
     sameLineFor(buttonWidth("Clear"), gap);
     if (ImGui::SmallButton(label("Clear"))) {
         session.window.explaining.pixel.reset();
@@ -99,11 +99,10 @@ void pixelButtons(Session& session) {
 void drawHead(Session& session, const Pictures& pictures, const Explanation& explanation, bool wide) {
     inkText(pixelText(explanation), color::probed);
     noteItem("explain:pixel");
-    helpTip(
-        fmt::format("Counted from the upper left. In OpenGL's window coordinates, which begin at the lower "
-                    "left, {},{}. Click in the picture or press an arrow key for another pixel, Shift for "
-                    "ten pixels further.",
-                    explanation.pixel.x, explanation.pixel.y));
+    helpTip(fmt::format("Counted from the upper left. In OpenGL's window coordinates, from the lower left: "
+                        "{},{}. Click in the picture or press an arrow key for another pixel, with Shift for "
+                        "ten pixels.",
+                        explanation.pixel.x, explanation.pixel.y));
     const Comparison comparison = compareRenderers(session, pictures, explanation);
     if (wide) {
         drawInLine(comparison.rows, buttonWidth("Unpin") + buttonWidth("Clear") + ImGui::GetFontSize());
@@ -118,10 +117,10 @@ void drawHead(Session& session, const Pictures& pictures, const Explanation& exp
         offerEllipse(session);
 }
 
-/// How many pixels read the texel that is asked for.
+/// The number of pixels that read the selected texel.
 std::string readersOf(const Explaining& asked) {
     if (!asked.answer || !asked.answer->contributions || asked.answer->request.texel != asked.texel)
-        return "looking for its pixels…";
+        return "searching its pixels…";
     const auto& found = *asked.answer->contributions;
     if (!found)
         return describe(found.error());
@@ -140,7 +139,7 @@ void drawTexelLine(Session& session) {
         fmt::format("Texel {}, {} of level {}: {}", index.x, index.y, level, readersOf(asked));
     const bool cleared = ImGui::SmallButton("✕##texel");
     noteItem("explain:clear texel");
-    helpTip("Lets go of this texel (Escape)");
+    helpTip("Unpicks this texel (Escape)");
     ImGui::SameLine();
     hangingText(words, color::chosen);
     noteItem("explain:texel");
@@ -152,7 +151,7 @@ std::string titleOf(const reference::FragmentSteps& fragment) {
     return fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
 }
 
-/// The fragment that is shown: the one that one sees, or another one that was chosen for this pixel.
+/// The shown fragment: the visible one, or another one that was selected for this pixel.
 std::size_t shownFragment(const ExplainTabState& state, const Explanation& explanation) {
     if (state.fragmentOf == explanation.pixel && state.fragment < explanation.fragments.size())
         return state.fragment;
@@ -160,7 +159,7 @@ std::size_t shownFragment(const ExplainTabState& state, const Explanation& expla
     return seen ? static_cast<std::size_t>(seen - explanation.fragments.data()) : 0;
 }
 
-/// Which of the fragments that cover the pixel is shown; nothing where there is only one.
+/// The choice among the fragments that cover the pixel; nothing if there is only one.
 void chooseFragment(ExplainTabState& state, const Explanation& explanation,
                     const std::vector<reference::FragmentSteps>& fragments, std::size_t shown) {
     if (fragments.size() < 2)
@@ -229,11 +228,11 @@ void drawLists(const Explanation* pinned, const std::vector<reference::FragmentS
     ImGui::PopID();
 }
 
-/// What to do, and what there will be to see.
+/// Instructions, and what they will show.
 void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
     const auto [width, height] = pictures.frames.front().frame.size;
-    wrappedText("Why has this pixel that colour? Click one in the view: here is "
-                "everything that OpenGL computes on the way, in its order.");
+    wrappedText("Why does a pixel have its colour? Click one in the view to see every step of OpenGL, in "
+                "order.");
     noteItem("explain:none");
     if (ImGui::SmallButton(label("Explain the pixel in the middle")))
         session.window.explaining.pixel = {width / 2, height / 2};
@@ -248,7 +247,7 @@ void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
 
 void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pictures) {
     ImGui::BeginChild("explain", {0, 0});
-    const bool wide = ImGui::GetContentRegionAvail().x >= leastPipeline * ImGui::GetFontSize();
+    const bool wide = ImGui::GetContentRegionAvail().x >= minPipeline * ImGui::GetFontSize();
     const auto& answer = session.window.explaining.answer;
     const Explanation* explanation = explanationOf(session);
     if (!session.window.explaining.pixel) {
@@ -272,7 +271,7 @@ void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pi
             noteItem("explain:cut");
         }
         if (fragments.empty())
-            wrappedText("Nothing covers it: it shows the background.");
+            wrappedText("No model covers it, so it shows the background.");
         if (wide && !fragments.empty())
             drawLanes(state, pinned, pinnedFragments, *explanation, fragments);
         else

@@ -6,12 +6,12 @@
 
 namespace texplorer::ui {
 
-/// The words of an answer, which are made once: an average over an ellipse alone has thousands of texels.
+/// The texts of an answer, made only once: an average over an ellipse has thousands of texels.
 struct AnswerSteps {
     std::shared_ptr<const reference::ProbeWorker::Answer> answer;
     std::vector<reference::FragmentSteps> steps;
 
-    /// Of an answer with an explanation.
+    /// For an answer with an explanation.
     const std::vector<reference::FragmentSteps>&
     of(const std::shared_ptr<const reference::ProbeWorker::Answer>& asked) {
         if (answer != asked)
@@ -21,16 +21,17 @@ struct AnswerSteps {
     }
 };
 
-/// What the tab remembers.
+/// The state of the tab.
 struct ExplainTabState {
     PipelineState pipeline;
-    std::size_t fragment = 0; ///< the one whose cards are shown, of the pixel `fragmentOf`; else the seen one
+    std::size_t fragment =
+        0; ///< the fragment whose cards are shown, of the pixel `fragmentOf`; else the visible one
     std::optional<reference::PixelPlace> fragmentOf;
     AnswerSteps steps;
     AnswerSteps pinnedSteps;
 };
 
-/// As a pipeline from left to right where the panel is wide, else as a list.
+/// Draws a pipeline from left to right if the panel is wide, else a list.
 void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -1,4 +1,4 @@
-// The tab "File": what is where in a texture's file, as a table of fields and as bytes.
+// The tab "File": the structure of a texture's file, as a table of fields and as bytes.
 
 #include "app/ui/details/file_tab.h"
 
@@ -25,7 +25,7 @@ int offsetDigits(std::size_t fileBytes) {
 }
 
 void fieldTip(const Field& field) {
-    // Names and values are the file's.
+    // Names and values from the file, which are not translated.
     std::vector<TipLine> lines;
     const auto add = [&lines](const std::string& words) {
         lines.push_back({printable(words, LineBreaks::Keep)});
@@ -74,7 +74,7 @@ void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<
         fittedText(fine ? field.meaning : field.wrong, fine ? color::dim : color::problem);
 }
 
-/// So that the first names fit, but no more than a good third of the panel.
+/// Wide enough for the first names, but at most about a third of the panel.
 float nameWidth(const std::vector<Field>& fields) {
     float width = 0;
     for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 64); ++i)
@@ -124,7 +124,7 @@ struct HexLine {
     [[nodiscard]] float textAt(std::size_t column) const {
         return letter * static_cast<float>(static_cast<std::size_t>(digits) + 3 + perLine * 3 + column);
     }
-    /// Which byte of the line is at this place, counted from the line's left edge.
+    /// The byte at a position in the line, counted from the line's left edge.
     [[nodiscard]] std::optional<std::size_t> columnAt(float x) const {
         const float hex = (x - hexAt(0)) / (letter * 3);
         if (hex >= 0 && hex < static_cast<float>(perLine))
@@ -186,7 +186,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     HexLine line{ImGui::CalcTextSize("0").x, offsetDigits(file.fileBytes), 4};
-    // As many as fit, in a power of two.
+    // As many as fit, rounded down to a power of two.
     while (line.perLine < 32) {
         HexLine wider = line;
         wider.perLine *= 2;
@@ -215,7 +215,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
     ImGui::PopStyleColor();
 }
 
-/// One line that says which file this is, and what is wrong with it.
+/// One line with the file's name and its problem.
 void heading(Session& session) {
     InspectedFile& view = session.window.fileView;
     if (!view.chosen.empty()) {
@@ -254,8 +254,8 @@ void drawFileTab(Session& session, FileTabState& state) {
     followFile(session);
     const InspectedFile& view = session.window.fileView;
     if (view.shown.empty()) {
-        wrappedText(boundTexture(session) ? "This texture is a built-in pattern: there is no file. Open an "
-                                            "image with Ctrl+I to see what its file holds."
+        wrappedText(boundTexture(session) ? "This texture is a built-in pattern without a file. Open an "
+                                            "image with Ctrl+I to see the contents of its file."
                                           : "No texture is bound to this unit.");
         noteItem("file:none");
         return;
@@ -271,7 +271,7 @@ void drawFileTab(Session& session, FileTabState& state) {
             dimText("Reading…");
         return;
     }
-    if (state.content != view.content) { // the fields were another file's
+    if (state.content != view.content) { // the fields belong to another file
         state = {};
         state.content = view.content;
     }

@@ -7,9 +7,9 @@
 
 namespace texplorer::ui {
 
-/// What the tab shows of its file. Fields are indices into the anatomy.
+/// The state of the tab. Fields are indices into the anatomy.
 struct FileTabState {
-    std::shared_ptr<const DissectedFile> content; ///< what the fields are of
+    std::shared_ptr<const DissectedFile> content; ///< the file of the fields
     std::optional<std::size_t> hovered;           ///< the field under the mouse, in the table or in the bytes
     std::optional<std::size_t> revealInTable;
     std::optional<std::size_t> revealInBytes;

@@ -27,10 +27,8 @@ struct StageRow {
     const char* help;
 };
 constexpr std::array stageRows{
-    StageRow{ShaderStage::Vertex, "Vertex",
-             "What happens once for each vertex: coordinates, texgen, lighting"},
-    StageRow{ShaderStage::Fragment, "Fragment",
-             "What happens for each pixel: the lookups and the environment"},
+    StageRow{ShaderStage::Vertex, "Vertex", "Runs once for each vertex: coordinates, texgen, lighting"},
+    StageRow{ShaderStage::Fragment, "Fragment", "Runs for each pixel: the lookups and the environment"},
 };
 
 ImU32 tintOf(GlslToken::Kind kind) {
@@ -58,7 +56,7 @@ void showLine(GlslTabState& state, const ShaderMessage& message) {
     state.wantedLine = message.line;
 }
 
-/// The stages to choose from, and what one can do with the source.
+/// The choice of the stage, and buttons for the source.
 void toolRow(const Session& session, GlslTabState& state, const PassShader& shader) {
     for (const StageRow& row : stageRows) {
         const bool chosen = state.stage == row.stage;
@@ -82,10 +80,10 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
     if (ImGui::Button(label(copy)))
         ImGui::SetClipboardText(sourceOf(shader, state.stage).text.c_str());
     noteItem("copy glsl");
-    helpTip("Copies the stage's source as it is given to the driver");
+    helpTip("Copies the source of the stage as passed to the driver");
 }
 
-/// What the compiler says, where it says anything: a click leads to the line.
+/// The messages of the compiler, if any: a click goes to the line.
 void drawLog(GlslTabState& state, const PassShader& shader) {
     if (shader.log.empty())
         return;
@@ -101,7 +99,7 @@ void drawLog(GlslTabState& state, const PassShader& shader) {
             showLine(state, message);
     }
     ImGui::PopStyleColor();
-    dimText("Until this is mended, what ran before goes on drawing.");
+    dimText("The previous shaders are used until this is fixed.");
     ImGui::PopTextWrapPos();
 }
 
@@ -111,11 +109,11 @@ bool isBlamed(const PassShader& shader, ShaderStage stage, int line) {
     });
 }
 
-/// What one sees as a line: a line of the source, or a part of one that is too long.
+/// A visible line: a line of the source, or a part of one that is too long.
 struct Row {
     std::size_t line;
     std::string_view part;
-    std::size_t indent; ///< in columns; of a line's first part 0
+    std::size_t indent; ///< in columns; 0 for the first part of a line
     [[nodiscard]] bool begins(std::string_view whole) const { return part.data() == whole.data(); }
 };
 
@@ -140,7 +138,7 @@ void drawNumber(std::size_t number, const std::string& digits) {
     ImGui::SameLine(0, 0);
 }
 
-/// What of a line's stretches lies in a part of it.
+/// The tokens of a line that are in a part of it.
 void drawPart(const std::vector<GlslToken>& tokens, std::string_view part, float left) {
     ImGui::SetCursorPosX(left);
     for (const GlslToken& token : tokens) {
@@ -212,13 +210,13 @@ void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pi
         ImGui::PushTextWrapPos(0);
         std::string reason = session.window.view.offered.whyNot(RendererKind::Shader);
         if (reason.empty())
-            reason = session.document.scene.passes[pass].enabled ? "the status bar says why"
+            reason = session.document.scene.passes[pass].enabled ? "see the status bar"
                                                                  : fmt::format("pass {} is not drawn", pass);
         dimText(fmt::format("There is no shader: {}.", reason));
         ImGui::PopTextWrapPos();
         return;
     }
-    // A new mistake is shown, once: somebody has just saved it in an editor.
+    // Show a new error once: the file was just saved in an editor.
     if (shader->log.empty()) {
         state.shownLog.clear();
     } else if (state.shownLog != shader->log) {

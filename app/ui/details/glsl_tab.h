@@ -8,11 +8,11 @@
 
 namespace texplorer::ui {
 
-/// What the tab shows of the selected pass's shader.
+/// The state of the tab for the selected pass's shader.
 struct GlslTabState {
     view::ShaderStage stage = view::ShaderStage::Fragment;
-    int wantedLine = 0;                        ///< scrolled to with the next frame, counted from 1; 0: none
-    std::vector<view::ShaderMessage> shownLog; ///< its first line was scrolled to already
+    int wantedLine = 0;                        ///< scrolled to in the next frame, counted from 1; 0: none
+    std::vector<view::ShaderMessage> shownLog; ///< the view was already scrolled to its first line
 };
 
 void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pictures);

@@ -8,7 +8,7 @@ namespace texplorer::ui {
 
 namespace {
 
-/// Those of GLSL 3.30 that the shaders use, in the order of std::string_view's <.
+/// Keywords of GLSL 3.30 that the shaders use, in the order of std::string_view's <.
 constexpr std::array keywords{
     std::string_view("#define"),       std::string_view("#version"),  std::string_view("bool"),
     std::string_view("bvec3"),         std::string_view("bvec4"),     std::string_view("const"),
@@ -57,7 +57,7 @@ std::vector<std::string_view> wrapLine(std::string_view line, std::size_t column
         std::size_t end = room;
         while (end > 0 && std::string_view(" (").find(line[end - 1]) == std::string_view::npos)
             --end;
-        if (end <= (parts.empty() ? begin : 0)) { // a word without end
+        if (end <= (parts.empty() ? begin : 0)) { // a word that is too long
             end = room;
             while (end > 1 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U)
                 --end; // within a character of UTF-8
@@ -80,7 +80,7 @@ std::vector<GlslToken> glslTokens(std::string_view line, const GlslNames& unifor
     using Kind = GlslToken::Kind;
     std::vector<GlslToken> tokens;
     const auto add = [&](Kind kind, std::string_view text) {
-        if (!tokens.empty() && tokens.back().kind == kind) // they lie side by side in the line
+        if (!tokens.empty() && tokens.back().kind == kind) // they are adjacent in the line
             tokens.back().text = {tokens.back().text.data(), tokens.back().text.size() + text.size()};
         else if (!text.empty())
             tokens.push_back({kind, text});

@@ -7,7 +7,7 @@
 
 namespace texplorer::ui {
 
-/// A stretch of one line of GLSL.
+/// A token of a line of GLSL.
 struct GlslToken {
     enum class Kind { Plain, Keyword, Uniform, Comment };
     Kind kind = Kind::Plain;
@@ -18,20 +18,19 @@ struct GlslToken {
 
 using GlslNames = std::set<std::string, std::less<>>;
 
-/// The names that a source declares as uniforms, one a line, as the files of shaders/ do.
+/// The names that a source declares as uniforms, one per line, as in the files of shaders/.
 [[nodiscard]] GlslNames uniformsOf(std::string_view source);
 
-/// A line in stretches of one kind, which together are the line. Comments begin with //: the files have no
-/// others.
+/// Splits a line into tokens, which together are the line. Comments begin with //: the files have no others.
 [[nodiscard]] std::vector<GlslToken> glslTokens(std::string_view line, const GlslNames& uniforms);
 
-/// A line in parts of at most `columns` bytes, which together are the line: broken after a blank or an
-/// opening bracket. Parts after the first have `indent` columns less. A word that is longer is cut.
+/// Splits a line into parts of at most `columns` bytes, which together are the line: broken after a blank or
+/// an opening bracket. Parts after the first have `indent` columns less. A longer word is cut.
 [[nodiscard]] std::vector<std::string_view> wrapLine(std::string_view line, std::size_t columns,
                                                      std::size_t indent);
 
-/// How far the parts of a line after the first are to be indented: a step more than the line, at most half of
-/// the columns.
+/// The indentation of a line's parts after the first: one step more than the line, at most half of the
+/// columns.
 [[nodiscard]] std::size_t hangingIndent(std::string_view line, std::size_t columns);
 
 /// Without the line ends.

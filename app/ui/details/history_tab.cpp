@@ -1,4 +1,4 @@
-// The tab "History": the steps of undo as pictures, each as the view showed it.
+// The tab "History": the undo steps as pictures of the view.
 
 #include "app/ui/details/history_tab.h"
 
@@ -28,7 +28,7 @@ std::string stepName(const History& history, std::size_t step) {
     return name.empty() ? "Start" : name;
 }
 
-/// What a step is called, in two lines at most.
+/// The name of a step in at most two lines.
 std::vector<std::string> nameLines(const std::string& english, float room) {
     const std::string name = tr(english);
     const std::string lines = wrappedLines(name, room);
@@ -43,13 +43,15 @@ std::string stepHelp(const History& history, std::size_t step) {
     const std::string name = stepName(history, step);
     const std::size_t present = history.position();
     if (step == present)
-        return fmt::format("{}\nThe scene is here.", name);
+        return fmt::format("{}\n"
+                           "The present state.",
+                           name);
     if (step < present)
         return fmt::format("{}\nClick: undo {}", name, countOf(present - step, "step"));
     return fmt::format("{}\nClick: redo {}", name, countOf(step - present, "step"));
 }
 
-/// The picture in the middle of its place, whatever its shape.
+/// The picture centred in its place, with its shape kept.
 void drawStepPicture(ImDrawList& draw, const Image& image, view::PictureHandle picture, ImVec2 low,
                      ImVec2 size, ImU32 tint) {
     const float scale =
@@ -62,7 +64,7 @@ void drawStepPicture(ImDrawList& draw, const Image& image, view::PictureHandle p
                   {centre.x + half.x, centre.y + half.y}, {0, 1}, {1, 0}, tint);
 }
 
-/// True where it was clicked.
+/// Returns true if it was clicked.
 bool stepCard(const History& history, std::size_t step, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const float pad = em * 0.3F;

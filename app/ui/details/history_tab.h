@@ -8,7 +8,7 @@
 namespace texplorer::ui {
 
 struct HistoryTabState {
-    std::size_t shown = 0; ///< the step that was scrolled to last
+    std::size_t shown = 0; ///< the last step that was scrolled to
 };
 
 void drawHistoryTab(Session& session, HistoryTabState& state, const Pictures& pictures);

@@ -1,4 +1,4 @@
-// The tab "A and B": what differs from what was kept as A, and taking it over.
+// The tab "A and B": the differences from the kept state A, which can be applied.
 
 #include "app/ui/details/kept_tab.h"
 
@@ -37,29 +37,35 @@ bool button(const char* words, std::string_view name, std::string_view help) {
 }
 
 void beforeKeeping(Session& session) {
-    wrappedText("Keep the scene as A, change something, and see what it does: T flips between A and what is "
-                "now, Shift+T shows both across one picture, and each difference is listed here.");
+    wrappedText("Keep the scene as A and change something. T switches between A and now, Shift+T shows "
+                "both in one picture, and each difference is listed here.");
     if (ImGui::Button(label("Keep as A")))
         keepAsA(session);
     noteItem("a-b tab:keep");
 }
 
 void keptButtons(Session& session, std::size_t count) {
-    if (button("Keep as A", "a-b tab:keep", "The scene as it is now becomes A.\nKey K"))
+    if (button("Keep as A", "a-b tab:keep",
+               "Keeps the present scene as A.\n"
+               "Key K"))
         keepAsA(session);
-    if (button(isKeptShown(session) ? "Show now" : "Show A", "a-b tab:flip", "What the view shows.\nKey T"))
+    if (button(isKeptShown(session) ? "Show now" : "Show A", "a-b tab:flip",
+               "Shows A or the present scene "
+               "in the view.\n"
+               "Key T"))
         flipKept(session);
     if (button(isKeptBeside(session) ? "One picture" : "Split", "a-b tab:split",
-               "Both across one picture, or one again.\nKey Shift+T"))
+               "Shows both in one picture, or one again.\n"
+               "Key Shift+T"))
         splitKept(session);
     ImGui::BeginDisabled(count == 0);
-    if (button("Take over all", "a-b tab:take all", "The scene becomes A again. Undo takes it back."))
+    if (button("Take over all", "a-b tab:take all", "Restores A. Undo reverts it."))
         takeAllFromKept(session);
     ImGui::EndDisabled();
     ImGui::NewLine();
 }
 
-/// The row whose value was asked for.
+/// The row whose value was requested.
 std::optional<std::size_t> drawChanges(Session& session, const std::vector<SceneChange>& changes) {
     std::optional<std::size_t> wanted;
     const char* take = "Take over";
@@ -80,7 +86,7 @@ std::optional<std::size_t> drawChanges(Session& session, const std::vector<Scene
         if (ImGui::SmallButton(label(take)))
             wanted = i;
         noteItem(fmt::format("take:{}", change.path));
-        helpTip(fmt::format("{} becomes what it is in A: {}", change.label, change.from));
+        helpTip(fmt::format("Sets {} to the value in A: {}", change.label, change.from));
         ImGui::PopID();
     }
     ImGui::EndTable();
@@ -95,7 +101,7 @@ void drawKeptTab(Session& session, KeptTabState& state) {
         return beforeKeeping(session);
     keptButtons(session, state.changes.size());
     if (state.changes.empty()) {
-        dimText("Nothing differs from A but the place of the camera.");
+        dimText("Only the camera differs from A.");
         noteItem("a-b tab:same");
         return;
     }

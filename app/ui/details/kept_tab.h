@@ -7,7 +7,7 @@
 
 namespace texplorer::ui {
 
-/// The list, and what it was made of.
+/// The list and its inputs.
 struct KeptTabState {
     std::shared_ptr<const Scene> kept;
     Scene now;

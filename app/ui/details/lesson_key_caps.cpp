@@ -31,7 +31,7 @@ float capWidth(const std::string& sign) {
     return std::max(ImGui::CalcTextSize(sign.c_str()).x + em * 0.7F, em * 1.5F);
 }
 
-/// A key as it stands on a keyboard. A click does the same.
+/// A key of the lesson as a button. A click acts like the key.
 void keyCap(Session& session, const LessonRun& run, std::size_t number) {
     const float em = ImGui::GetFontSize();
     const lesson::LessonKey& each = run.lesson.keys[number];
@@ -48,9 +48,8 @@ void keyCap(Session& session, const LessonRun& run, std::size_t number) {
         releaseLessonKey(session);
     const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
     ImGui::EndDisabled();
-    helpTip(usable
-                ? "A key of this lesson: press it, or click here. It goes before the window's own shortcut."
-                : "A key of this lesson: the scene of this step hasn't what it changes.");
+    helpTip(usable ? "A key of this lesson. Press it or click here. It overrides the window's shortcut."
+                   : "A key of this lesson. It has no effect on the scene of this step.");
     const bool held = usable && run.heldKey == number;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 high(low.x + size.x, low.y + size.y);
@@ -65,7 +64,7 @@ void keyCap(Session& session, const LessonRun& run, std::size_t number) {
     ImGui::PopID();
 }
 
-/// Keys that change the same number, one to and one fro, are said together.
+/// Two keys that increase and decrease the same number are described together.
 bool isWithNext(const std::vector<lesson::LessonKey>& keys, std::size_t number) {
     if (number + 1 >= keys.size() || keys[number].label != keys[number + 1].label)
         return false;
@@ -74,7 +73,7 @@ bool isWithNext(const std::vector<lesson::LessonKey>& keys, std::size_t number) 
     return one && other && one->path == other->path && one->component == other->component;
 }
 
-/// What a key does and what it has led to, in one line, or in two where that has no room.
+/// The action of a key and its current effect, in one line, or in two if there is no room.
 void drawEffect(const std::string& words, const std::string& state, bool usable, float room) {
     const float em = ImGui::GetFontSize();
     const float wordsWidth = ImGui::CalcTextSize(words.c_str()).x + em * 0.35F;

@@ -4,8 +4,8 @@
 
 namespace texplorer::ui {
 
-/// The keys of the open lesson as they stand on a keyboard, what they do and what they have led to. A click
-/// on one does the same. Nothing where the lesson has none.
+/// Draws the keys of the open lesson, their actions and current effects. A click acts like the key. Does
+/// nothing if the lesson has no keys.
 void drawLessonKeys(Session& session, const LessonRun& run);
 
 } // namespace texplorer::ui

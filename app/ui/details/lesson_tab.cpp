@@ -26,7 +26,7 @@ using lesson::Predict;
 using lesson::Step;
 using lesson::Try;
 
-/// A text of the step, as wide as the panel.
+/// A text of the step, wrapped at the panel's width.
 void lessonText(const LessonRun& run, const std::string& english) {
     plainWrappedText(run.stepText(english));
 }
@@ -37,8 +37,8 @@ void lessonTextIn(ImU32 ink, const std::string& words) {
     ImGui::PopStyleColor();
 }
 
-/// Scrolls just so far that the verdict, from `top` to where the cursor is, is in sight; its beginning where
-/// it is higher than the window. To be called after it.
+/// Scrolls just enough to make the verdict visible, from `top` to the cursor; only its beginning if it is
+/// higher than the window. Call it after the verdict.
 void scrollToVerdict(Session& session, float top) {
     if (session.window.lesson->wantedScroll != LessonRun::Scroll::Verdict)
         return;
@@ -52,7 +52,7 @@ void space() {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
 }
 
-/// A mark for each step, a full one where it was done; a click leads there.
+/// A mark for each step, filled if the step is done; a click goes to the step.
 void stepMarks(Session& session, const LessonRun& run) {
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -82,7 +82,7 @@ void stepMarks(Session& session, const LessonRun& run) {
         goToLessonStep(session, *wanted);
 }
 
-/// A small picture in a frame; nothing yet: the frame alone.
+/// A small picture in a frame; only the frame until the picture is ready.
 void smallPicture(const Pictures& pictures, const std::shared_ptr<const Image>& image, ImVec2 low,
                   ImVec2 size, ImU32 frame) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -102,14 +102,14 @@ void smallPicture(const Pictures& pictures, const std::shared_ptr<const Image>& 
 constexpr float pictureShape =
     static_cast<float>(lesson::smallHeight) / static_cast<float>(lesson::smallWidth);
 
-/// How an answer that was chosen stands.
+/// The colour of a chosen answer.
 ImU32 answerInk(const LessonRun& run, const Predict& predict, std::size_t answer) {
     if (run.answer != answer)
         return color::dim;
     return answer == predict.right ? color::accent : color::problem;
 }
 
-/// What is said of it, in a sign too, for whom colours are the same.
+/// The text of an answer, with a sign in addition to the colour.
 std::string answerName(const LessonRun& run, const Predict& predict, std::size_t answer) {
     const std::string words = run.stepText(predict.answers[answer].text);
     if (run.answer != answer)
@@ -206,7 +206,7 @@ void drawTask(Session& session, const LessonRun& run, const Predict& predict, co
         lessonTextIn(color::problem, tr(std::string("Not this one. Look again, or try it in the window.")));
         noteItem("not this one");
     } else if (const std::string reason = run.reason(); reason.empty()) {
-        dimText("Working out the numbers…");
+        dimText("Computing the numbers…");
     } else {
         lessonTextIn(color::text, reason);
         noteItem("reason");
@@ -227,15 +227,15 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
                  {width, width * pictureShape}, passed ? color::accent : color::dim);
     noteItem("picture to reach");
     if (passed) {
-        lessonTextIn(color::accent, "● " + tr(std::string("Reached: your picture is this one.")));
+        lessonTextIn(color::accent, "● " + tr(std::string("Solved: your picture matches.")));
         noteItem("reached");
     } else if (run.grade) {
-        dimWrappedText(fmt::format("{} % of the pixels differ still.", percentWrong(*run.grade)));
+        dimWrappedText(fmt::format("{} % of the pixels still differ.", percentWrong(*run.grade)));
         noteItem("not reached");
     } else {
         dimText("Comparing…");
     }
-    // It stays where it is when it is of no use any more: the keyboard may be on it.
+    // It stays in place when disabled: it may have the keyboard focus.
     ImGui::BeginDisabled(passed);
     if (ImGui::SmallButton(label("Hint")))
         session.window.lesson->wantsHint = true;
@@ -247,7 +247,7 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
         return;
     ImGui::SameLine();
     if (!run.hint)
-        return dimText("Looking for one…");
+        return dimText("Searching…");
     if (!run.hint->hint)
         return;
     wrappedText(fmt::format("Change {}.", tr(run.hint->hint->label)));
@@ -255,7 +255,7 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
         session.window.shownParam = run.hint->hint->path;
 }
 
-/// Where one is, and the ways on.
+/// The current step and the buttons to the others.
 void stepButtons(Session& session, const LessonRun& run) {
     const std::size_t last = run.lesson.steps.size() - 1;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -271,7 +271,7 @@ void stepButtons(Session& session, const LessonRun& run) {
     noteItem("lesson:Restart step");
     ImGui::SameLine(0, gap);
     const bool atEnd = run.step == last;
-    // One button, so that the keyboard stays on it.
+    // A single button, so that it keeps the keyboard focus.
     const std::string on = tr(std::string(atEnd ? "All lessons" : "Next")) + "###next";
     if (ImGui::Button(on.c_str())) {
         if (atEnd)
@@ -283,7 +283,7 @@ void stepButtons(Session& session, const LessonRun& run) {
         goToLessonStep(session, *wanted);
 }
 
-/// A text is read by keyboard, too, where nothing in it takes the focus, and the lesson not the key.
+/// Text can be scrolled by the keyboard if no item has the focus and the lesson does not use the key.
 void scrollByPages(const LessonRun& run) {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput ||
         run.heldKey)
@@ -298,7 +298,7 @@ void scrollByPages(const LessonRun& run) {
 void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) {
     const Step& step = run.lesson.steps[run.step];
     const float buttons = ImGui::GetFrameHeightWithSpacing();
-    // Flattened: the keyboard walks on from its answers to the buttons below, and back.
+    // Flattened: the keyboard moves between the answers and the buttons below.
     ImGui::BeginChild("step", {0, -buttons}, false, ImGuiWindowFlags_NavFlattened);
     if (run.wantedScroll == LessonRun::Scroll::Top) {
         session.window.lesson->wantedScroll = LessonRun::Scroll::None;

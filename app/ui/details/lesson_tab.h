@@ -5,8 +5,8 @@
 
 namespace texplorer::ui {
 
-/// The step of the lesson that is open: what it says, what it asks, and the way on. Without one the list of
-/// all lessons.
+/// Draws the step of the open lesson: its texts, its question or task, and the buttons to other steps.
+/// Without an open lesson it draws the list of all lessons.
 void drawLessonTab(Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -49,13 +49,13 @@ void toggleForced(Session& session, int level) {
         levels = forced ? std::pair{forced->baseLevel, forced->maxLevel} : std::pair{0, noMaxLevel};
     if (isForced)
         forced.reset();
-    else if (forced) // from one level to the next: what was there first comes back in the end
+    else if (forced) // from one level to the next: the first range is restored in the end
         forced->level = level;
     else
         forced = {selectedUnit(session).texture, level, texture->baseLevel, texture->maxLevel};
     sealEdit(session);
     std::tie(texture->baseLevel, texture->maxLevel) = levels;
-    recordEdit(session, isForced ? "Read the levels from before" : fmt::format("Read level {} alone", level));
+    recordEdit(session, isForced ? "Read the previous levels" : fmt::format("Read level {} alone", level));
     sealEdit(session);
 }
 

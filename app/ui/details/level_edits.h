@@ -4,16 +4,16 @@
 
 namespace texplorer::ui {
 
-// What one changes of the levels that are read. Each records its edit; a drag is sealed by who sees it end.
+// Edits of the levels that are read. Each records its edit; the caller seals a drag at its end.
 
 inline constexpr int noMaxLevel = 1000; ///< GL's initial values: no limit
 inline constexpr float noMinLod = -1000;
 inline constexpr float noMaxLod = 1000;
 
-/// The level alone is read; if it is the only one already, those from before are read again.
+/// Reads only this level; if it is the only one already, restores the previous range.
 void toggleForced(Session& session, int level);
-/// To be called in every frame: what was before is forgotten where the bound texture is another one, or reads
-/// other levels by now.
+/// Call in every frame: forgets the previous range if the bound texture has changed, or if it reads other
+/// levels.
 void followForced(Session& session);
 
 void setBaseLevel(Session& session, int level);
@@ -25,7 +25,7 @@ void setUnitBias(Session& session, float bias);
 
 /// Whether base and max level, the limits of λ or a bias differ from GL's initial values.
 [[nodiscard]] bool limitsLevels(const Session& session);
-/// Gives them those; one step of undo.
+/// Restores those; one undo step.
 void readAllLevels(Session& session);
 
 /// GL_TEXTURE_LOD_BIAS of the texture and of the unit.

@@ -14,9 +14,9 @@
 namespace texplorer::ui {
 namespace {
 
-/// What the mouse does with a handle, which is an unseen button.
+/// The mouse on a handle, which is an invisible button.
 struct HeldHandle {
-    bool hot;   ///< it is lit
+    bool hot;   ///< is highlighted
     bool moved; ///< with the mouse
 };
 
@@ -39,7 +39,7 @@ struct LevelBar {
     void (*set)(Session& session, int level);
     float x;
     int least, most;
-    int unlimited; ///< what the last level is written as; 0: as itself
+    int unlimited; ///< the value for the last level; 0: its number
 };
 
 void drawLevelBar(Session& session, const StripPlace& place, const LevelBar& bar) {
@@ -75,11 +75,11 @@ struct LodEnd {
 std::string lodHelp(const LodEnd& end) {
     const std::string value = end.lod == end.unlimited ? tr("no limit") : fmt::format("{:.2f}", end.lod);
     return end.least
-               ? fmt::format("GL_TEXTURE_MIN_LOD: {}\nλ is never below it. Drag it; at the end of the strip "
-                             "there is no limit.",
+               ? fmt::format("GL_TEXTURE_MIN_LOD: {}\n"
+                             "The lower limit of λ. Drag it; at the end of the strip there is no limit.",
                              value)
-               : fmt::format("GL_TEXTURE_MAX_LOD: {}\nλ is never above it. Drag it; at the end of the strip "
-                             "there is no limit.",
+               : fmt::format("GL_TEXTURE_MAX_LOD: {}\n"
+                             "The upper limit of λ. Drag it; at the end of the strip there is no limit.",
                              value);
 }
 
@@ -104,7 +104,7 @@ void drawLodEnd(Session& session, const Texture& texture, const StripPlace& plac
         {x + reach * 0.8F, place.axis - reach * 1.4F}, hot ? color::chosen : color::text);
 }
 
-/// The part between the limits is bright, and has the false colours where the view shows them.
+/// The part between the limits is bright, and has the false colours if the view shows them.
 void drawLodRange(const Session& session, const Texture& texture, const StripPlace& place) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const auto zero = static_cast<float>(place.base);
@@ -144,7 +144,7 @@ void drawLodNumbers(const StripPlace& place) {
     }
 }
 
-/// λ as a diamond, and what it was before the bias as a dot.
+/// λ as a diamond, and its value before the bias as a dot.
 void drawAskedLod(const Session& session, const StripPlace& place, float lambda) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize();
@@ -177,12 +177,12 @@ void drawLevelHandles(Session& session, const StripPlace& place) {
     const float beside = ImGui::GetFontSize() * 0.3F;
     drawLevelBar(session, place,
                  {"levels:base",
-                  "GL_TEXTURE_BASE_LEVEL: the first level that is read. Drag it to another one.",
+                  "GL_TEXTURE_BASE_LEVEL: the first level that is read. Drag it to another level.",
                   setBaseLevel, place.origin.x + first.left - beside, place.first, place.max, 0});
     drawLevelBar(
         session, place,
         {"levels:max",
-         "GL_TEXTURE_MAX_LEVEL: the last level that is read. Drag it to another one; at the last one "
+         "GL_TEXTURE_MAX_LEVEL: the last level that is read. Drag it to another level; at the last level "
          "there is no limit.",
          setMaxLevel, place.origin.x + last.left + last.width + beside, place.base, place.last, noMaxLevel});
 }

@@ -5,13 +5,13 @@
 
 namespace texplorer::ui {
 
-/// Where a strip of levels lies in the window, and which of its levels are read.
+/// The position of a strip of levels in the window, and the levels that are read.
 struct StripPlace {
     const LevelStrip& strip;
     ImVec2 origin;   ///< upper left of the pictures
     float axis;      ///< the height of λ's axis
-    int first, last; ///< numbers of the levels that there are
-    int base, max;   ///< of those that are read
+    int first, last; ///< numbers of the existing levels
+    int base, max;   ///< the range that is read
 
     [[nodiscard]] float xOf(float level) const { return origin.x + strip.placeOf(level); }
     [[nodiscard]] float levelUnderMouse() const {
@@ -19,11 +19,11 @@ struct StripPlace {
     }
 };
 
-/// The bars beside the first and the last level that is read, which one drags from level to level.
+/// The handles at the first and the last level that is read; they are dragged from level to level.
 void drawLevelHandles(Session& session, const StripPlace& place);
 
-/// The axis of λ, on which 0 is below the base level: the range to which λ is clamped, with handles at its
-/// ends, and λ of the pixel that one asks about.
+/// The axis of λ, with 0 under the base level: the range to which λ is clamped, with handles at its ends, and
+/// λ of the queried pixel.
 void drawLodAxis(Session& session, const StripPlace& place);
 
 } // namespace texplorer::ui

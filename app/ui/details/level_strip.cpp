@@ -7,13 +7,13 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float largestTexel = 64; // pixels
+constexpr float maxTexel = 64; // pixels
 
 ImVec2 trueSize(const StripLevel& level, float texel) {
     return {std::max(1.0F, level.width * texel), std::max(1.0F, level.height * texel)};
 }
 
-/// Within a square, as wide to high as it is.
+/// Fits a size into a square, with its shape kept.
 ImVec2 sizeInSquare(const StripLevel& level, float side) {
     const float longer = std::max(level.width, level.height);
     return {std::max(1.0F, side * level.width / longer), std::max(1.0F, side * level.height / longer)};
@@ -27,11 +27,11 @@ float widthOf(std::span<const StripLevel> levels, float gap, const SizeOf& sizeO
     return width;
 }
 
-/// The largest number up to `most` for which fits(number) is true; it is true for all below that.
+/// The largest number up to `max` for which fits(number) is true; it is true for all below that.
 template<class Fits>
-float largest(float most, const Fits& fits) {
+float largest(float max, const Fits& fits) {
     float low = 0;
-    float high = most;
+    float high = max;
     for (int i = 0; i < 24; ++i) {
         const float middle = (low + high) / 2;
         (fits(middle) ? low : high) = middle;
@@ -50,8 +50,8 @@ LevelStrip layOutLevels(std::span<const StripLevel> levels, ImVec2 room, float g
             return equal ? sizeInSquare(level, scale) : trueSize(level, scale);
         };
     };
-    const float most = equal ? room.y : largestTexel;
-    const float fitting = largest(most, [&](float scale) {
+    const float max = equal ? room.y : maxTexel;
+    const float fitting = largest(max, [&](float scale) {
         const bool high = std::ranges::any_of(
             levels, [&](const StripLevel& level) { return sizeWith(scale)(level).y > room.y; });
         return !high && widthOf(levels, gap, sizeWith(scale)) <= room.x;

@@ -18,7 +18,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// A level of the strip. One that a complete texture would have and this one lacks has no picture.
+/// A level of the strip. A level that is missing for completeness has no picture.
 struct ShownLevel {
     LevelReport report;
     std::shared_ptr<const Image> picture;
@@ -47,7 +47,7 @@ std::vector<ShownLevel> shownLevels(const LevelsSummary& summary, int face) {
     return levels;
 }
 
-/// "128 × 64"; of a line its length, of a volume three extents.
+/// "128 × 64"; the length of a line, three extents of a volume.
 std::string levelExtentsText(const LevelReport& level, Target target) {
     if (target == Target::Texture1D)
         return fmt::format("{}", level.width);
@@ -56,7 +56,7 @@ std::string levelExtentsText(const LevelReport& level, Target target) {
     return fmt::format("{} × {}", level.width, level.height);
 }
 
-/// The same with fewer letters: a square's side with a ².
+/// A shorter form: a square's side with a ².
 std::string briefExtents(const LevelReport& level, Target target) {
     if (target == Target::Texture2D && level.width == level.height)
         return fmt::format("{}²", level.width);
@@ -66,8 +66,7 @@ std::string briefExtents(const LevelReport& level, Target target) {
                                        : fmt::format("{}×{}", level.width, level.height);
 }
 
-/// How the extents of a level are written: below its number, or beside it, which takes width instead of
-/// height.
+/// The position of a level's extents: below its number, or next to it, which takes width instead of height.
 struct ExtentsForm {
     std::string (*text)(const LevelReport& level, Target target);
     bool beside;
@@ -89,14 +88,13 @@ float heightOf(const ExtentsForm& form) {
     return (form.beside ? 1.0F : 2.0F) * ImGui::GetTextLineHeight() + ImGui::GetFontSize() * 0.35F;
 }
 
-/// How the levels stand, and what is written below them.
+/// The layout of the levels and the texts below them.
 struct LabelledStrip {
     LevelStrip strip;
     ExtentsForm form = extentsForms.back();
 };
 
-/// In a room for both: with the longest text that leaves the pictures nearly as large as they are without
-/// any.
+/// In a room for both: the longest text with which the pictures are nearly as large as without it.
 LabelledStrip layOutLabelled(const std::vector<ShownLevel>& levels, Target target, ImVec2 room,
                              const LevelsTabState& state) {
     const float em = ImGui::GetFontSize();
@@ -142,7 +140,7 @@ private:
     [[nodiscard]] float axisHeight() const { return em() * 2.2F; }
     [[nodiscard]] float axisY() const { return origin_.y + strip_.extent.y + labels_ + em() * 0.75F; }
     [[nodiscard]] int lastLevel() const { return levels_.back().report.number; }
-    /// What the sampler makes of base and max level: those that there are.
+    /// Base and max level clamped as the sampler does, to existing levels.
     [[nodiscard]] int base() const { return std::clamp(texture_.baseLevel, 0, lastLevel()); }
     [[nodiscard]] int max() const { return std::clamp(texture_.maxLevel, base(), lastLevel()); }
     [[nodiscard]] float levelUnderMouse() const {
@@ -166,24 +164,24 @@ private:
     LevelStrip strip_;
     ExtentsForm form_ = extentsForms.back();
     ImVec2 origin_{0, 0}; ///< upper left of the pictures
-    float labels_ = 0;    ///< height of what is written below them
+    float labels_ = 0;    ///< height of the text below them
 };
 
-/// Of the pixel that one asks about, how much of its colour comes from a level.
+/// The fraction of the queried pixel's colour that comes from a level.
 float StripDrawing::shareOf(int level) const {
     if (!asked_)
         return 0;
     return (asked_->first == level ? 1 - asked_->share : 0) + (asked_->second == level ? asked_->share : 0);
 }
 
-/// The wheel enlarges; what is under the pointer stays there.
+/// The wheel zooms around the pointer.
 void StripDrawing::zoom(ImVec2 room) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!ImGui::IsWindowHovered() || io.MouseWheel == 0)
         return;
     const float fixed = levelUnderMouse();
     const float zoomed =
-        std::clamp(state_.zoom * std::pow(1.25F, io.MouseWheel), 1.0F, LevelsTabState::largestZoom);
+        std::clamp(state_.zoom * std::pow(1.25F, io.MouseWheel), 1.0F, LevelsTabState::maxZoom);
     if (zoomed == state_.zoom)
         return;
     state_.zoom = zoomed < 1.01F ? 1 : zoomed;
@@ -215,9 +213,9 @@ void StripDrawing::cellTip(const ShownLevel& level) const {
     else if (number > max())
         lines.push_back(fmt::format("Never read: GL_TEXTURE_MAX_LEVEL is {}.", texture_.maxLevel));
     lines.emplace_back(texture_.baseLevel == number && texture_.maxLevel == number
-                           ? "Click: read the levels from before again"
-                           : "Click: read this level alone, as base and max level");
-    lines.emplace_back("The flag has the colour of this level where Mipmaps is Coloured.");
+                           ? "Click: read the previous levels again"
+                           : "Click: read only this level (base and max level)");
+    lines.emplace_back("The flag has the colour of this level when Mipmaps is Coloured.");
     helpTip(fmt::format("{}", fmt::join(lines, "\n")));
 }
 
@@ -225,7 +223,7 @@ void StripDrawing::drawCell(std::size_t index) {
     const ShownLevel& level = levels_[index];
     const LevelStrip::Cell& cell = strip_.cells[index];
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float floor = origin_.y + strip_.extent.y; // the pictures stand on it
+    const float floor = origin_.y + strip_.extent.y; // the lower edge of the pictures
     const float half = cell.picture.x / 2;
     const float least = target_ == Target::Texture1D ? em() * 0.8F : 1; // a line is drawn as a band
     const ImVec2 low(std::round(origin_.x + cell.middle() - half),
@@ -256,7 +254,7 @@ void StripDrawing::drawCell(std::size_t index) {
     if (hovered || isForced)
         draw.AddRect({low.x - 2, low.y - 2}, {high.x + 2, high.y + 2}, isForced ? color::chosen : color::text,
                      0, 0, isForced ? 2.0F : 1.0F);
-    if (isForced) { // not known by its colour alone
+    if (isForced) { // not distinguished only by its colour
         const float side = em() * 0.6F;
         draw.AddTriangleFilled({low.x - 2, low.y - 2}, {low.x + side, low.y - 2}, {low.x - 2, low.y + side},
                                color::chosen);
@@ -309,7 +307,7 @@ void StripDrawing::draw(float below) {
     strip_ = strip;
     form_ = form;
     labels_ = heightOf(form_);
-    // What fits stands in the middle.
+    // Centred if it fits.
     const float free = scrolls ? 0 : std::floor(std::max(0.0F, (room.x - strip_.extent.x) / 2));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     origin_ = {corner.x + pad + free, corner.y + pad};

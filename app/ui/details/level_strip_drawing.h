@@ -5,9 +5,9 @@
 
 namespace texplorer::ui {
 
-/// The strip of the levels in what is left of the panel but `below` pixels: each level's picture, number and
-/// size, and below them the scale of λ. A click reads a level alone, the handles limit what is read, the
-/// wheel enlarges. There is at least one level.
+/// Draws the strip of levels into the rest of the panel, except `below` pixels: each level's picture, number
+/// and size, and below them the scale of λ. A click selects a single level, the handles limit the range, the
+/// wheel zooms. There must be at least one level.
 void drawLevelStrip(Session& session, LevelsTabState& state, const Pictures& pictures,
                     const LevelsSummary& summary, float below);
 

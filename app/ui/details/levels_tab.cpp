@@ -24,7 +24,7 @@ namespace {
 
 constexpr Range biasRange{-16, 16, 0.05F, {}};
 
-/// The pixel that one asks about, in words; else how to ask.
+/// The queried pixel in words, or how to select one.
 void pixelLine(const Session& session, float room) {
     const reference::LevelMap* map = levelMapOf(session);
     const reference::PixelLevels* levels = askedLevels(session);
@@ -63,18 +63,18 @@ const Finding* incompleteness(const Session& session, const std::string& texture
     return found == session.document.findings.end() ? nullptr : &*found;
 }
 
-/// Why less is read than one might think; empty: there is nothing to say.
+/// Why fewer levels are read than expected; empty: no remark.
 std::string remark(const Session& session, const Texture& texture, const Unit& unit,
                    const LevelsSummary& summary) {
     if (!unit.enabled)
-        return fmt::format("Unit {} is off: nothing reads its texture.", session.window.selection.unit);
+        return fmt::format("Unit {} is off: its texture is not read.", session.window.selection.unit);
     const std::vector<LevelReport>& levels = summary.report.levels;
     if (texture.baseLevel == texture.maxLevel && levels.size() > 1)
-        return fmt::format("Level {} alone is read, whatever λ is.", texture.baseLevel);
+        return fmt::format("Only level {} is read, for any λ.", texture.baseLevel);
     if (levels.size() == 1)
-        return "There is one level alone, the base: minified pixels have no smaller one to read.";
+        return "There is only the base level: minified pixels have no smaller level to read.";
     if (!reference::wantsMipmaps(texture.minFilter))
-        return fmt::format("{} reads the base level alone, whatever λ is.", rowOf(texture.minFilter).name);
+        return fmt::format("{} reads only the base level, for any λ.", rowOf(texture.minFilter).name);
     return {};
 }
 
@@ -91,7 +91,7 @@ void fixButtons(Session& session, const Finding& finding) {
     }
 }
 
-/// Which face of a cube map is shown.
+/// The choice of a cube map's face.
 void faceChoice(LevelsTabState& state) {
     std::vector<Segment> faces;
     for (int face = 0; face < cubeFaceCount; ++face)
@@ -109,7 +109,7 @@ void faceChoice(LevelsTabState& state) {
         state.face = static_cast<int>(*pressed);
 }
 
-/// Of the texture and of the unit, which are added, and the way back to no limits.
+/// The biases of the texture and of the unit, which are added, and a button that removes all limits.
 void biasLine(Session& session, const Texture& texture, const Unit& unit) {
     const float field = ImGui::CalcTextSize("-16.00").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -132,12 +132,11 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
     };
     ImGui::AlignTextToFramePadding();
     dimText("Bias");
-    number(
-        isBrief ? "" : "texture", "levels:texture bias", texture.lodBias,
-        "GL_TEXTURE_LOD_BIAS of the texture: added to λ. Below 0 larger levels are read, which is sharper.",
-        setTextureBias);
+    number(isBrief ? "" : "texture", "levels:texture bias", texture.lodBias,
+           "GL_TEXTURE_LOD_BIAS of the texture, added to λ. Below 0, larger and sharper levels are read.",
+           setTextureBias);
     number(isBrief ? "+" : "+ unit", "levels:unit bias", unit.lodBias,
-           "GL_TEXTURE_LOD_BIAS of the unit: added to λ as well", setUnitBias);
+           "GL_TEXTURE_LOD_BIAS of the unit, also added to λ", setUnitBias);
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < button)
         ImGui::NewLine();
@@ -149,9 +148,10 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
         readAllLevels(session);
     ImGui::EndDisabled();
     noteItem("levels:all");
-    helpTip(limited ? "Gives base and max level, the limits of λ and both biases OpenGL's initial values"
-                    : "Nothing limits the levels that are read: base and max level, the limits of λ and both "
-                      "biases have OpenGL's initial values.");
+    helpTip(limited ? "Resets base and max level, the limits of λ and both biases to OpenGL's initial "
+                      "values"
+                    : "All levels may be read: base and max level, the limits of λ and both biases have "
+                      "OpenGL's initial values.");
 }
 
 void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictures,
@@ -166,8 +166,8 @@ void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictur
     ImGui::SetCursorPosX(std::max(left, ImGui::GetWindowContentRegionMax().x - button));
     switchButton(
         equal, "levels:equal",
-        "Equal sizes: shows every level as large as the others, not beside each other as large as they are. The "
-        "wheel enlarges them.",
+        "Equal sizes: shows all levels at the same size instead of their own sizes. The wheel enlarges "
+        "them.",
         state.equal);
     const std::string path = elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + ".";
     if (const Finding* incomplete = incompleteness(session, path)) {

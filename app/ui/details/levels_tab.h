@@ -5,16 +5,16 @@
 
 namespace texplorer::ui {
 
-/// What the tab remembers.
+/// The state of the tab.
 struct LevelsTabState {
-    bool equal = false; ///< all levels have one size
+    bool equal = false; ///< all levels are drawn in one size
     float zoom = 1;
-    int face = 0; ///< of a cube map, the one that is shown: see cubeFaceAt
+    int face = 0; ///< of a cube map, the shown one: see cubeFaceAt
 
-    static constexpr float largestZoom = 64;
+    static constexpr float maxZoom = 64;
 };
 
-/// The levels of the texture of the selected unit beside each other, and which of them a pixel reads.
+/// Draws the levels of the selected unit's texture in a row, and which of them a pixel reads.
 void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -1,4 +1,4 @@
-// The tab "Memory": what the bound texture costs, level by level, and what its compression lost.
+// The tab "Memory": the memory of the bound texture, level by level, and the loss by its compression.
 
 #include "app/ui/details/memory_tab.h"
 
@@ -42,7 +42,7 @@ LevelsRequest requestOf(Session& session, const Texture& texture) {
             selectedUnit(session).target};
 }
 
-/// Sentences about the bound texture: the renderer's, and those about levels that nobody has drawn yet.
+/// Sentences about the bound texture: the renderer's, and those about levels that were not drawn yet.
 std::vector<std::string> sentencesOf(Session& session, const Pictures& pictures,
                                      const LevelsSummary* summary) {
     const std::string where = fmt::format("textures[{}]: ", selectedUnit(session).texture);
@@ -79,7 +79,7 @@ std::string formatName(const Texture& texture, const LevelsSummary& summary) {
                                           : rowOf(texture.internalFormat).label);
 }
 
-/// What the levels take, in how many of which format.
+/// The memory of the levels, their number and format.
 std::string sumText(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
     const std::string bytes = grouped(report.bytes);
@@ -90,14 +90,14 @@ std::string sumText(const Texture& texture, const LevelsSummary& summary) {
                : fmt::format("{} bytes in {}, {}", bytes, levels, format);
 }
 
-/// The sum, and what it is beside the base level and beside a texture that isn't compressed.
+/// The sum, compared with the base level and with an uncompressed texture.
 void drawSum(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
     ImGui::PushTextWrapPos(0);
     text(sumText(texture, summary));
     ImGui::PopTextWrapPos();
     noteItem("memory:sum");
-    float used = 0; // of the line; what doesn't fit begins the next one
+    float used = 0; // of the line; what does not fit begins the next one
     const auto fact = [&](const std::string& words, const char* name, const char* help) {
         const float gap = ImGui::GetFontSize();
         const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
@@ -111,15 +111,15 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
         helpTip(help);
     };
     fact(fmt::format("{:.3f} × base", report.ratioToBase), "memory:ratio",
-         "Each level of a picture has a quarter of the texels of the one before: the sum of a full chain "
-         "tends to 4/3 of its base level.");
+         "Each level of an image has a quarter of the texels of the level before, so a full chain has "
+         "about 4/3 of its base level.");
     fact(fmt::format("{:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
-         "Of what the same levels would take with four bytes a texel");
+         "The share of the memory of the same levels with four bytes a texel");
     fact(fmt::format("{:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
-         "Of what the same levels would take with three bytes a texel");
+         "The share of the memory of the same levels with three bytes a texel");
 }
 
-/// A number at the right edge of its column.
+/// A number aligned to the right edge of its column.
 void rightAligned(const std::string& text, ImU32 ink = color::text) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
@@ -134,7 +134,7 @@ void rightAlignedHeader(const char* words) {
     ImGui::TableHeader(label(words));
 }
 
-/// How large a level is beside the base, as a bar behind its bytes.
+/// The size of a level relative to the base, as a bar behind its bytes.
 void shareBar(double share) {
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -151,8 +151,7 @@ void missingRow(int number) {
     noteItem(fmt::format("memory:level {}", number));
     ImGui::TableNextColumn();
     rightAligned(tr("missing"), color::problem);
-    helpTip(
-        "A filter that uses mipmaps finds the texture incomplete: it is drawn as if it were switched off.");
+    helpTip("The texture is incomplete for filters that use mipmaps and is drawn as if its unit were off.");
 }
 
 void drawLevels(const LevelsSummary& summary, Target target) {
@@ -175,8 +174,8 @@ void drawLevels(const LevelsSummary& summary, Target target) {
         ImGui::TableSetColumnIndex(column);
         rightAlignedHeader(names.at(static_cast<std::size_t>(column)));
         if (column == 3)
-            helpTip("How near the compressed level is to what it was made of, over all its components: above "
-                    "40 dB one hardly sees a difference, below 30 dB one does.");
+            helpTip("The similarity of the compressed level to its source over all components. Differences "
+                    "are hardly visible above 40 dB and clearly visible below 30 dB.");
     }
     const double base = levels.empty() ? 1 : static_cast<double>(std::max<std::size_t>(1, levels[0].bytes));
     int next = levels.empty() ? 0 : levels.front().number;
@@ -224,7 +223,7 @@ void drawMemoryTab(Session& session, const Pictures& pictures) {
         wrappedText(summary->problem);
         ImGui::PopStyleColor();
     } else if (worker.isCancelled(request)) {
-        wrappedText("Making the levels was cancelled: what was drawn before stays.");
+        wrappedText("Making the levels was cancelled. The previous picture stays.");
         if (ImGui::Button(label("Make them")))
             worker.retry(request);
         noteItem("memory:retry");

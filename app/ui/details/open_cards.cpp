@@ -15,19 +15,19 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float narrowestOpen = 17; // in heights of the text
+constexpr float minOpenWidth = 17; // in heights of the text
 
-/// How tight the numbers of open cards stand.
+/// The density of the numbers in open cards.
 struct OpenLook {
     float scale;
-    bool airy; ///< with the usual room between lines
+    bool airy; ///< with the usual space between lines
 };
 
-// The first one in which all has room is taken.
+// The first one with which everything fits is used.
 constexpr std::array openLooks{OpenLook{1, true}, OpenLook{1, false}, OpenLook{0.9F, false},
                                OpenLook{0.8F, false}};
 
-/// Rows of a step in one column; those that had no room go on in the next.
+/// Rows of a step in one column; rows that do not fit continue in the next.
 struct StepPiece {
     const reference::Step* step;
     bool first;
@@ -75,8 +75,8 @@ float heightOf(const StepColumn& column, float width, const OpenLook& look) {
     return height;
 }
 
-/// Where the rows end that aren't parted: a heading and the row below it, a row and those that are indented
-/// below it.
+/// The end of rows that must stay together: a heading and the row below it, a row and the indented rows below
+/// it.
 std::size_t unitEnd(const std::vector<reference::StepRow>& rows, std::size_t first) {
     std::size_t last = first;
     while (last + 1 < rows.size() && rows[last].heading)
@@ -87,8 +87,9 @@ std::size_t unitEnd(const std::vector<reference::StepRow>& rows, std::size_t fir
     return last;
 }
 
-/// The steps of a card below each other, and beside that where they would be higher than `most`.
-std::vector<StepColumn> columnsOf(const Lane& lane, const Card& card, float width, float most,
+/// Places the steps of a card one below the other, and in further columns if they are higher than
+/// `maxHeight`.
+std::vector<StepColumn> columnsOf(const Lane& lane, const Card& card, float width, float maxHeight,
                                   const OpenLook& look) {
     std::vector<StepColumn> columns(1);
     for (const std::size_t index : card.steps) {
@@ -96,13 +97,14 @@ std::vector<StepColumn> columnsOf(const Lane& lane, const Card& card, float widt
         StepPiece piece{&step, true};
         const reference::StepRow* heading = nullptr;
         std::size_t first = 0;
-        do { // a step without rows has its title
+        do { // a step without rows still has its title
             const std::size_t last = first < step.rows.size() ? unitEnd(step.rows, first) : first;
             StepPiece longer = piece;
             longer.rows.insert(longer.rows.end(), step.rows.begin() + static_cast<std::ptrdiff_t>(first),
                                step.rows.begin() + static_cast<std::ptrdiff_t>(last));
             const bool begins = columns.back().empty() && piece.rows.empty();
-            if (!begins && heightOf(columns.back(), width, look) + heightOf(longer, width, look) > most) {
+            if (!begins &&
+                heightOf(columns.back(), width, look) + heightOf(longer, width, look) > maxHeight) {
                 if (!piece.rows.empty())
                     columns.back().push_back(std::exchange(piece, {&step, false}));
                 columns.emplace_back();
@@ -142,7 +144,7 @@ void drawPiece(const StepPiece& piece) {
         noteItem("explain:more rows of " + step.title);
 }
 
-/// All that a card's steps say. Each column is a window: sentences are wrapped at its edge.
+/// The steps of a card. Each column is a window, so that sentences wrap at its edge.
 void drawColumns(const std::vector<StepColumn>& columns, float width, const OpenLook& look) {
     float height = 0;
     ImGui::SetWindowFontScale(look.scale);
@@ -169,13 +171,13 @@ void drawColumns(const std::vector<StepColumn>& columns, float width, const Open
 }
 
 float stepsWidth(const Lane& lane, const Card& card) {
-    float width = narrowestOpen * ImGui::GetFontSize();
+    float width = minOpenWidth * ImGui::GetFontSize();
     for (const std::size_t index : card.steps)
         width = std::max(width, rowsWidth(lane.steps.steps[index].rows));
     return std::ceil(width);
 }
 
-/// An open card, and the same one of the pinned pixel if that has it.
+/// An open card, with the same card of the pinned pixel if that has it.
 struct OpenCard {
     const Card* card;
     const Card* pinned;
@@ -193,8 +195,9 @@ ImVec2 openPadding() {
     return {usual.x, std::floor(usual.y / 2)};
 }
 
-/// Whether no column is higher than `most`. None is wider than `room`, that of the panel.
-bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, float most, float room) {
+/// Returns whether no column is higher than `maxHeight`. No column is wider than `room`, the width of the
+/// panel.
+bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, float maxHeight, float room) {
     ImGui::SetWindowFontScale(look.scale);
     open.look = look;
     open.columnWidth = std::max(stepsWidth(lanes.back(), *open.card),
@@ -202,11 +205,11 @@ bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, 
     const ImGuiStyle& style = ImGui::GetStyle();
     open.columnWidth =
         std::min(open.columnWidth, std::max(1.0F, room - 2 * openPadding().x - style.ScrollbarSize));
-    open.columns = columnsOf(lanes.back(), *open.card, open.columnWidth, most, look);
+    open.columns = columnsOf(lanes.back(), *open.card, open.columnWidth, maxHeight, look);
     if (open.pinned)
-        open.pinnedColumns = columnsOf(lanes.front(), *open.pinned, open.columnWidth, most, look);
+        open.pinnedColumns = columnsOf(lanes.front(), *open.pinned, open.columnWidth, maxHeight, look);
     const auto isHigher = [&](const StepColumn& column) {
-        return heightOf(column, open.columnWidth, look) > most;
+        return heightOf(column, open.columnWidth, look) > maxHeight;
     };
     const bool fits =
         std::ranges::none_of(open.columns, isHigher) && std::ranges::none_of(open.pinnedColumns, isHigher);
@@ -217,35 +220,35 @@ bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, 
     return fits;
 }
 
-/// In as many columns as have room, so that nothing need be scrolled; where that can't be, in as few lines as
-/// can be. `panel`: how wide that is.
+/// Uses as many columns as fit, so that scrolling is not needed; if that is not possible, as few lines as
+/// possible. `panel`: the width of the panel.
 void arrange(OpenCard& open, std::span<const Lane> lanes, ImVec2 room, float panel) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    float most = room.y - 2 * openPadding().y - line;
+    float maxHeight = room.y - 2 * openPadding().y - line;
     if (open.pinned)
-        most = (most - 2 * line) / 2;
+        maxHeight = (maxHeight - 2 * line) / 2;
     for (const OpenLook& look : openLooks) {
-        if (arrange(open, lanes, look, most, panel) && open.width <= room.x)
+        if (arrange(open, lanes, look, maxHeight, panel) && open.width <= room.x)
             return;
     }
     const float bar = ImGui::GetStyle().ScrollbarSize;
-    most = std::max(most, line);
+    maxHeight = std::max(maxHeight, line);
     do {
-        arrange(open, lanes, openLooks.front(), most, panel);
-        most *= 1.1F;
+        arrange(open, lanes, openLooks.front(), maxHeight, panel);
+        maxHeight *= 1.1F;
     } while (open.width + bar > room.x && open.columnCount() > 1);
     open.width += bar;
 }
 
-constexpr float leastLine = 7.5F; // the height of a line of open cards, in heights of the text
+constexpr float minLineHeight = 7.5F; // the height of a line of open cards, in heights of the text
 
-/// Open cards that stand side by side.
+/// Open cards in one row.
 struct OpenLine {
     std::vector<OpenCard> cards{};
-    float left = 0; ///< of the width
+    float left = 0; ///< remaining width
 };
 
-/// As many lines as it takes for all to be no wider than the panel, and no higher than it if that can be.
+/// Uses as many lines as needed for the panel's width, and fits them into its height if possible.
 std::vector<OpenLine> arrangedCards(const PipelineState& state, std::span<const Lane> lanes, float& height) {
     const float panel = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetFontSize() * 0.5F;
@@ -263,10 +266,10 @@ std::vector<OpenLine> arrangedCards(const PipelineState& state, std::span<const 
     }
     const auto count = static_cast<float>(lines.size());
     const float share = (height - (count - 1) * ImGui::GetStyle().ItemSpacing.y) / std::max(1.0F, count);
-    height = lines.size() < 2 ? height : std::max(std::floor(share), leastLine * ImGui::GetFontSize());
+    height = lines.size() < 2 ? height : std::max(std::floor(share), minLineHeight * ImGui::GetFontSize());
     for (OpenLine& line : lines) {
         float left = line.left;
-        for (OpenCard& open : line.cards) { // what the others leave goes to the first that needs it
+        for (OpenCard& open : line.cards) { // the remaining width goes to the first card that needs it
             const float before = open.width + ImGui::GetStyle().ScrollbarSize;
             arrange(open, lanes, {before + std::max(left, 0.0F), height}, panel);
             left -= open.width - before;
@@ -275,7 +278,7 @@ std::vector<OpenLine> arrangedCards(const PipelineState& state, std::span<const 
     return lines;
 }
 
-/// Whether it is to be closed.
+/// Returns whether it is to be closed.
 bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float height) {
     const Card& card = *open.card;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, openPadding());

@@ -6,8 +6,8 @@
 
 namespace texplorer::ui {
 
-/// The open cards of the last lane side by side, in pixels no higher than `height`, each with all of its
-/// numbers; below them those of the first lane, where there are several.
+/// Draws the open cards of the last lane side by side, at most `height` pixels high, each with all its
+/// numbers; if there are several lanes, those of the first below them.
 void drawOpenCards(PipelineState& state, std::span<const Lane> lanes, float height);
 
 } // namespace texplorer::ui

@@ -4,7 +4,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 
-#include <imgui_internal.h> // how large the text of a window is
+#include <imgui_internal.h> // the size of a window's text
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using reference::Ink;
 using reference::StepRow;
 
-/// What a table of rows with the same number of cells takes.
+/// The size of a table of rows with the same number of cells.
 float tableWidth(std::span<const StepRow> rows, float padding) {
     std::vector<float> columns(rows.front().cells.size() + 1);
     const auto widen = [](float& column, const std::string& words, float more) {
@@ -39,7 +39,7 @@ float cellPadding() {
     return std::floor(ImGui::GetFontSize() * 0.18F);
 }
 
-/// Where the rows with as many cells as this one end.
+/// The end of the rows with the same number of cells.
 std::size_t tableEnd(const std::vector<StepRow>& rows, std::size_t first) {
     std::size_t last = first;
     while (last < rows.size() && rows[last].cells.size() == rows[first].cells.size())
@@ -72,7 +72,7 @@ void drawTable(std::span<const StepRow> rows, float width) {
     ImGui::EndTable();
 }
 
-/// Each row's cells below its label, as many in a line as have room.
+/// Puts each row's cells below its label, as many in a line as fit.
 void drawStacked(std::span<const StepRow> rows) {
     const float gap = ImGui::GetFontSize() * 0.6F;
     ImGui::PushTextWrapPos(0);
@@ -80,7 +80,7 @@ void drawStacked(std::span<const StepRow> rows) {
         drawLabel(row);
         ImGui::Indent(gap);
         const float left = ImGui::GetCursorPosX();
-        float right = 0; // of the line so far; 0: it hasn't begun
+        float right = 0; // of the current line; 0: it is empty
         for (const reference::StepCell& cell : row.cells) {
             if (cell.text.empty())
                 continue;
@@ -97,7 +97,7 @@ void drawStacked(std::span<const StepRow> rows) {
     ImGui::PopTextWrapPos();
 }
 
-constexpr float smallestRows = 0.78F; // of the usual size, before a table is taken apart
+constexpr float minRowScale = 0.78F; // relative to the usual size, before a table is split
 
 } // namespace
 
@@ -183,9 +183,9 @@ void drawRows(const std::vector<StepRow>& rows) {
         const float width = tableWidth(table, padding);
         const float room = ImGui::GetContentRegionAvail().x;
         const float usual = ImGui::GetCurrentWindow()->FontWindowScale;
-        const float scale = width > room ? room / width * 0.98F : 1; // letters are whole pixels wide
+        const float scale = width > room ? room / width * 0.98F : 1; // letters have integer widths
         ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-        if (scale < smallestRows) {
+        if (scale < minRowScale) {
             drawStacked(table);
         } else {
             if (scale < 1)

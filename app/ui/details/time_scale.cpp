@@ -13,7 +13,7 @@ namespace {
 
 constexpr float hundredth = 0.01F;
 
-/// The least of 1, 2 and 5 times a power of ten that isn't below.
+/// The smallest of 1, 2 and 5 times a power of ten that is not below.
 float roundUp(float value) {
     const float power = std::pow(10.0F, std::floor(std::log10(value)));
     for (const float factor : {1.0F, 2.0F, 5.0F}) {
@@ -30,14 +30,14 @@ float TimeScale::timeAt(float x) const {
 }
 
 float secondsFor(double length, double present) {
-    constexpr double least = 2;
+    constexpr double min = 2;
     constexpr double room = 1.25;
-    const double needed = std::max({least, length * room, present});
+    const double needed = std::max({min, length * room, present});
     return static_cast<float>(std::ceil(needed));
 }
 
 float snapped(float time, float grid) {
-    constexpr double perSecond = 100; // what is written has hundredths: the float that is nearest to them
+    constexpr double perSecond = 100; // written with hundredths: the nearest float
     const double step = grid > 0 ? static_cast<double>(grid) : 1 / perSecond;
     const double at = std::round(static_cast<double>(time) / step) * step;
     return static_cast<float>(std::round(at * perSecond) / perSecond);

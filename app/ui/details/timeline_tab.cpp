@@ -27,14 +27,14 @@ namespace {
 constexpr const char* recordWords = "Record animation…";
 constexpr std::array grids{0.0F, 0.05F, 0.1F, 0.25F, 0.5F, 1.0F};
 
-/// What is so wide stands beside the last widget, or where that has no room in the next line.
+/// Puts the next item of this width on the same line, or on the next one if there is no room.
 void besideOrBelow(float width) {
     ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
     if (ImGui::GetContentRegionAvail().x < width)
         ImGui::NewLine();
 }
 
-/// A key that was taken away, by undo or in another way, is chosen no longer.
+/// Deselects a key that was removed, by undo or otherwise.
 void followChosen(const Session& session, TimelineTabState& state) {
     const std::vector<KeyFrame>& keys = session.document.scene.timeline.keys;
     if (state.chosen &&
@@ -50,7 +50,7 @@ void gridChoice(TimelineTabState& state) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
     const bool open = ImGui::BeginCombo("##grid", nameOfGrid(state.grid).c_str());
     noteItem("timeline:grid");
-    helpTip("What one drags comes to rest at multiples of this.");
+    helpTip("Dragging snaps to multiples of this.");
     if (!open)
         return;
     for (const float grid : grids) {
@@ -64,40 +64,40 @@ void gridChoice(TimelineTabState& state) {
 void timeControls(Session& session, TimelineTabState& state) {
     const float gap = ImGui::GetFontSize() * 0.8F;
     const Timeline& timeline = session.document.scene.timeline;
-    if (squareButton("◀", "timeline:previous", "To the key frame before (,)", !timeline.keys.empty()))
+    if (squareButton("◀", "timeline:previous", "Go to the previous key frame (,)", !timeline.keys.empty()))
         goToKey(session, -1);
     ImGui::SameLine(0, 1);
-    if (squareButton("▶", "timeline:next", "To the next key frame (.)", !timeline.keys.empty()))
+    if (squareButton("▶", "timeline:next", "Go to the next key frame (.)", !timeline.keys.empty()))
         goToKey(session, 1);
     ImGui::SameLine(0, gap);
     ImGui::AlignTextToFramePadding();
     text(fmt::format("{:.2f} of {:.2f} s", session.window.playback.time, lengthOf(timeline)));
     noteItem("timeline:time");
-    helpTip("The scene's time, and that of the last key frame");
+    helpTip("The scene's time and the time of the last key frame");
     besideOrBelow(ImGui::GetFontSize() * 4);
     ImGui::Checkbox(label("Loop"), &session.window.playback.loops);
     noteItem("timeline:loop");
-    helpTip("Behind the last key frame time begins anew.");
+    helpTip("Time restarts after the last key frame.");
     besideOrBelow(ImGui::GetFontSize() * 6);
     gridChoice(state);
     besideOrBelow(buttonWidth(recordWords));
     if (ImGui::Button(label(recordWords)))
         session.window.dialog = Dialog::Record;
     noteItem("timeline:record");
-    helpTip("Writes what moves as a GIF, a WebP or a PNG, drawn beside the window.");
+    helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
 }
 
-/// How one begins, and something to begin with.
+/// A hint how to begin, with buttons.
 void drawBeginning(Session& session) {
     dimWrappedText(
-        "Nothing has key frames yet. Choose a time, and add one by a right click on any parameter: "
-        "it moves from one of its key frames to the next.");
+        "There are no key frames yet. Select a time, right-click a parameter and add one. The parameter "
+        "moves from each key frame to the next.");
     noteItem("timeline:empty");
     ImGui::Spacing();
     if (ImGui::Button(label("Turn the view")))
         turnView(session);
     noteItem("timeline:turn");
-    helpTip("An example: two key frames, with which the camera goes once around the models in 4 seconds.");
+    helpTip("An example: two key frames move the camera once around the models in 4 seconds.");
 }
 
 void easingChoice(Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
@@ -105,7 +105,7 @@ void easingChoice(Session& session, const TimelineTabState::ChosenKey& chosen, c
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
     const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
     noteItem("key:easing");
-    helpTip(fmt::format("{}\n{}", tr("How it goes from here to its next key."), tr(now.help)));
+    helpTip(fmt::format("{}\n{}", tr("How the value changes from this key to the next one."), tr(now.help)));
     if (!open)
         return;
     std::optional<Easing> wanted;
@@ -129,14 +129,14 @@ void timeOfKey(Session& session, const TimelineTabState::ChosenKey& chosen, floa
     markDraggable();
     noteItem("key:time");
     sealAfterItem(session);
-    helpTip("When the parameter has this value. Drag it, or double-click to type a number.");
+    helpTip("The time at which the parameter has this value. Drag it, or double-click to type a number.");
 }
 
 float valueWidth(const ParamRow& row) {
     return ImGui::GetFontSize() * (row.kind == Kind::Float || row.kind == Kind::Int ? 7.0F : 14.0F);
 }
 
-/// By the parameter's own control, which edits the key of the present time.
+/// Edits the value of the key at the present time with the parameter's own control.
 void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
     std::optional<ParamPlace> place = placeOf(session.document.scene, key.path);
     const bool isNow = key.time == presentKeyTime(session) && !session.window.playback.playing;
@@ -210,8 +210,8 @@ void drawTimelineTab(Session& session, TimelineTabState& state) {
     if (state.chosen) {
         keyControls(session, state);
     } else {
-        constexpr const char* words = "Click a key frame to change it. What is edited anywhere becomes a key "
-                                      "frame of this time, if it has some.";
+        constexpr const char* words = "Click a key frame to change it. Editing a parameter that has key "
+                                      "frames adds one at this time.";
         ImGui::AlignTextToFramePadding();
         if (fittedText(words, color::dim))
             helpTip(words);

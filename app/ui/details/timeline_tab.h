@@ -8,20 +8,20 @@
 
 namespace texplorer::ui {
 
-/// What the tab remembers.
+/// The state of the tab.
 struct TimelineTabState {
-    /// By its number in the timeline; that of another parameter is another one.
+    /// Identified by its index in the timeline and its parameter.
     struct ChosenKey {
         std::size_t number;
         std::string path;
     };
     std::optional<ChosenKey> chosen;
-    float grid = 0.1F;            ///< seconds, to which what is dragged comes; 0: none
-    float grabbed = 0;            ///< the time of the key that the mouse has, when it was grabbed
-    std::optional<float> seconds; ///< that are shown, while the mouse has something
+    float grid = 0.1F;            ///< in seconds: dragged keys snap to it; 0: none
+    float grabbed = 0;            ///< the original time of the dragged key
+    std::optional<float> seconds; ///< shown seconds, constant during a drag
 };
 
-/// Every parameter that has key frames, with its keys across the time: to move, change, add and remove them.
+/// Draws every parameter with key frames and its keys over time, to move, change, add and remove them.
 void drawTimelineTab(Session& session, TimelineTabState& state);
 
 } // namespace texplorer::ui

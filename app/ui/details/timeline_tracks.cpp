@@ -5,6 +5,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/overlap.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -14,7 +15,7 @@
 #include "core/scene/params/value_mix.h"
 
 #include <fmt/core.h>
-#include <imgui_internal.h> // whether the keyboard's place is shown
+#include <imgui_internal.h> // whether the focus rectangle is shown
 
 #include <algorithm>
 #include <charconv>
@@ -27,14 +28,14 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::size_t longestValue = 64; // of a text that is drawn, in bytes
+constexpr std::size_t maxValueBytes = 64; // of a drawn text, in bytes
 
-/// How the rows lie, in pixels.
+/// The layout of the rows, in pixels.
 struct TrackPlan {
     TimeScale scale;
     float names = 0;  ///< the width of the names' column
     float height = 1; ///< of a row
-    float key = 1;    ///< from a diamond's middle to its corners
+    float key = 1;    ///< half of a diamond's size
 };
 
 TrackPlan planTracks(const Session& session, const TimelineTabState& state) {
@@ -51,7 +52,7 @@ TrackPlan planTracks(const Session& session, const TimelineTabState& state) {
     return plan;
 }
 
-/// The mouse moves the time, from here until it lets go.
+/// The mouse moves the time until the button is released.
 void scrub(Session& session, TimelineTabState& state, const TimeScale& scale) {
     if (ImGui::IsItemActivated())
         state.seconds = scale.seconds;
@@ -76,7 +77,7 @@ void ruler(Session& session, TimelineTabState& state, const TrackPlan& plan) {
     ImGui::InvisibleButton("ruler", {plan.scale.width + 4 * plan.key, height});
     noteItem("timeline:ruler");
     scrub(session, state, plan.scale);
-    helpTip("The scene's time. Drag to scrub.");
+    helpTip("The scene's time. Drag to change it.");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     drawRuler(draw, plan.scale, low.y, height);
     drawPresent(draw, session, plan.scale, low.y, low.y + height);
@@ -88,12 +89,12 @@ void drawDiamond(ImDrawList& draw, ImVec2 at, float radius, ImU32 ink) {
                        {at.x - radius, at.y}, ink);
 }
 
-/// The number of a key of the timeline.
+/// The index of a key in the timeline.
 std::size_t numberOf(const Scene& scene, const KeyFrame* key) {
     return static_cast<std::size_t>(key - scene.timeline.keys.data());
 }
 
-/// What is to be done when nobody walks the timeline any more.
+/// An action to run after the loop over the timeline.
 using Later = std::function<void()>;
 
 void keyMenu(Session& session, std::size_t number, const KeyFrame& key, Later& later) {
@@ -115,7 +116,7 @@ void keyMenu(Session& session, std::size_t number, const KeyFrame& key, Later& l
     ImGui::EndPopup();
 }
 
-/// A key and what the mouse does with it; `room` is what its value has at its right.
+/// Draws a key and handles the mouse on it; `room` is the space for its value on the right.
 void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, const ParamRow& row,
              const KeyFrame& key, ImVec2 at, float room, Later& later) {
     const Scene& scene = session.document.scene;
@@ -170,12 +171,12 @@ void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, c
         const ImVec2 low(at.x + plan.key * 1.8F, std::floor(at.y - size * 0.6F));
         const float width = ImGui::GetFont()->CalcTextSizeA(size, 1e6F, 0, shown.c_str()).x;
         draw.AddRectFilled({low.x - em * 0.2F, low.y}, {low.x + width + em * 0.2F, low.y + size},
-                           color::ground); // the way to the next key passes behind it
+                           color::ground); // the connection to the next key passes behind it
         draw.AddText(ImGui::GetFont(), size, low, color::dim, shown.c_str());
     }
 }
 
-/// From a key to the next: nothing where both say the same, steps where it jumps.
+/// The connection from a key to the next: none if both have the same value, steps if it jumps.
 void drawWay(ImDrawList& draw, const ParamRow& row, const KeyFrame& from, const KeyFrame& to, ImVec2 begin,
              ImVec2 end) {
     const float em = ImGui::GetFontSize();
@@ -208,7 +209,7 @@ void trackName(Session& session, const TrackPlan& plan, const std::string& path,
         if (ImGui::MenuItem(label("Remove its key frames")))
             later = [&session, path] { removeKeys(session, path); };
         noteItem("track menu:remove");
-        helpTip("The parameter stays what it is now.");
+        helpTip("The parameter keeps its present value.");
         ImGui::EndPopup();
     }
     const Result<std::string> now = getParam(session.document.scene, path);
@@ -228,16 +229,15 @@ void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan,
     const Scene& scene = session.document.scene;
     const auto row = rowAt(scene, track.path);
     if (!row)
-        return; // it isn't there any more
+        return; // it was removed
     const std::string path(track.path);
     ImGui::PushID(path.c_str());
     const ImVec2 low = ImGui::GetCursorScreenPos();
     trackName(session, plan, path, **row, name, later);
     const float left = low.x + plan.names;
     const float width = plan.scale.width + 4 * plan.key;
-    ImGui::InvisibleButton("times", {width, plan.height});
+    overlappedItem([&] { return ImGui::InvisibleButton("times", {width, plan.height}); }); // for the keyboard
     noteItem("times:" + path);
-    ImGui::SetItemAllowOverlap(); // the keys lie on it
     scrub(session, state, plan.scale);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         const float time = snapped(plan.scale.timeAt(ImGui::GetIO().MousePos.x), state.grid);
@@ -248,7 +248,7 @@ void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan,
         return std::abs(plan.scale.xOf(static_cast<double>(key->time)) - mouse) <= plan.key;
     });
     if (!isOnKey)
-        helpTip("Double click: a key frame here. Drag: move the time.");
+        helpTip("Double click: add a key frame here. Drag: change the time.");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled({left, low.y + 1}, {left + width, low.y + plan.height - 1}, color::ground);
     const float middle = std::floor(low.y + plan.height / 2);
@@ -268,7 +268,7 @@ void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan,
     ImGui::SetCursorScreenPos({low.x, low.y + plan.height});
 }
 
-/// By their labels; those that several have are called by their paths.
+/// The labels of the parameters; their paths if several have the same label.
 std::vector<std::string> namesOfTracks(const Session& session, const std::vector<Track>& tracks) {
     std::vector<std::string> names;
     std::map<std::string, int> count;
@@ -307,7 +307,8 @@ std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::str
     if (row.kind == Kind::Bool)
         return value == "true" ? tr("on") : tr("off");
     const bool isText = row.kind == Kind::Text;
-    return isText ? printable(value.substr(0, longestValue)) : roundedNumbers(value.substr(0, longestValue));
+    return isText ? printable(value.substr(0, maxValueBytes))
+                  : roundedNumbers(value.substr(0, maxValueBytes));
 }
 
 void chooseKey(Session& session, TimelineTabState& state, std::size_t key) {
@@ -327,7 +328,7 @@ void drawTracks(Session& session, TimelineTabState& state) {
     for (std::size_t i = 0; i < tracks.size(); ++i)
         drawTrack(session, state, plan, tracks[i], names[i], later);
     drawPresent(*ImGui::GetWindowDrawList(), session, plan.scale, top, ImGui::GetCursorScreenPos().y);
-    ImGui::Dummy({0, 0}); // so that the last row can be scrolled to
+    ImGui::Dummy({0, 0}); // lets the last row be scrolled into view
     ImGui::EndChild();
     if (later)
         later();

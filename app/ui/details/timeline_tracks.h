@@ -7,14 +7,14 @@
 
 namespace texplorer::ui {
 
-/// A row for each parameter that has keys, with its name, what it is now, and its keys, in the room that
-/// there is; the ruler above them moves the time.
+/// Draws a row for each parameter with keys: its name, its current value, and its keys, in the available
+/// room; the ruler above them moves the time.
 void drawTracks(Session& session, TimelineTabState& state);
 
-/// A key is chosen, and the time goes there.
+/// Selects a key and goes to its time.
 void chooseKey(Session& session, TimelineTabState& state, std::size_t key);
 
-/// What a parameter's value is called: "Clamp (legacy)", "45".
+/// The text of a parameter's value: "Clamp (legacy)", "45".
 [[nodiscard]] std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::string_view value);
 
 } // namespace texplorer::ui

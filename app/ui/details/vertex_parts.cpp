@@ -31,7 +31,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                       nullptr,
                       nullptr,
                       "Move vertex",
-                      "Where each vertex lies in the image"},
+                      "The place of each vertex in the image"},
         VertexPartRow{VertexPart::Position,
                       "Position",
                       {"x", "y", "z", ""},
@@ -45,7 +45,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                           setPosition(model.mesh, vertex, glm::vec3(value), together);
                       },
                       "Position of vertex",
-                      "glVertex3f: where each vertex is in the model"},
+                      "glVertex3f: the position of each vertex in the model"},
         VertexPartRow{VertexPart::Normal,
                       "Normal",
                       {"x", "y", "z", ""},
@@ -59,7 +59,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                           setNormal(model.mesh, vertex, glm::vec3(value));
                       },
                       "Normal of vertex",
-                      "glNormal3f: where the surface looks at each vertex; it is brought to the length 1"},
+                      "glNormal3f: the direction of the surface at each vertex, normalized to length 1"},
         VertexPartRow{VertexPart::Color,
                       "Colour",
                       {"r", "g", "b", "a"},
@@ -75,7 +75,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                           setColor(model.mesh, vertex, value, materialOf(scene, model).color);
                       },
                       "Colour of vertex",
-                      "glColor4f: the colour of each vertex, in the place of the material's"},
+                      "glColor4f: the colour of each vertex, instead of the material's"},
     };
     return rows.at(static_cast<std::size_t>(part));
 }

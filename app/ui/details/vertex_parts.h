@@ -10,20 +10,20 @@
 
 namespace texplorer::ui {
 
-/// What the list shows of each vertex. Shapes other than meshes have coordinates alone to edit.
+/// The values of vertices that the list shows. Shapes other than meshes have only editable coordinates.
 enum class VertexPart : std::uint8_t { Coordinates, Position, Normal, Color };
 
-/// What each vertex has of one part, as four numbers of which so many count.
+/// One part of the vertex values, as four numbers of which some are used.
 struct VertexPartRow {
     VertexPart part;
     const char* label;
-    std::array<const char*, 4> names; ///< over the columns
+    std::array<const char*, 4> names; ///< the column headings
     int components;
     Range range;
     std::string (*path)(const Session& session);
     glm::vec4 (*read)(const Scene& scene, const Model& model, std::size_t vertex);
     void (*write)(const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool together);
-    const char* edit; ///< what Undo calls it
+    const char* edit; ///< the name in Undo
     const char* help;
 };
 

@@ -26,17 +26,17 @@
 namespace texplorer::ui {
 namespace {
 
-/// Of longer lists only what one sees is drawn.
+/// Longer lists draw only their visible rows.
 constexpr std::size_t longList = 100;
 
-/// Records an edit that is a step of undo by itself.
+/// Records an edit as a separate undo step.
 void recordStep(Session& session, std::string_view what, std::string_view path) {
     sealEdit(session);
     recordEdit(session, what, path);
     sealEdit(session);
 }
 
-/// Buttons one beside the other, which go on in the next line rather than off the panel.
+/// Buttons in a row that continue in the next line at the panel's edge.
 class ButtonLine {
 public:
     bool button(const char* words, std::string_view name, const char* help, bool enabled = true) {
@@ -49,7 +49,7 @@ public:
         return pressed && enabled;
     }
 
-    /// One of which one is chosen.
+    /// A button of a choice.
     bool choice(const char* words, std::string_view name, const char* help, bool chosen) {
         ImGui::PushStyleColor(ImGuiCol_Button,
                               ImGui::GetColorU32(chosen ? ImGuiCol_HeaderActive : ImGuiCol_Button));
@@ -91,23 +91,23 @@ void coordButtons(Session& session, ButtonLine& line) {
     const auto button = [&](const char* words, const char* help) {
         return line.button(words, std::string("coords:") + words, help);
     };
-    if (button("× 2", "All coordinates times 2: the image shows twice as often, half as big"))
+    if (button("× 2", "Multiplies all coordinates by 2: the image appears twice as often at half the size"))
         editAll(session, "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
-    if (button("÷ 2", "All coordinates by 2"))
+    if (button("÷ 2", "Divides all coordinates by 2"))
         editAll(session, "Coordinates ÷ 2", [](TexCoords& c) { scaleCoords(c, 0.5F); });
     if (button("Flip s", "s becomes 1 − s"))
         editAll(session, "Flip s", flipS);
     if (button("Flip t", "t becomes 1 − t"))
         editAll(session, "Flip t", flipT);
-    if (button("90°", "Turns all coordinates by 90° about (0.5, 0.5)"))
+    if (button("90°", "Rotates all coordinates by 90° about (0.5, 0.5)"))
         editAll(session, "Rotate coordinates", rotateQuarter);
-    if (button("Reset", "Back to the coordinates of the mesh")) {
+    if (button("Reset", "Resets to the coordinates of the mesh")) {
         selectedModel(session)->texCoords[static_cast<std::size_t>(session.window.selection.unit)].clear();
         recordStep(session, "Reset coordinates", coordsPath(session));
     }
 }
 
-/// Shows where its vertices are, which is what one wants to change.
+/// Shows the positions of its vertices, which are edited most.
 void makeMesh(Session& session, VerticesTabState& state) {
     Model& model = *selectedModel(session);
     if (const Result<void> made = turnIntoMesh(model); !made)
@@ -120,7 +120,7 @@ void makeMesh(Session& session, VerticesTabState& state) {
                     keyOf<&Model::shape>()));
 }
 
-/// Adds and removes vertices: all lists and the order go with them.
+/// Adds and removes vertices, in all lists and in the order.
 void vertexButtons(Session& session, ButtonLine& line) {
     Model& model = *selectedModel(session);
     std::optional<std::size_t>& chosen = session.window.selection.vertex;
@@ -131,26 +131,23 @@ void vertexButtons(Session& session, ButtonLine& line) {
         recordStep(session, what, meshPath(session, keyOf<&MeshData::positions>()));
     };
     const bool room = count < maxMeshVertices && model.mesh.indices.size() < maxMeshIndices;
-    if (line.button("Append", "add vertex",
-                    "A vertex like the chosen one, or else the last one, drawn after all others", room) &&
+    if (line.button("Append", "add vertex", "Adds a copy of the selected vertex, or the last one, at the end",
+                    room) &&
         appendVertex(model, isChosen ? *chosen : count - 1))
         changed("Add vertex", count);
     if (line.button("Duplicate", "duplicate vertex",
-                    "A vertex like the chosen one, drawn right after it: a new point of a strip or polygon",
+                    "Adds a copy of the selected vertex right after it, a new point of a strip or polygon",
                     room && isChosen) &&
         duplicateVertex(model, *chosen))
         changed("Duplicate vertex", *chosen + 1);
-    if (line.button(
-            "Remove", "remove vertex",
-            "Removes the chosen vertex. The later ones move up; with indices, the triangles that have "
-            "it go",
-            isChosen)) {
+    if (line.button("Remove", "remove vertex",
+                    "Removes the selected vertex. With indices, also removes its triangles", isChosen)) {
         removeVertex(model, *chosen);
         changed("Remove vertex", count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)));
     }
 }
 
-/// Takes a list away again that every vertex but one may do without.
+/// Removes an optional list of vertex values.
 void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, auto& list,
                  const char* help) {
     if (line.button("Clear", std::string("clear ") + part.label, help, !list.empty())) {
@@ -165,7 +162,7 @@ void partButtons(Session& session, VerticesTabState& state) {
     if (model.shape != Shape::Mesh) {
         coordButtons(session, line);
         if (line.button("Make it a mesh", "make mesh",
-                        "Gives the model vertices of its own, in the same places: then one can move them"))
+                        "Converts the model to a mesh with the same vertices, which can be edited"))
             makeMesh(session, state);
         return;
     }
@@ -182,22 +179,23 @@ void partButtons(Session& session, VerticesTabState& state) {
         return;
     case VertexPart::Position:
         vertexButtons(session, line);
-        line.checkbox("Together", "move together", "Vertices at one place are moved as one", state.together);
+        line.checkbox("Together", "move together", "Moves vertices at the same place together",
+                      state.together);
         return;
     case VertexPart::Normal:
         vertexButtons(session, line);
         clearButton(session, line, rowOf(state.part), model.mesh.normals,
-                    "Takes all normals away: the surface looks towards +z");
+                    "Removes all normals: the surface faces +z");
         return;
     case VertexPart::Color:
         vertexButtons(session, line);
         clearButton(session, line, rowOf(state.part), model.mesh.colors,
-                    "Takes all colours away: the material's counts");
+                    "Removes all colours: the material's colour is used");
         return;
     }
 }
 
-/// What is edited, while the list is drawn.
+/// The edited list while it is drawn.
 struct List {
     const VertexPartRow& part;
     std::string path;
@@ -211,12 +209,12 @@ glm::vec4 valueOf(Session& session, const List& list, std::size_t vertex) {
                           : list.coords[vertex];
 }
 
-/// The letter of a component beside the colour at the left of its number, where there is room.
+/// The letter of a component next to its colour on the left of the number, if there is room.
 void nameField(const char* letter, int component) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    // A wide field has an arrow there, and the number in its middle.
+    // A wide field has an arrow there, and its number is centred.
     const float left = low.x + em * (high.x - low.x < em * 6 ? 0.4F : 1.1F);
     if (ImGui::TempInputIsActive(ImGui::GetItemID()) || high.x - low.x < em * 4)
         return;
@@ -262,7 +260,7 @@ void vertexRow(Session& session, const List& list, std::size_t vertex) {
     recordEdit(session, fmt::format("{} {}", list.part.edit, name), list.path);
 }
 
-/// `reveal`: one of its rows that the list is scrolled to.
+/// `reveal`: a row to scroll to.
 void faceTable(Session& session, const List& list, const std::vector<std::uint32_t>& vertices,
                std::optional<std::size_t> reveal) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings;
@@ -293,7 +291,7 @@ void faceTable(Session& session, const List& list, const std::vector<std::uint32
                                  0.5F);
 }
 
-/// The names over the columns, each in its colour.
+/// The names of the columns in their colours.
 void header(const List& list) {
     const float indent = ImGui::GetFontSize() * 2.2F + ImGui::GetStyle().CellPadding.x * 2;
     const float width = (ImGui::GetContentRegionAvail().x - indent) / static_cast<float>(list.components);
@@ -305,7 +303,7 @@ void header(const List& list) {
     }
 }
 
-/// Vertices that no part of the primitive takes; they are nowhere else to be found.
+/// Vertices that belong to no part of the primitive; they are not listed elsewhere.
 std::vector<std::uint32_t> leftOver(const Mesh& mesh) {
     std::vector<bool> taken(mesh.vertices.size());
     for (const Face& face : mesh.faces)
@@ -351,8 +349,8 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     const float checkbox =
         ImGui::CalcTextSize("r, q").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x - checkbox - ImGui::GetStyle().ItemSpacing.x;
-    const float least = ImGui::GetFontSize() * 9;
-    modelChoice(session, least, std::max(least, room));
+    const float min = ImGui::GetFontSize() * 9;
+    modelChoice(session, min, std::max(min, room));
     ImGui::SameLine(ImGui::GetContentRegionMax().x - checkbox);
     ImGui::Checkbox("r, q", &session.window.showRq);
     noteItem("show r, q");
@@ -368,7 +366,7 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     }
 
     const Mesh& mesh = selectedMesh(session);
-    const std::shared_ptr<const Mesh> kept = session.window.mesh; // while rows edit what it is made of
+    const std::shared_ptr<const Mesh> kept = session.window.mesh; // used while rows edit its source
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
     const bool two = part.part == VertexPart::Coordinates && !session.window.showRq &&

@@ -7,11 +7,11 @@
 
 namespace texplorer::ui {
 
-/// What the tab remembers.
+/// The state of the tab.
 struct VerticesTabState {
-    std::optional<std::size_t> revealed; ///< the vertex that the list was scrolled to already
+    std::optional<std::size_t> revealed; ///< the vertex that the list was already scrolled to
     VertexPart part = VertexPart::Coordinates;
-    bool together = true; ///< vertices at one place are moved as one
+    bool together = true; ///< vertices at one place move together
 };
 
 void drawVerticesTab(Session& session, VerticesTabState& state);

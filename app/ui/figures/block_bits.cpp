@@ -15,7 +15,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// How a line of bits lies: what it is, its bytes, and then its number, the highest bit first.
+/// The layout of a line of bits: its name, its bytes, and its number, the highest bit first.
 struct BitLine {
     float letter; ///< width of a bit
     float names;
@@ -37,7 +37,7 @@ struct BitLine {
         bytes = digit * (format == BlockFormat::Dxt5 ? 9.0F : 6.0F);
         gap = std::floor(digit * 0.6F);
     }
-    /// Where a bit of a field begins, counted from the field's left end.
+    /// The left edge of a bit, counted from the field's left end.
     [[nodiscard]] float placeOf(const BlockField& field, int bit) const {
         const int place = bit - field.first;
         const int components = field.part != BlockPart::Color ? 0 : place >= 11 ? 0 : place >= 5 ? 1 : 2;
@@ -77,7 +77,7 @@ std::string nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
                                        : fmt::format("α rows {}, {}", row, row + 1);
 }
 
-/// What a bit says, in words.
+/// The meaning of a bit in words.
 std::string tipOf(BlockFormat format, int bit, const BlockField& field) {
     const int inByte = bit % 8;
     const int byte = bit / 8;
@@ -103,7 +103,7 @@ std::string tipOf(BlockFormat format, int bit, const BlockField& field) {
                : fmt::format("Bit {} of byte {}: the alpha index of texel {}, {}", inByte, byte, column, row);
 }
 
-/// The ink of a bit: red, green and blue of an end have theirs.
+/// The colour of a bit: red, green and blue of an end have their own.
 ImU32 inkOf(const BlockField& field, int bit) {
     if (field.part == BlockPart::Color) {
         const int place = bit - field.first;
@@ -112,7 +112,7 @@ ImU32 inkOf(const BlockField& field, int bit) {
     return field.part == BlockPart::AlphaEnd ? componentColor(3) : static_cast<ImU32>(color::text);
 }
 
-/// What a field means, as a stripe under its bits.
+/// The meaning of a field, as a stripe below its bits.
 BlockColor meaningOf(const BlockField& field, const BlockLook& look) {
     const auto number = static_cast<std::size_t>(field.number);
     const auto grey = [](std::uint8_t value) { return BlockColor{value, value, value, 255}; };
@@ -176,7 +176,7 @@ void drawHex(BlockMicroscopeState& state, float width) {
         state.hexProblem.clear();
     }
     if (state.hexProblem.empty())
-        return helpTip("The block's bytes in hexadecimal, in the order of the file");
+        return helpTip("The block's bytes in hexadecimal, in file order");
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
     wrappedText(state.hexProblem);
     ImGui::PopStyleColor();

@@ -1,12 +1,13 @@
 #pragma once
 
-// The columns of the microscope: the texels, the colours that their indices mean, and the bits of all that.
+// The columns of the microscope: the texels, the palette that their indices refer to, and the bits of the
+// block.
 
 #include "app/ui/figures/block_microscope.h"
 
 namespace texplorer::ui {
 
-/// What is lit in this frame, and what the block is.
+/// The highlighted parts in this frame, and the block.
 struct BlockLook {
     BlockFields fields;
     std::array<BlockColor, 4> colors;
@@ -16,7 +17,7 @@ struct BlockLook {
 
 [[nodiscard]] BlockLook lookAt(const BlockMicroscopeState& state);
 
-/// Texels of this side; the header is above them and to their left.
+/// For texels of this size; includes the header above them and to their left.
 [[nodiscard]] float blockTexelsWidth(float cell);
 [[nodiscard]] float blockTexelsHeight(float cell);
 void drawBlockTexels(BlockMicroscopeState& state, const BlockLook& look, float cell);
@@ -24,13 +25,13 @@ void drawBlockTexels(BlockMicroscopeState& state, const BlockLook& look, float c
 [[nodiscard]] float blockPaletteWidth();
 void drawBlockPalette(BlockMicroscopeState& state, const BlockLook& look);
 
-/// `spread`: how far the bits are apart, 1 or more.
+/// `spread`: the distance of the bits, 1 or more.
 [[nodiscard]] float blockBitsWidth(BlockFormat format, float spread);
-/// How far they can be apart with so much more room than that of 1.
+/// The distance that fits into this much more room than a distance of 1 needs.
 [[nodiscard]] float blockBitsSpread(BlockFormat format, float more);
-/// Of all bytes in one line.
+/// The width of all bytes in one line.
 [[nodiscard]] float blockHexWidth(BlockFormat format);
-/// As high as `room` where that will do, as wide as the column.
+/// Fills the height `room` if it is enough, and the width of the column.
 void drawBlockBits(BlockMicroscopeState& state, const BlockLook& look, float spread, float room);
 
 } // namespace texplorer::ui

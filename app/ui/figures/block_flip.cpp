@@ -58,15 +58,15 @@ void chooseHeight(BlockFlipState& state) {
         return;
     if (const auto pressed = drawSegments(names, *plan, chosen, [](std::size_t i) {
             noteItem(fmt::format("flip:height {}", flipHeights.at(i)));
-            helpTip(flipsWithoutLoss(flipHeights.at(i)) ? "This height is turned around without loss."
-                                                        : "This height can't be turned around in blocks.");
+            helpTip(flipsWithoutLoss(flipHeights.at(i)) ? "This height is flipped without loss."
+                                                        : "This height can't be flipped in blocks.");
         })) {
         state.height = flipHeights.at(*pressed);
         state.step = 0;
     }
 }
 
-/// Previous, the steps by their numbers, and Next.
+/// Previous, the steps by number, and Next.
 void chooseStep(BlockFlipState& state) {
     std::vector<Segment> names;
     for (std::size_t i = 0; i < state.steps.size(); ++i)
@@ -81,7 +81,7 @@ void chooseStep(BlockFlipState& state) {
     if (const auto plan = planSegments(names, width, names.size())) {
         if (const auto pressed = drawSegments(names, *plan, state.step, [](std::size_t i) {
                 noteItem(fmt::format("flip:step {}", i));
-                helpTip("A step; 0 is the picture as it is stored.");
+                helpTip("The step; 0 is the image as stored.");
             }))
             state.step = *pressed;
     }
@@ -96,7 +96,7 @@ void chooseStep(BlockFlipState& state) {
         ++state.step;
 }
 
-/// Made once for each format and height.
+/// Computed once for each format and height.
 void followFlip(BlockFlipState& state) {
     if (state.stepsHeight == state.height && state.stepsFormat == state.format)
         return;
@@ -107,10 +107,10 @@ void followFlip(BlockFlipState& state) {
     state.step = std::min(state.step, state.steps.size() - 1);
 }
 
-/// How the rows of a picture lie.
+/// The layout of a picture's rows.
 struct StripeLook {
     float row;   ///< height
-    float names; ///< room for the places of the rows
+    float names; ///< width of the rows' labels
     float width;
     float gap; ///< between blocks
 
@@ -128,7 +128,7 @@ StripeLook stripeLook(int blockRows, float room) {
     return {row, em * 1.4F, em * 5.4F, gap};
 }
 
-/// The rows of a step, each with the number that it had at the beginning.
+/// The rows of a step, with their numbers from the beginning.
 void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook& look) {
     const BlockImage& image = state.steps[step].after;
     const BlockImage& stored = state.steps.front().after;
@@ -178,7 +178,7 @@ void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook
     ImGui::Dummy({look.names + look.width, look.topOf(rows - 1) + look.row + 2});
 }
 
-/// A bracket from one place to another, with a head at both ends, that reaches `out` to the right.
+/// A bracket between two positions, with an arrowhead at both ends, that extends `out` to the right.
 void drawBracket(ImDrawList& draw, float x, float from, float to, float out) {
     const float em = ImGui::GetFontSize();
     const float thick = std::max(1.5F, em / 9);
@@ -195,7 +195,7 @@ float bracketRoom() {
     return ImGui::GetFontSize() * 1.9F;
 }
 
-/// What the step exchanges, beside its picture.
+/// The exchanges of the step, next to its picture.
 void drawBrackets(const FlipStep& step, ImVec2 corner, const StripeLook& look) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float x = corner.x + look.names + look.width + ImGui::GetFontSize() * 0.35F;
@@ -212,7 +212,7 @@ void drawBrackets(const FlipStep& step, ImVec2 corner, const StripeLook& look) {
                     out * (pair.second - pair.first == 1 && pair.first == 1 ? 0.8F : 1.4F));
 }
 
-/// Which texel row of its block a byte belongs to; -1: to all, or to two rows.
+/// The texel row of the block to which a byte belongs; -1: to all, or to two rows.
 int rowOfByte(BlockFormat format, int byte) {
     const int colors = alphaCount(format) > 0 ? 8 : 0;
     if (byte >= colors + 4)
@@ -220,7 +220,7 @@ int rowOfByte(BlockFormat format, int byte) {
     return format == BlockFormat::Dxt3 && byte < 8 ? byte / 2 : -1;
 }
 
-/// A few digits with what they belong to under them, lit where the step has changed them.
+/// Some digits with a label below them, highlighted if the step has changed them.
 void drawDigits(ImVec2 at, const std::string& digits, const BlockColor* meaning, bool changed) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize();
@@ -245,7 +245,7 @@ float bytesWidth() {
     return bytesNames() + letter * 25;
 }
 
-/// The bytes of every row of blocks; of DXT5 the twelve bits of each row of alphas, too.
+/// The bytes of every row of blocks; for DXT5 also the twelve bits of each row of alphas.
 void drawFlipBytes(const BlockFlipState& state) {
     const FlipStep& step = state.steps[state.step];
     const BlockImage& before = state.steps[state.step > 0 ? state.step - 1 : 0].after;
@@ -291,12 +291,11 @@ void drawFlipBytes(const BlockFlipState& state) {
         ImGui::PopFont();
         ImGui::Dummy({bytesWidth(), corner.y - top.y + line});
         noteItem(fmt::format("flip:bytes {}", block));
-        helpTip(
-            format == BlockFormat::Dxt5
-                ? "The bytes of the alphas, the 12 bits of each row of them as three digits, and the bytes "
-                  "of the colours. The stripe is the row's alpha or colour; what changed is lit."
-                : "The stripe is the alpha or the colour of the row that a byte is about; what the step has "
-                  "changed is lit.");
+        helpTip(format == BlockFormat::Dxt5
+                    ? "The bytes of the alphas, the 12 bits of each alpha row as three digits, and the bytes "
+                      "of the colours. The stripe is the row's alpha or colour; changes are highlighted."
+                    : "The stripe is the alpha or the colour of the byte's row. Changes of the step are "
+                      "highlighted.");
     }
 }
 

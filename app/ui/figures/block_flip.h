@@ -14,7 +14,7 @@ struct BlockFlipState {
     int height = 8;
     std::size_t step = 0;
 
-    // What they were last, and what came of them.
+    // The last inputs and their result.
     std::vector<FlipStep> steps{};
     BlockFormat stepsFormat = BlockFormat::Dxt1Alpha;
     int stepsHeight = 0;

@@ -35,12 +35,13 @@ struct SourceChoice {
 };
 
 constexpr std::array sourceChoices{
-    SourceChoice{"A block of your own", "own", "A block to try things with"},
+    SourceChoice{"Free block", "own", "A block to edit freely"},
     SourceChoice{"From the texture", "texture",
-                 "A block of the bound texture's level 0: the stored bytes, or compressed now"},
-    SourceChoice{"At the probed pixel", "probed", "The block of the texel that the probed pixel reads"}};
+                 "A block of level 0 of the bound texture: its stored bytes, or compressed now"},
+    SourceChoice{"At the explained pixel", "probed",
+                 "The block of the texel that the explained pixel reads"}};
 
-/// Buttons on one line, or on as few as have room.
+/// Buttons on as few lines as fit.
 template<class Choices, class After>
 std::optional<std::size_t> choose(const Choices& choices, std::size_t chosen, float width, After after) {
     std::vector<Segment> names;
@@ -51,7 +52,7 @@ std::optional<std::size_t> choose(const Choices& choices, std::size_t chosen, fl
 }
 
 template<class Choices>
-float leastWidthOf(const Choices& choices) {
+float minWidthOf(const Choices& choices) {
     float width = 0;
     for (const auto& each : choices)
         width += ImGui::CalcTextSize(tr(each.label)).x + ImGui::GetFontSize();
@@ -61,8 +62,8 @@ float leastWidthOf(const Choices& choices) {
 void drawChoices(BlockMicroscopeState& state) {
     const float room = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetFontSize();
-    const float formats = std::min(room, leastWidthOf(formatChoices));
-    const float sources = std::min(room, leastWidthOf(sourceChoices));
+    const float formats = std::min(room, minWidthOf(formatChoices));
+    const float sources = std::min(room, minWidthOf(sourceChoices));
     const auto format = std::ranges::find(formatChoices, state.format, &FormatChoice::format);
     if (const auto pressed = choose(formatChoices, static_cast<std::size_t>(format - formatChoices.begin()),
                                     formats, [](std::size_t i) {
@@ -86,7 +87,7 @@ void drawChoices(BlockMicroscopeState& state) {
 }
 
 constexpr const char* whatToDo =
-    "Click a texel, then one of the four colours; a click on a bit turns it over. What goes together lights up.";
+    "Click a texel, then one of the four colours. Click a bit to flip it. Related parts light up.";
 
 } // namespace
 
@@ -113,7 +114,7 @@ void drawBlockMicroscope(Session& session, BlockMicroscopeState& state, const Pi
     const FigureColumn texels{blockTexelsWidth(cell), [&] { drawBlockTexels(state, look, cell); }};
     const FigureColumn palette{blockPaletteWidth(), [&] { drawBlockPalette(state, look); }};
     const FigureColumn source{blockSourceWidth(), [&] { drawBlockSource(state); }};
-    // Beside each other as many as have room, the source last; in a narrow panel it is beside the texels.
+    // As many columns as fit, the source last; in a narrow panel the source is next to the texels.
     const float threeRoom = room - texels.width - palette.width - 2 * figureColumnGap();
     const float fourRoom = threeRoom - source.width - figureColumnGap();
     const float least = blockBitsWidth(state.format, 1);

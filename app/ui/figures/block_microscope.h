@@ -15,10 +15,10 @@ struct BlockMicroscopeState {
 
     BlockFormat format;
     BlockBytes block;
-    std::size_t texel = 0;               ///< the chosen one, which gets what is clicked in the palette
-    std::optional<BlockMark> hovered{};  ///< what the pointer rested on in the frame before
-    std::optional<BlockMark> hovering{}; ///< and in this one
-    std::string hex{};                   ///< as it is typed
+    std::size_t texel = 0;               ///< the selected one; a click in the palette sets its colour
+    std::optional<BlockMark> hovered{};  ///< under the pointer in the previous frame
+    std::optional<BlockMark> hovering{}; ///< under the pointer in this frame
+    std::string hex{};                   ///< the text being typed
     std::string hexProblem{};            ///< a sentence without its full stop
     BlockSource source{};
 };

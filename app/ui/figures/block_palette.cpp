@@ -20,10 +20,10 @@ SwatchFrame frameOf(bool chosen, bool lit) {
     return chosen ? SwatchFrame::Chosen : lit ? SwatchFrame::Lit : SwatchFrame::None;
 }
 
-/// An integer that one drags; the bar of its component at the left, none for -1.
-bool dragInteger(const std::string& name, int& value, int most, float width, int component) {
+/// A draggable integer, with the bar of its component on the left, none for -1.
+bool dragInteger(const std::string& name, int& value, int max, float width, int component) {
     ImGui::SetNextItemWidth(width);
-    const bool changed = ImGui::DragInt(fmt::format("##{}", name).c_str(), &value, 0.15F, 0, most, "%d",
+    const bool changed = ImGui::DragInt(fmt::format("##{}", name).c_str(), &value, 0.15F, 0, max, "%d",
                                         ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -43,7 +43,7 @@ void hoverEnd(BlockMicroscopeState& state, BlockPart part, int end) {
                                    fieldAtBit(state.format, blockField(state.format, part, end).first)};
 }
 
-/// The end as a colour to choose and as its three numbers.
+/// The end as a colour picker and as its three numbers.
 void drawColorEnd(BlockMicroscopeState& state, const BlockLook& look, int end) {
     const auto index = static_cast<std::size_t>(end);
     const BlockColor& color = look.colors[index];
@@ -59,7 +59,7 @@ void drawColorEnd(BlockMicroscopeState& state, const BlockLook& look, int end) {
         ImGui::OpenPopup(name.c_str());
     noteItem(name);
     hoverEnd(state, BlockPart::Color, end);
-    helpTip("Chooses this end: the nearest colour of 5, 6 and 5 bits is taken.");
+    helpTip("Sets this end colour, to the nearest colour of 5, 6 and 5 bits.");
     if (ImGui::BeginPopup(name.c_str())) {
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 12);
         if (ImGui::ColorPicker3("##picker", shown.data(),
@@ -71,21 +71,21 @@ void drawColorEnd(BlockMicroscopeState& state, const BlockLook& look, int end) {
     const unsigned stored = readField(state.block, field);
     for (std::size_t c = 0; c < 3; ++c) {
         ImGui::SameLine(0, gap);
-        const unsigned most = (1U << componentBits.at(c)) - 1;
-        int value = static_cast<int>(stored >> componentShift.at(c) & most);
+        const unsigned max = (1U << componentBits.at(c)) - 1;
+        int value = static_cast<int>(stored >> componentShift.at(c) & max);
         const auto left = static_cast<float>(3 - c);
         const float each = std::floor((ImGui::GetContentRegionAvail().x - gap * (left - 1)) / left);
-        if (dragInteger(fmt::format("{}[{}]", name, c), value, static_cast<int>(most), each,
+        if (dragInteger(fmt::format("{}[{}]", name, c), value, static_cast<int>(max), each,
                         static_cast<int>(c))) {
-            const unsigned others = stored & ~(most << componentShift.at(c));
+            const unsigned others = stored & ~(max << componentShift.at(c));
             writeField(state.block, field, others | static_cast<unsigned>(value) << componentShift.at(c));
         }
         hoverEnd(state, BlockPart::Color, end);
-        helpTip(fmt::format("{} of {} is {} of 255.", value, most, color.at(c)));
+        helpTip(fmt::format("{} of {} is {} of 255.", value, max, color.at(c)));
     }
 }
 
-/// What a colour that isn't stored is made of.
+/// How a colour is computed that is not stored.
 const char* recipeOf(std::size_t index, bool fourColors, BlockFormat format) {
     if (fourColors)
         return index == 2 ? "(2c0+c1)/3" : "(c0+2c1)/3";
@@ -106,7 +106,7 @@ void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_
                     frameOf(look.fields.indices[state.texel] == index, look.lit.colors.test(index)));
     if (spot.hovered) {
         state.hovering = BlockMark{BlockMark::Kind::Color, index};
-        helpTip("Gives the chosen texel this index.");
+        helpTip("Gives the selected texel this index.");
     }
     if (spot.pressed)
         writeField(state.block,
@@ -156,20 +156,18 @@ void drawAlphaEnds(BlockMicroscopeState& state, const BlockLook& look) {
             writeField(state.block, blockField(state.format, BlockPart::AlphaEnd, end),
                        static_cast<unsigned>(value));
         hoverEnd(state, BlockPart::AlphaEnd, end);
-        helpTip(end == 0 ? "Alpha 0, of 8 bits. Larger than alpha 1: eight alphas; else six, 0 and 255."
-                         : "Alpha 1, of 8 bits.");
+        helpTip(end == 0 ? "Alpha 0, 8 bits. If larger than alpha 1: eight alphas; else six, 0 and 255."
+                         : "Alpha 1, 8 bits.");
         ImGui::SameLine(0, gap);
     }
     const char* words = hasEightAlphas(look.fields) ? "Swap (eight)" : "Swap (six)";
     if (ImGui::Button(label(fmt::format("{}##alphas", words)).c_str(), {ImGui::GetContentRegionAvail().x, 0}))
         swapEnds(state, BlockPart::AlphaEnd);
     noteItem("block:swap alphas");
-    helpTip(
-        "Exchanges the two ends: the larger one first means eight alphas, else six are made of them, with 0 and "
-        "255.");
+    helpTip("Swaps the two ends. The larger one first means eight alphas, else six, 0 and 255.");
 }
 
-/// Each alpha that a texel can have, in lines of so many; a click gives it to the chosen texel.
+/// Each possible alpha of a texel, in lines of this many; a click sets it on the selected texel.
 void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
     const std::size_t count = alphaCount(state.format);
     const std::size_t perLine = count == 16 ? 8 : 4;
@@ -190,7 +188,7 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
         if (spot.hovered) {
             state.hovering = BlockMark{BlockMark::Kind::Alpha, i};
             const std::string bits = count == 16 ? fmt::format("{:04b}", i) : fmt::format("{:03b}", i);
-            helpTip(fmt::format("Gives the chosen texel the alpha {}, stored as {}.", alpha, bits));
+            helpTip(fmt::format("Gives the selected texel the alpha {}, stored as {}.", alpha, bits));
         }
         if (spot.pressed)
             writeField(state.block, blockField(state.format, BlockPart::Alpha, static_cast<int>(state.texel)),
@@ -215,7 +213,7 @@ void drawBlockPalette(BlockMicroscopeState& state, const BlockLook& look) {
         if (ImGui::Button(label("Swap the ends")))
             swapEnds(state, BlockPart::Color);
         noteItem("block:swap");
-        helpTip("Exchanges the two end colours: the larger number first means four colours, else three and a "
+        helpTip("Swaps the two end colours. The larger number first means four colours, else three and a "
                 "hole.");
         return;
     }

@@ -39,7 +39,7 @@ std::optional<LevelsRequest> levelsOfBoundTexture(Session& session, std::string&
     return std::nullopt;
 }
 
-/// Large levels take a while to be freed.
+/// Freeing large levels takes a while.
 void giveLevelsBack(Session& session, BlockSource& source) {
     if (source.levels && source.request)
         session.services.levels.uploaded(*source.request, std::exchange(source.levels, nullptr), {});
@@ -48,7 +48,7 @@ void giveLevelsBack(Session& session, BlockSource& source) {
     source.taken.reset();
 }
 
-/// Asks for the levels until they are there. Of others than before nothing is taken yet.
+/// Requests the levels until they are ready. Until then no block is read.
 void followLevels(Session& session, BlockSource& source) {
     std::optional<LevelsRequest> request = levelsOfBoundTexture(session, source.problem);
     if (!request) {
@@ -72,7 +72,7 @@ void followLevels(Session& session, BlockSource& source) {
         source.problem = "There is no level.";
 }
 
-/// The first level of a face, and what it was made of where it was compressed here.
+/// The first level of a face, and the source of its compression if it was compressed here.
 struct BaseOfFace {
     const Surface* surface = nullptr;
     const Image* before = nullptr;
@@ -119,8 +119,8 @@ BlockBytes compressed(const std::array<BlockColor, 16>& texels, BlockFormat form
     return block;
 }
 
-/// The face and the block of the texel that weighs most at the probed pixel; where it was read in a smaller
-/// level, the block of the base level at that place.
+/// The face and the block of the texel with the greatest weight at the probed pixel; if it was read in a
+/// smaller level, the block of the base level at that place.
 std::optional<glm::ivec3> probedBlock(const Session& session, const TextureLevels& levels) {
     const reference::UnitExplanation* unit = probedUnit(session);
     if (!unit || unit->sample.taps.empty())
@@ -212,7 +212,7 @@ void drawExamples(BlockMicroscopeState& state, float width) {
     }
 }
 
-/// ← → ↓ ↑ to the neighbours, and ↺ to the block as it was taken.
+/// ← → ↓ ↑ to the neighbours, and ↺ to restore the block.
 void drawPlace(BlockMicroscopeState& state) {
     BlockSource& source = state.source;
     struct Way {
@@ -221,9 +221,9 @@ void drawPlace(BlockMicroscopeState& state) {
         const char* help;
         int x, y;
     };
-    constexpr std::array ways{Way{"←", "block:left", "The block before along s", -1, 0},
+    constexpr std::array ways{Way{"←", "block:left", "The previous block along s", -1, 0},
                               Way{"→", "block:right", "The next block along s", 1, 0},
-                              Way{"↓", "block:down", "The block before along t", 0, -1},
+                              Way{"↓", "block:down", "The previous block along t", 0, -1},
                               Way{"↑", "block:up", "The next block along t", 0, 1}};
     for (const Way& way : ways) {
         const int x = source.x + way.x;
@@ -237,8 +237,7 @@ void drawPlace(BlockMicroscopeState& state) {
         }
     }
     ImGui::SameLine(0, 2);
-    if (squareButton("↺", "block:again", "Takes back what was changed here: the block as it was taken",
-                     state.block != source.block))
+    if (squareButton("↺", "block:again", "Reverts the changes of the block", state.block != source.block))
         state.block = source.block;
 }
 
@@ -258,7 +257,7 @@ void drawQuality(BlockSource& source, float width) {
         source.quality = static_cast<EncodeQuality>(*pressed);
 }
 
-/// The texels that were compressed, small, and how far those of the block are from them.
+/// The texels before compression, small, and the error of the block's texels.
 void drawOriginal(const BlockMicroscopeState& state) {
     const BlockSource& source = state.source;
     const float cell = std::floor(ImGui::GetFontSize() * 1.1F);
@@ -273,7 +272,7 @@ void drawOriginal(const BlockMicroscopeState& state) {
     }
     ImGui::Dummy({4 * cell, 4 * cell});
     noteItem("block:original");
-    helpTip("The texels that the block was made of, in the same order");
+    helpTip("The texels that the block was compressed from, in the same order");
     const double error = rootMeanSquare(*source.original, texelsOf(state.format, state.block), source.width,
                                         source.height, state.format != BlockFormat::Dxt1);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -283,8 +282,7 @@ void drawOriginal(const BlockMicroscopeState& state) {
     ImGui::TextUnformatted(fmt::format("{:.2f}", error).c_str());
     ImGui::EndGroup();
     noteItem("block:error");
-    helpTip(
-        "The root of the mean square of the differences between the original and the block's texels, of 255");
+    helpTip("The root mean square of the differences between the original and the block's texels, in 255ths");
 }
 
 } // namespace
@@ -312,7 +310,7 @@ void drawBlockSource(BlockMicroscopeState& state) {
     if (source.original)
         drawOriginal(state);
     if (source.stored) {
-        dimText("The texture's own bytes");
+        dimText("The bytes of the texture");
         noteItem("block:stored");
     } else {
         drawQuality(source, width);

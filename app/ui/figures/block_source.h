@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the block under the microscope comes from: one's own hands, or the scene's texture.
+// The source of the block under the microscope: the user's input, or the scene's texture.
 
 #include "app/ui/model/session.h"
 #include "core/s3tc/block_parts.h"
@@ -25,11 +25,11 @@ struct BlockExample {
 
 inline constexpr std::array blockExamples{
     BlockExample{"Four colours", BlockFormat::Dxt1Alpha, "20 FD 30 19 A0 E8 FA 7E",
-                 "Colour 0 is the larger number: the indices 2 and 3 lie between the ends."},
+                 "Colour 0 is the larger number: indices 2 and 3 are between the ends."},
     BlockExample{"Three and a hole", BlockFormat::Dxt1Alpha, "30 19 20 FD A5 BD 3E 0A",
-                 "Colour 0 is the smaller number: the index 2 is the mean, and 3 is transparent black."},
+                 "Colour 0 is the smaller number: index 2 is the mean, and index 3 is transparent black."},
     BlockExample{"16 alphas", BlockFormat::Dxt3, "10 32 54 76 98 BA DC FE 20 FD 30 19 A0 E8 FA 7E",
-                 "DXT3: each texel has an alpha of its own, of 4 bits."},
+                 "DXT3: each texel has an alpha of 4 bits."},
     BlockExample{"Eight alphas", BlockFormat::Dxt5, "FF 00 D0 A8 B1 63 CD FA 20 FD 30 19 A0 E8 FA 7E",
                  "DXT5 with alpha 0 larger than alpha 1: six alphas between the ends."},
     BlockExample{"Six, 0 and 255", BlockFormat::Dxt5, "50 B0 86 06 AD 5A B3 E6 20 FD 30 19 A0 E8 FA 7E",
@@ -43,12 +43,12 @@ struct BlockSource {
     int y = 0; ///< along t
     EncodeQuality quality = EncodeQuality::Best;
 
-    // What is known of the texture.
+    // The known data of the texture.
     std::optional<LevelsRequest> request{};
-    std::shared_ptr<const PreparedLevels> levels{}; ///< of that request; nullptr: not yet
-    std::string problem{};                          ///< a sentence: why there is no block to take
+    std::shared_ptr<const PreparedLevels> levels{}; ///< of that request; nullptr: not ready
+    std::string problem{};                          ///< a sentence: why no block is available
 
-    /// The block as it was taken.
+    /// The block as it was read.
     struct Taken {
         const PreparedLevels* levels = nullptr;
         int face = 0;
@@ -61,19 +61,19 @@ struct BlockSource {
     };
     std::optional<Taken> taken{};
     BlockBytes block{};
-    bool stored = false; ///< the texture has these bytes; else they were compressed now
-    std::optional<std::array<BlockColor, 16>> original{}; ///< what was compressed, where that is known
-    int width = 4;                                        ///< how many of the texels lie in the texture
+    bool stored = false; ///< these are the texture's bytes; else they were compressed here
+    std::optional<std::array<BlockColor, 16>> original{}; ///< the input of the compression, if known
+    int width = 4;                                        ///< how many of the texels are inside the texture
     int height = 4;
-    int columns = 1; ///< how many blocks the texture has
+    int columns = 1; ///< number of blocks in the texture
     int rows = 1;
 };
 
-/// Looks for the block where the source is the texture, and takes it when it is another one than before.
+/// If the source is the texture, reads its block again after a change.
 void followBlockSource(Session& session, BlockMicroscopeState& state);
 
 [[nodiscard]] float blockSourceWidth();
-/// What belongs to the source, as wide as the column is.
+/// The controls of the source, in the column's width.
 void drawBlockSource(BlockMicroscopeState& state);
 
 } // namespace texplorer::ui

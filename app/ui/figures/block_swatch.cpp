@@ -18,7 +18,7 @@ void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame fram
     if (frame == SwatchFrame::None)
         return;
     const float em = ImGui::GetFontSize();
-    const bool isSmall = high.y - low.y < em * 1.3F; // and the frame leaves its words readable
+    const bool isSmall = high.y - low.y < em * 1.3F; // and the frame leaves the text readable
     const float thick = isSmall ? 1.0F : std::max(1.0F, std::round(em / 8));
     const auto ring = [&](float inset, float width, ImU32 tint) {
         draw.AddRect({low.x + inset, low.y + inset}, {high.x - inset, high.y - inset}, tint, 0, 0, width);

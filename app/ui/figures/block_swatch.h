@@ -1,6 +1,6 @@
 #pragma once
 
-// How texels and the colours of a block are drawn.
+// Draws texels and the colours of a block.
 
 #include "core/s3tc/block_parts.h"
 
@@ -8,18 +8,18 @@
 
 namespace texplorer::ui {
 
-/// A colour with what is behind it where it is transparent.
+/// A colour, with a board behind it if it is transparent.
 void drawSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const BlockColor& color);
 
-/// What is drawn around something.
+/// The frame around a swatch.
 enum class SwatchFrame { None, Lit, Chosen };
 
 void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame frame);
 
-/// Words on a colour, readable on any, in the middle; smaller where it is low.
+/// Centred text on a colour, readable on any; smaller if the swatch is low.
 void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words);
 
-/// An invisible button of this size; keyboard and pointer rest on it alike.
+/// An invisible button of this size, for keyboard and pointer.
 struct Spot {
     ImVec2 low;
     ImVec2 high;

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int boardSide = 2; // texels
 
-/// The fragment's colour where no texture is: glColor.
+/// The fragment's colour without a texture: glColor.
 constexpr glm::vec4 fragmentColor(0.4F, 0.6F, 1, 1);
 
 glm::vec3 boardTexel(const Board& board, int i, int j) {
     return (i + j) % 2 == 0 ? board.first : board.second;
 }
 
-/// What an object's image has at (s, t), 0 to 1: as its magnification filter and its wrap modes say.
+/// The colour of an object's image at (s, t), 0 to 1, by its magnification filter and its wrap modes.
 glm::vec4 boardColor(const objects::TextureObject& object, float s, float t) {
     const Texture& state = object.state;
     const bool linear = state.magFilter == MagFilter::Linear;
@@ -52,7 +52,7 @@ void drawBoardImage(ImDrawList& draw, ImVec2 low, float side, const Board& board
     draw.AddRect(low, {low.x + side, low.y + side}, color::outline);
 }
 
-/// A square as it is drawn through the units up to this one, coordinates 0 to 1.
+/// A square drawn through the units up to this one, coordinates 0 to 1.
 void drawFragments(ImDrawList& draw, ImVec2 low, float side, const objects::TextureNames& names,
                    std::size_t last) {
     constexpr int cells = 12;

@@ -22,7 +22,7 @@ inline constexpr std::array boards{
 
 void drawBoardImage(ImDrawList& draw, ImVec2 low, float side, const Board& board);
 
-/// A square, coordinates 0 to 1, as it is drawn through the units up to `last`: pale blue where none has a
+/// Draws a square with the coordinates 0 to 1 through the units up to `last`: pale blue if none has a
 /// texture.
 void drawFragments(ImDrawList& draw, ImVec2 low, float side, const objects::TextureNames& names,
                    std::size_t last);

@@ -32,14 +32,14 @@ constexpr float lensFrom = -1;
 constexpr float lensTo = 2;
 constexpr std::array lensSizes{2, 4, 8};
 
-/// The texels' own colours: those of neighbours, and of both ends, differ.
+/// The colours of the texels: neighbours differ, and so do both ends.
 constexpr std::array lensColors{
     glm::vec3(0.84F, 0.24F, 0.20F), glm::vec3(0.98F, 0.78F, 0.22F), glm::vec3(0.25F, 0.63F, 0.35F),
     glm::vec3(0.20F, 0.50F, 0.88F), glm::vec3(0.58F, 0.36F, 0.74F), glm::vec3(0.95F, 0.60F, 0.70F),
     glm::vec3(0.35F, 0.78F, 0.80F), glm::vec3(0.60F, 0.44F, 0.30F),
 };
 
-/// What is drawn: the row, its border, and how it is read.
+/// The drawn row, its border, and its sampling parameters.
 struct LensRow {
     int size;
     glm::vec3 border;
@@ -64,7 +64,7 @@ void hatchLensBorder(ImDrawList& draw, const LensRow& row, std::span<const ImVec
     hatch(draw, shape, ImGui::GetFontSize() * 0.45F, inkOn(row.border), plotLine() * 0.75F);
 }
 
-/// The texels as they lie, the border beside them.
+/// The texels with the border next to them.
 void drawLensRow(ImDrawList& draw, const PlotBox& box, const LensRow& row) {
     const auto box4 = [&](float from, float to) {
         return std::array{box.at(from, 1), box.at(to, 1), box.at(to, 0), box.at(from, 0)};
@@ -92,15 +92,15 @@ void drawLensRow(ImDrawList& draw, const PlotBox& box, const LensRow& row) {
     draw.AddRect(box.low, box.high, color::outline);
 }
 
-/// The weights on top of each other: at every s they fill the height.
+/// The stacked weights: at every s they fill the height.
 void drawLensWeights(ImDrawList& draw, const PlotBox& box, const LensRow& row, Wrap wrap) {
     draw.AddRectFilled(box.low, box.high, color::ground);
-    const ImDrawListFlags flags = draw.Flags; // soft edges would be seams between pieces
+    const ImDrawListFlags flags = draw.Flags; // antialiased edges would be visible seams
     draw.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (const RowPiece& piece : row.pieces(wrap)) {
         std::vector<RowPiece::Share> shares = piece.shares;
         std::ranges::sort(shares, {}, [&](const RowPiece::Share& each) {
-            return row.isBorder(each.index) ? -1 : each.index; // border lies at the bottom
+            return row.isBorder(each.index) ? -1 : each.index; // the border is at the bottom
         });
         float from = 0;
         float to = 0;
@@ -118,7 +118,7 @@ void drawLensWeights(ImDrawList& draw, const PlotBox& box, const LensRow& row, W
     draw.AddRect(box.low, box.high, color::outline);
 }
 
-/// What comes of it.
+/// The resulting colours.
 void drawLensResult(ImDrawList& draw, const PlotBox& box, const LensRow& row, Wrap wrap) {
     for (const RowPiece& piece : row.pieces(wrap)) {
         glm::vec3 from(0);
@@ -142,7 +142,7 @@ void drawLensResult(ImDrawList& draw, const PlotBox& box, const LensRow& row, Wr
     draw.AddRect(box.low, box.high, color::outline);
 }
 
-/// -1, 0, 1 and 2 below, and where the edges are.
+/// The numbers -1, 0, 1 and 2, and the edges of texels.
 void drawLensScale(ImDrawList& draw, const PlotBox& box, float top) {
     for (int s = static_cast<int>(lensFrom); s <= static_cast<int>(lensTo); ++s) {
         const float x = box.atX(static_cast<float>(s));
@@ -158,7 +158,7 @@ void drawLensScale(ImDrawList& draw, const PlotBox& box, float top) {
     plotText(draw, {box.atX(0.5F), box.high.y + ImGui::GetFontSize() * 0.2F}, {0.5F, 0}, "s", color::s);
 }
 
-/// The large drawing: row, weights and result one above the other. Dragging over it reads a coordinate.
+/// The large drawing: row, weights and result one above the other. Dragging on it changes the coordinate.
 void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, float height) {
     const float em = ImGui::GetFontSize();
     const float names = std::ceil(std::max({plotTextSize(tr("Texels")).x, plotTextSize(tr("Weights")).x,
@@ -167,7 +167,7 @@ void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, 
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("lens", {width, height});
     noteItem("edge:lens");
-    helpTip("The weights of the texels at each coordinate, on top of each other. Drag to read one.");
+    helpTip("The weights of the texels at each coordinate, stacked. Drag to read one.");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float strip = em * 1.3F;
     const float scale = em * 1.2F;
@@ -197,7 +197,7 @@ void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, 
                            {x + em * 0.3F, texels.high.y - em * 0.25F}, color::probed);
 }
 
-/// A square with a texel's colour, before its text.
+/// A square with a texel's colour, in front of its text.
 void lensSwatch(const LensRow& row, int texel) {
     const float side = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -216,7 +216,7 @@ std::string lensBytes(glm::vec3 color) {
     return fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b);
 }
 
-/// The coordinate that is read, worked out.
+/// The calculation for the current coordinate.
 void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
@@ -227,13 +227,13 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     ImGui::SetNextItemWidth(em * 6);
     dragNumber("##s", state.s, {lensFrom, lensTo, 0.01F, {}}, 0);
     noteItem("edge:s");
-    helpTip("The coordinate that is read: drag it, or double click to type it.");
+    helpTip("The coordinate that is read. Drag it, or double-click to type a number.");
     const RowSample sample = reference::sampleRow(wrap, row.linear, state.s, row.size);
     ImGui::SameLine();
     dimText(fmt::format("s · {} = {:.2f}, wrapped: u = {:.2f}", row.size, sample.texels, sample.u));
     noteItem(fmt::format("edge:u {:.2f}", sample.u));
     if (row.linear)
-        dimText(fmt::format("u - 0.5 = {:.2f}: texels {} and {}, the second one's weight is {:.2f}",
+        dimText(fmt::format("u - 0.5 = {:.2f}: texels {} and {}, weight of the second {:.2f}",
                             sample.u - 0.5F, sample.taps[0].index, sample.taps[1].index, sample.alpha));
     else
         dimText(fmt::format("floor(u) = {}: one texel is read", sample.taps[0].index));
@@ -256,7 +256,7 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     noteItem(fmt::format("edge:border {:.2f}", sample.border));
 }
 
-/// Each wrap mode's colours; the one that is chosen is framed.
+/// The colours of each wrap mode; the chosen one has a frame.
 void drawLensStrips(Session& session, const ParamPlace& place, const LensRow& row, Wrap chosen, float width) {
     const float em = ImGui::GetFontSize();
     float names = 0;
@@ -296,7 +296,7 @@ void drawLensStrips(Session& session, const ParamPlace& place, const LensRow& ro
         assignParam(session, place.owner, *place.row, EnumValue{static_cast<std::uint32_t>(*wanted)});
 }
 
-/// How many texels, and the filter of the scene's texture.
+/// The number of texels, and the filter of the scene's texture.
 void drawLensChoices(Session& session, EdgeLensState& state, const ParamPlace& filter) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
@@ -310,7 +310,7 @@ void drawLensChoices(Session& session, EdgeLensState& state, const ParamPlace& f
     if (const auto plan = planSegments(sizes, em * 6, 1)) {
         const auto pressed = drawSegments(sizes, *plan, chosen, [](std::size_t i) {
             noteItem(fmt::format("edge:size {}", lensSizes.at(i)));
-            helpTip("How many texels the row has.");
+            helpTip("The number of texels in the row.");
         });
         if (pressed)
             state.size = lensSizes.at(*pressed);
@@ -332,7 +332,7 @@ void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& /*pict
     std::optional<ParamPlace> filterPlace =
         placeOf(session.document.scene, path + keyOf<&Texture::magFilter>());
     if (!texture || !wrapPlace || !filterPlace)
-        return dimWrappedText("Bind a texture to this unit: its wrap mode and its filter are drawn here.");
+        return dimWrappedText("Bind a texture to this unit to draw its wrap mode and its filter.");
     static const Texture initial;
     filterPlace->owner.initial = &initial;
     const float em = ImGui::GetFontSize();
@@ -343,7 +343,7 @@ void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& /*pict
         ImGui::SameLine(0, em * 1.5F);
         ImGui::AlignTextToFramePadding();
     }
-    fittedText("Drag across the drawing to read a coordinate. A click on a wrap mode takes it for s.",
+    fittedText("Drag across the drawing to read a coordinate. Click a wrap mode to use it for s.",
                color::dim);
     const LensRow row{state.size, glm::vec3(texture->borderColor), texture->magFilter == MagFilter::Linear};
     const Wrap wrap = texture->wrapS;

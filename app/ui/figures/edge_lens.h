@@ -5,14 +5,14 @@
 
 namespace texplorer::ui {
 
-/// A row of texels across its two edges.
+/// The state: a row of texels with its two edges.
 struct EdgeLensState {
     int size = 4;       ///< of the row
-    float s = -0.0625F; ///< the coordinate that is read
+    float s = -0.0625F; ///< the coordinate that is sampled
 };
 
-/// Which texels of a row are mixed at each coordinate from -1 to 2, with the wrap mode and the filter of the
-/// texture that is bound. A click on a mode takes it into the scene.
+/// Shows which texels of a row are mixed at each coordinate from -1 to 2, with the wrap mode and the filter
+/// of the bound texture. A click on a mode sets it in the scene.
 void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

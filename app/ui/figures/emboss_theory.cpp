@@ -42,7 +42,7 @@ const HeightProfile& profileOf(EmbossTheoryState& state) {
     return *state.profile;
 }
 
-/// Of the first unit of the scene that embosses.
+/// The depth of the scene's first embossing unit.
 std::optional<ParamPlace> embossDepth(Session& session) {
     Scene& scene = session.document.scene;
     for (std::size_t pass = 0; pass < scene.passes.size(); ++pass) {
@@ -57,7 +57,7 @@ std::optional<ParamPlace> embossDepth(Session& session) {
     return std::nullopt;
 }
 
-/// How bright a white surface is that faces the viewer: with the scene's light and material.
+/// The brightness of a white surface that faces the viewer, with the scene's light and material.
 float brightnessOf(const Scene& scene, float angle) {
     Light light = scene.light;
     light.position = {std::sin(angle), 0, std::cos(angle), 0};
@@ -68,7 +68,7 @@ float brightnessOf(const Scene& scene, float angle) {
     return reference::litColors(terms, surface, ColorControl::Single).primary.r;
 }
 
-/// What the drawing is of.
+/// The data of the drawing.
 struct EmbossFigure {
     const HeightProfile& profile;
     float light; ///< radians
@@ -84,7 +84,7 @@ float columnS(int column) {
     return (static_cast<float>(column) + 0.5F) / embossColumns;
 }
 
-/// A curve of a number of each place.
+/// A curve of one number for each position.
 template<class Number>
 void drawEmbossCurve(ImDrawList& draw, const PlotBox& box, ImU32 ink, float width, const Number& number) {
     std::vector<ImVec2> points;
@@ -94,17 +94,17 @@ void drawEmbossCurve(ImDrawList& draw, const PlotBox& box, ImU32 ink, float widt
     draw.AddPolyline(points.data(), static_cast<int>(points.size()), ink, 0, width);
 }
 
-/// Where the sun stands: straight above the middle for a light from above, and lower and lower beside it.
+/// The position of the sun: straight above the middle for a light from above, lower at the sides.
 ImVec2 sunAt(const PlotBox& box, float light) {
     const float em = ImGui::GetFontSize();
     const ImVec2 foot = box.at(0.5F, 0);
     const float across = box.width() / 2 - em;
     const float up = box.height() - em;
-    constexpr float lowest = 0.62F; // it never stands before the bump
+    constexpr float lowest = 0.62F; // it never covers the bump
     return {foot.x + std::sin(light) * across, foot.y - std::lerp(lowest, 1.0F, std::cos(light)) * up};
 }
 
-/// The heights, the moved ones, the place and the light. One drags the place, and the sun.
+/// The heights, the moved heights, the position and the light. The position and the sun can be dragged.
 void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const PlotBox& box) {
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -112,7 +112,7 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     ImGui::SetCursorScreenPos({sun.x - em, sun.y - em});
     ImGui::InvisibleButton("sun", {2 * em, 2 * em});
     noteItem("emboss:sun");
-    helpTip("The light, far away: drag it.");
+    helpTip("The distant light. Drag it.");
     const bool holdsSun = ImGui::IsItemActive();
     const bool overSun = holdsSun || ImGui::IsItemHovered();
     if (holdsSun) {
@@ -126,12 +126,12 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     noteItem("emboss:heights");
     if (ImGui::IsItemActive())
         state.s = std::clamp(box.xOf(ImGui::GetIO().MousePos.x), 0.0F, 1.0F);
-    helpTip(
-        "The height H across the surface, and dashed the same moved towards the light. Drag to read a place.");
+    helpTip("The height H across the surface, and dashed the height moved towards the light. Drag to read a "
+            "place.");
 
     draw.AddRectFilled(box.low, box.high, color::ground);
     draw.PushClipRect(box.low, box.high, true);
-    const ImDrawListFlags flags = draw.Flags; // soft edges would be seams
+    const ImDrawListFlags flags = draw.Flags; // antialiased edges would be visible seams
     draw.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (int i = 0; i + 1 < embossColumns; ++i) {
         const ImVec2 a = box.at(columnS(i), figure.profile.heightAt(columnS(i)));
@@ -153,7 +153,7 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     const ImVec2 here = box.at(state.s, point.h0);
     const ImVec2 there = box.at(state.s + point.offset, point.h1);
     draw.AddLine({here.x, box.low.y}, {here.x, box.high.y}, color::probed, plotLine());
-    // Towards the light, as far away as it is.
+    // Towards the light, at the distance of the sun.
     sun = sunAt(box, figure.light);
     const ImVec2 way(std::sin(figure.light), -std::cos(figure.light));
     const float reach = em * 3.2F;
@@ -176,7 +176,7 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     draw.AddRect(box.low, box.high, color::outline);
 }
 
-/// The grey of the first pass, as a curve.
+/// The grey values of the first pass as a curve.
 void drawGrey(const EmbossTheoryState& state, const EmbossFigure& figure, const PlotBox& box) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(box.low, box.high, color::ground);
@@ -191,7 +191,7 @@ void drawGrey(const EmbossTheoryState& state, const EmbossFigure& figure, const 
     draw.AddRect(box.low, box.high, color::outline);
 }
 
-/// How far the curve of the grey goes away from 0.5, or a little more.
+/// The largest distance of the grey curve from 0.5, slightly enlarged.
 float greyReach(const EmbossFigure& figure) {
     float most = 0;
     for (int i = 0; i < embossColumns; ++i)
@@ -203,7 +203,7 @@ float greyReach(const EmbossFigure& figure) {
     return 0.5F;
 }
 
-/// Colours of the places side by side.
+/// The colours of the positions in a row.
 template<class Color>
 void drawEmbossStrip(const EmbossTheoryState& state, const PlotBox& box, const Color& colorOf) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -278,7 +278,7 @@ void numberLine(const char* name, ImU32 ink) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.8F);
 }
 
-/// What one chooses: the line, the light, how far the second map is moved, the place.
+/// The controls: the line, the light, the offset of the second map, the position.
 void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional<ParamPlace>& depth) {
     const float em = ImGui::GetFontSize();
     const std::array lines{Segment{"Bump and block"}, Segment{"Bricks"}};
@@ -286,7 +286,7 @@ void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional
         const auto pressed =
             drawSegments(lines, *plan, static_cast<std::size_t>(state.line), [](std::size_t i) {
                 noteItem(i == 0 ? "emboss:sketch" : "emboss:bricks");
-                helpTip("What the line is drawn across: a sketch, or the program's bricks.");
+                helpTip("The surface that the line crosses: a sketch or the program's bricks.");
             });
         if (pressed)
             state.line = static_cast<EmbossTheoryState::Line>(*pressed);
@@ -298,7 +298,7 @@ void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional
     numberLine(tr("Light"), color::chosen);
     dragNumber("##light", state.angle, angleRange, -1);
     noteItem("emboss:light");
-    helpTip("The light's angle from the normal, towards growing s.");
+    helpTip("The angle of the light from the normal, towards increasing s.");
     sameLineFor(em * 11, em * 0.7F);
     numberLine("MAX_EMBOSS", color::text);
     float shift = depth ? numberAt(*depth, 0) : state.depth;
@@ -311,10 +311,9 @@ void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional
     }
     noteItem("emboss:depth");
     sealAfterItem(session);
-    helpTip(
-        depth
-            ? "How far the second map is moved at most: the scene's own depth of embossing."
-            : "How far the second map is moved at most. No unit of the scene embosses: it is the figure's alone.");
+    helpTip(depth ? "The maximum shift of the second map: the scene's depth of embossing."
+                  : "The maximum shift of the second map. No unit of the scene embosses, so it affects the "
+                    "figure only.");
 }
 
 void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figure) {
@@ -338,9 +337,11 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
     ImGui::Dummy({em * 1.6F, em});
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + em * 1.6F, low.y + em}, plotColor(point.color));
     ImGui::GetWindowDrawList()->AddRect(low, {low.x + em * 1.6F, low.y + em}, color::outline);
-    const char* seen = point.grey < 0.497F   ? "It climbs towards the light: H1 is larger, so it is darker."
-                       : point.grey > 0.503F ? "It falls towards the light: H0 is larger, so it is brighter."
-                                             : "It is flat: the heights cancel each other, and 0.5 is left.";
+    const char* seen = point.grey < 0.497F   ? "The surface rises towards the light: H1 is larger, so it "
+                                               "is darker."
+                       : point.grey > 0.503F ? "The surface falls towards the light: H0 is larger, so it "
+                                               "is brighter."
+                                             : "The surface is flat: the heights cancel, and 0.5 is left.";
     wrappedText(seen);
     dimWrappedText(
         "NeHe's text calls m = H1 - H0 the slope, but its formula, Fd + (H0 - H1), and its program "

@@ -8,19 +8,19 @@
 
 namespace texplorer::ui {
 
-/// A line across a relief.
+/// The state: a line across a relief.
 struct EmbossTheoryState {
     enum class Line { Sketch, Bricks };
     Line line = Line::Sketch;
-    float angle = 40;                       ///< of the light, degrees from the normal towards growing s
-    float s = 0.19F;                        ///< the place that is worked out
-    float depth = 0.03F;                    ///< MAX_EMBOSS, where no unit of the scene embosses
+    float angle = 40;                       ///< of the light, in degrees from the normal towards increasing s
+    float s = 0.19F;                        ///< the position of the calculation
+    float depth = 0.03F;                    ///< MAX_EMBOSS if no unit of the scene embosses
     std::optional<HeightProfile> profile{}; ///< of `drawn`
     Line drawn = Line::Sketch;
 };
 
-/// How two heights make a bump: the heights at s and s + ds, the grey of their difference, and the lit colour
-/// blended onto it. MAX_EMBOSS and the light's colours are the scene's.
+/// Shows how two heights make a bump: the heights at s and s + ds, the grey of their difference, and the lit
+/// colour blended onto it. MAX_EMBOSS and the light's colours are the scene's.
 void drawEmbossTheory(Session& session, EmbossTheoryState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

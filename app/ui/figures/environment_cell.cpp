@@ -20,10 +20,10 @@ using reference::EnvironmentEquations;
 using reference::tableFormats;
 using reference::tableModes;
 
-// Of the letters, in those of the window.
+// The size of letters, relative to those of the window.
 constexpr float smallText = 0.85F;
 constexpr float smallerText = 0.75F;
-constexpr float smallestText = 0.72F;
+constexpr float minText = 0.72F;
 constexpr float lineHeight = 1.02F;
 
 float cellPad() {
@@ -34,7 +34,7 @@ float widthOf(const std::string& words, float size) {
     return ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, words.c_str()).x;
 }
 
-/// The two equations of a cell as they are printed: worked out once.
+/// The two equations of a cell as printed, computed once.
 struct PrintedCell {
     std::string color;
     std::string alpha;
@@ -62,7 +62,7 @@ std::string withoutBlanks(std::string equation) {
     return equation;
 }
 
-/// In two lines where it is a sum of products.
+/// Two lines for a sum of products.
 std::vector<std::string> tightLines(const std::string& equation) {
     const std::size_t sign = equation.find(" + ");
     if (sign == std::string::npos || equation.find('(') == std::string::npos)
@@ -75,7 +75,7 @@ constexpr const char* longestDense = "Cp(1−Cs)+CcCs";
 constexpr const char* longestTight = "Cp(1−Cs)";
 constexpr const char* longestBytes = "255 255 255 255";
 
-/// How many lines of text a plan asks for.
+/// The number of text lines in a plan.
 float linesOf(const CellPlan& plan) {
     const float symbols = plan.symbols ? (plan.tight ? 4.0F : 2.0F) : 0;
     const float numbers = plan.numbers ? (plan.tight ? 3.0F : 1.0F) : 0;
@@ -158,7 +158,7 @@ void drawPicture(const CellPlan& plan, ImVec2 low, std::size_t column, std::size
     drawBoard(draw, at, end, std::max(2.0F, std::floor(plan.side / 6)));
     if (pictures.all == view::PictureHandle::None)
         return;
-    // Half a texel less: no neighbour shines through at the edges.
+    // Half a texel less, so that neighbours do not show at the edges.
     const auto columns = static_cast<float>(tableModes.size());
     const auto rows = static_cast<float>(tableFormats.size());
     const float halfU = 0.5F / (pictures.width * columns);
@@ -170,7 +170,7 @@ void drawPicture(const CellPlan& plan, ImVec2 low, std::size_t column, std::size
     draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
-/// With one of the two texts, or both.
+/// A plan with one of the two texts, or both.
 CellPlan planTexts(ImVec2 size, CellText wanted) {
     const float em = ImGui::GetFontSize();
     const float pad = cellPad();
@@ -183,7 +183,7 @@ CellPlan planTexts(ImVec2 size, CellText wanted) {
                       .tight = shape == Shape::Tight,
                       .symbols = both || wanted == CellText::Symbols,
                       .numbers = both || wanted == CellText::Numbers};
-        // What the text leaves, beside it or above it, is for the picture.
+        // The space next to the text or above it is for the picture.
         const float beside = std::min(room.y, room.x - textWidth(plan) - 2 * pad);
         const float above = std::min(room.x, room.y - linesOf(plan) * plan.text * lineHeight - pad);
         plan.above = above > beside;
@@ -192,11 +192,11 @@ CellPlan planTexts(ImVec2 size, CellText wanted) {
             plan.side = 0;
         return plan;
     };
-    // From what one would like best to what there is room for even in a narrow panel.
+    // From the best plan to one that fits even in a narrow panel.
     const std::array plans{
         planned(smallText, true, Shape::Loose),    planned(smallText, false, Shape::Loose),
         planned(smallerText, false, Shape::Loose), planned(smallerText, false, Shape::Dense),
-        planned(smallestText, true, Shape::Tight), planned(smallestText, false, Shape::Tight)};
+        planned(minText, true, Shape::Tight),      planned(minText, false, Shape::Tight)};
     const auto fits = [&](const CellPlan& plan) {
         return linesOf(plan) * plan.text * lineHeight <= room.y && textWidth(plan) <= room.x;
     };
@@ -225,15 +225,15 @@ void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value) {
     draw.AddRect(low, high, color::outline);
 }
 
-float leastCellHeight(float width, CellText wanted) {
+float minCellHeight(float width, CellText wanted) {
     const float em = ImGui::GetFontSize();
     CellPlan plan{.text = em * smallerText,
                   .dense = true,
                   .symbols = wanted != CellText::Numbers,
                   .numbers = wanted == CellText::Numbers};
-    float lines = 2; // as the row's name has
+    float lines = 2; // as in the row's name
     if (wanted != CellText::Pictures && textWidth(plan) > width - 2 * cellPad()) {
-        plan.text = em * smallestText;
+        plan.text = em * minText;
         plan.tight = true;
         lines = linesOf(plan);
     }

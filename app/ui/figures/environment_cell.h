@@ -10,43 +10,43 @@
 
 namespace texplorer::ui {
 
-/// What a cell of the table says where it has no room for all.
+/// The content of a cell of the table if there is no room for everything.
 enum class CellText { Symbols, Numbers, Pictures };
 
-/// How the cells of the table share their room: a picture at the left or above, and beside or below it one or
-/// both texts.
+/// The layout of the table's cells: a picture on the left or above, and one or both texts next to it or
+/// below.
 struct CellPlan {
     ImVec2 size{};      ///< of a cell
-    float text = 0;     ///< the size of its letters
-    float side = 0;     ///< of its picture; 0: there is none
+    float text = 0;     ///< size of its letters
+    float side = 0;     ///< size of its picture; 0: none
     bool above = false; ///< the picture is above the text
-    bool dense = false; ///< equations are without blanks
-    bool tight = false; ///< and those of sums have two lines
+    bool dense = false; ///< equations have no blanks
+    bool tight = false; ///< equations of sums have two lines
     bool symbols = true;
     bool numbers = true;
-    bool apart = false; ///< there is no room for symbols and a picture
+    bool apart = false; ///< symbols and a picture do not fit together
 
     [[nodiscard]] bool hasBoth() const { return symbols && numbers; }
 };
 
-/// What suits cells of this size; `wanted` where there is no room for all of it.
+/// The best plan for cells of this size; `wanted` is shown if not everything fits.
 [[nodiscard]] CellPlan planCells(ImVec2 size, CellText wanted);
 
-/// The least height of a row of cells that are so wide.
-[[nodiscard]] float leastCellHeight(float width, CellText wanted);
+/// The minimum height of a row of cells of this width.
+[[nodiscard]] float minCellHeight(float width, CellText wanted);
 
-/// All the pictures in one, see reference::environmentPictures, and how they are shown.
+/// All pictures in one image, see reference::environmentPictures, and its texture.
 struct CellPictures {
     view::PictureHandle all = view::PictureHandle::None;
-    float width = 1; ///< texels of one of them
+    float width = 1; ///< texels of one picture
     float height = 1;
 };
 
-/// What is in the cell of a mode and a format, between `low` and `low` + plan.size.
+/// Draws the cell of a mode and a format between `low` and `low` + plan.size.
 void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, std::size_t row,
                          const reference::TableColors& colors, const CellPictures& pictures);
 
-/// A colour, its right half over a board as far as its alpha lets it shine through.
+/// A colour; its right half is blended over a board by its alpha.
 void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value);
 
 /// "230 77 51 255"

@@ -31,7 +31,7 @@ using reference::TableColors;
 using reference::tableFormats;
 using reference::tableModes;
 
-/// The colours that the table is worked out for.
+/// The colours for which the table is computed.
 struct ColorRow {
     const char* symbol;
     const char* words;
@@ -40,14 +40,13 @@ struct ColorRow {
 };
 constexpr std::array colorRows{
     ColorRow{"Cp",
-             "Cp, Ap: the colour that comes in, of lighting, glColor or the unit before. Textbooks "
-             "write Cf.",
+             "Cp, Ap: the incoming colour from lighting, glColor or the unit before. Textbooks write Cf.",
              &TableColors::fragment, &EnvironmentTableState::fragment},
     ColorRow{"Ct",
-             "Ct, At: the texel, filtered, with all that its image has. Cs and As are what a format keeps "
-             "of it; Lt and It are its red.",
+             "Ct, At: the filtered texel with all components of its image. Cs and As are the part that a "
+             "format keeps; Lt and It are its red.",
              &TableColors::texel, &EnvironmentTableState::texel},
-    ColorRow{"Cc", "Cc, Ac: GL_TEXTURE_ENV_COLOR of the unit. GL_BLEND alone reads it.",
+    ColorRow{"Cc", "Cc, Ac: GL_TEXTURE_ENV_COLOR of the unit. Only GL_BLEND reads it.",
              &TableColors::constant, &EnvironmentTableState::constant},
 };
 
@@ -98,7 +97,7 @@ struct ChoiceWords {
     const char* tip;
 };
 
-/// Choices side by side. The one that was pressed.
+/// Buttons in a row. Returns the pressed one.
 std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords> choices,
                                    std::size_t chosen) {
     const float em = ImGui::GetFontSize();
@@ -124,13 +123,13 @@ std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords
 
 void tools(EnvironmentTableState& state, const TableSubject& subject, const CellPlan& plan) {
     constexpr std::array texts{
-        ChoiceWords{"In symbols", "Each cell's equations: of the colour, and below it of alpha."},
+        ChoiceWords{"In symbols", "The equations of each cell: colour, and below it alpha."},
         ChoiceWords{"In numbers",
-                    "Each cell's result for the colours above: red, green, blue and alpha, 0 to 255."},
-        ChoiceWords{"Pictures", "What each cell makes of a small picture."}};
+                    "The result of each cell for the colours above: red, green, blue and alpha, 0 to 255."},
+        ChoiceWords{"Pictures", "The result of each cell for a small picture."}};
     constexpr std::array pictures{
-        ChoiceWords{"Texture", "The pictures are of the bound texture."},
-        ChoiceWords{"Gradient", "The pictures are of every hue, and of every alpha from bottom to top."}};
+        ChoiceWords{"Texture", "The pictures show the bound texture."},
+        ChoiceWords{"Gradient", "The pictures show every hue, and every alpha from bottom to top."}};
     if (!plan.hasBoth()) {
         const std::span<const ChoiceWords> offered = std::span(texts).first(plan.apart ? 3 : 2);
         const CellText shown =
@@ -149,20 +148,18 @@ void tools(EnvironmentTableState& state, const TableSubject& subject, const Cell
         if (ImGui::Button(label(words)))
             state.fragment = state.texel = state.constant = std::nullopt;
         noteItem("table:reset");
-        helpTip("Takes the colours again from the scene.");
+        helpTip("Resets the colours to those of the scene.");
     }
 }
 
-/// Where the colours come from, and what to do.
+/// The source of the colours, and instructions.
 void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
     const char* words =
-        hasOwnColors(state)
-            ? "Rest on a cell: the view shows it; click: the unit takes it. The colours are yours."
+        hasOwnColors(state) ? "Point at a cell to preview it, click to apply it. The colours are your own."
         : subject.probed
-            ? "Rest on a cell: the view shows it; click: the unit takes it. The colours are those "
-              "of the probed pixel."
-            : "Rest on a cell: the view shows it; click: the unit takes it. Explain a pixel: the "
-              "colours are its own.";
+            ? "Point at a cell to preview it, click to apply it. The colours are those of the explained "
+              "pixel."
+            : "Point at a cell to preview it, click to apply it. Explain a pixel to use its colours.";
     if (sameLineFor(ImGui::GetFontSize() * 16, ImGui::GetFontSize() * 0.8F))
         ImGui::AlignTextToFramePadding();
     if (fittedText(words, color::dim))
@@ -181,7 +178,7 @@ std::string nameOf(const CellPlace& cell) {
     return fmt::format("{},{}", texplorer::rowOf(cell.mode()).name, texplorer::rowOf(cell.format()).name);
 }
 
-/// What is said of the step of undo, and of the preview.
+/// The name of the undo step and of the preview.
 std::string wordsOf(const CellPlace& cell) {
     return fmt::format("{}: {}, {}", "Environment", texplorer::rowOf(cell.mode()).label,
                        texplorer::rowOf(cell.format()).label);
@@ -192,7 +189,7 @@ void take(Scene& scene, const Selection& selection, const TableSubject& subject,
                      .units.at(static_cast<std::size_t>(selection.unit));
     unit.envMode = cell.mode();
     const auto texture = static_cast<std::size_t>(unit.texture);
-    // RGBA4 has the base format RGBA: it stays.
+    // RGBA4 has the base format RGBA: it is not changed.
     if (subject.hasChoice && subject.format != cell.format() && texture < scene.textures.size())
         scene.textures[texture].internalFormat = internalFormat(cell.format());
 }
@@ -207,7 +204,7 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
                                     tr(shownName(settings, texplorer::rowOf(cell.format()))));
     if (equations.undefined)
         return helpTip(words + "\n" +
-                       tr("The specification leaves this undefined. Here the colour that comes in stays; a "
+                       tr("The specification leaves this undefined. Here the incoming colour stays; a "
                           "driver may do anything else."));
     const auto [source, alpha] = reference::sourceSymbols(cell.format());
     words += "\n" + fmt::format("Cs = {}, As = {}", source, alpha);
@@ -256,7 +253,7 @@ void drawCell(Session& session, const TableSubject& subject, const TableColors& 
     sealEdit(session);
 }
 
-/// The format's name, and what it makes of the texel.
+/// The name of the format, and the texel in that format.
 void drawRowHead(const Session& session, const TableColors& colors, BaseFormat format, ImVec2 low,
                  ImVec2 size) {
     const float em = ImGui::GetFontSize();
@@ -277,7 +274,7 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     choiceTip(row);
 }
 
-/// Of the modes' names.
+/// The width of the modes' names.
 float columnHeadHeight() {
     return std::ceil(ImGui::GetFontSize() * 1.12F);
 }
@@ -292,7 +289,7 @@ float headWidth(const Session& session) {
     return std::min(std::ceil(width + em * 0.4F), std::floor(ImGui::GetContentRegionAvail().x / 4));
 }
 
-/// Of a column or a row: the scene's own is the accent's colour.
+/// The colour of a column or a row: the accent for the scene's own.
 void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap) {
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -311,14 +308,14 @@ void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap)
     ImGui::SetCursorScreenPos({origin.x, origin.y + columnHeadHeight()});
 }
 
-/// Of `height` there is what the lines above the cells leave.
+/// `height` is the room below the lines above the cells.
 ImVec2 cellSize(float head, float height, float gap, CellText wanted) {
     const float width = ImGui::GetContentRegionAvail().x - head;
     const auto columns = static_cast<float>(tableModes.size());
     const auto rows = static_cast<float>(tableFormats.size());
     const float all = height - columnHeadHeight();
     const float wide = std::max(1.0F, std::floor((width + gap) / columns) - gap);
-    return {wide, std::max(leastCellHeight(wide, wanted), std::floor((all + gap) / rows) - gap)};
+    return {wide, std::max(minCellHeight(wide, wanted), std::floor((all + gap) / rows) - gap)};
 }
 
 } // namespace
@@ -336,11 +333,11 @@ void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const 
         shown.height = static_cast<float>(atlas->height) / static_cast<float>(tableFormats.size());
     }
     const float head = headWidth(session);
-    // The switch is there where the cells are small, and they are planned before it is drawn.
+    // The switch is shown if the cells are small; they are planned before it is drawn.
     const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
     const CellPlan first =
         planCells(cellSize(head, ImGui::GetContentRegionAvail().y - above, gap, state.shows), state.shows);
-    // Close together: all rows are to be in sight.
+    // With little space, so that all rows are visible.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, gap});
     colorEditors(state, colors);
     tools(state, subject, first);

@@ -10,7 +10,7 @@
 
 namespace texplorer::ui {
 
-/// Colours that the user has set here; nothing: those of the scene.
+/// Colours that the user has set in the table; nothing: those of the scene.
 struct OwnColors {
     std::optional<glm::vec4> fragment;
     std::optional<glm::vec4> texel;
@@ -18,12 +18,12 @@ struct OwnColors {
 };
 
 struct EnvironmentTableState : OwnColors {
-    CellText shows = CellText::Symbols; ///< where a cell has no room for both
-    bool gradient = false;              ///< the pictures are of every hue and alpha, not of the texture
+    CellText shows = CellText::Symbols; ///< if a cell has no room for both
+    bool gradient = false;              ///< the pictures show every hue and alpha, not the texture
 };
 
-/// The environment modes by the base formats, for the selected unit and its texture. A click takes the mode
-/// and the format of a cell.
+/// Draws the table of environment modes and base formats for the selected unit and its texture. A click sets
+/// the mode and the format of a cell.
 void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

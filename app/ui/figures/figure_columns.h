@@ -5,16 +5,16 @@
 
 namespace texplorer::ui {
 
-/// Something beside others, with the width that it needs.
+/// A column of a figure, with the width that it needs.
 struct FigureColumn {
     float width;
     std::function<void()> draw;
 };
 
-/// What is between two of them.
+/// The space between two columns.
 [[nodiscard]] float figureColumnGap();
 
-/// Beside each other, and those that find no room below.
+/// Draws the columns next to each other; those that do not fit go below.
 void drawFigureColumns(std::span<const FigureColumn> columns);
 
 } // namespace texplorer::ui

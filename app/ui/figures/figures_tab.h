@@ -10,7 +10,7 @@
 
 namespace texplorer::ui {
 
-/// What each figure remembers.
+/// The state of each figure.
 struct FiguresTabState {
     EnvironmentTableState environments;
     SheetState sheet;
@@ -21,7 +21,7 @@ struct FiguresTabState {
     EdgeLensState edge;
 };
 
-/// The names of all figures, and the one that is chosen: WindowState::figure.
+/// Draws the names of all figures, and the selected one: WindowState::figure.
 void drawFiguresTab(Session& session, FiguresTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

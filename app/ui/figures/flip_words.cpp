@@ -19,19 +19,19 @@ constexpr std::array pairsOfTwo{RowPair{0, 1}};
 constexpr std::array pairsOfThree{RowPair{0, 2}};
 constexpr std::array pairsOfFour{RowPair{0, 3}, RowPair{1, 2}};
 
-/// Which bytes that are: for 2, 3 and 4 rows of a block.
-constexpr std::array<const char*, 3> bytesOfDxt1{
-    "Rows 0 and 1 change places: bytes 4 and 5.", "Rows 0 and 2 change places: bytes 4 and 6.",
-    "Rows 0 and 3 change places, and 1 and 2: bytes 4 and 7, 5 and 6."};
+/// The bytes, for 2, 3 and 4 rows of a block.
+constexpr std::array<const char*, 3> bytesOfDxt1{"Swap rows 0 and 1: bytes 4 and 5.",
+                                                 "Swap rows 0 and 2: bytes 4 and 6.",
+                                                 "Swap rows 0 and 3, and 1 and 2: bytes 4 and 7, 5 and 6."};
 constexpr std::array<const char*, 3> bytesOfDxt3{
-    "Rows 0 and 1 change places: of the alphas bytes 0, 1 and 2, 3; of the indices 12 and 13.",
-    "Rows 0 and 2 change places: of the alphas bytes 0, 1 and 4, 5; of the indices 12 and 14.",
-    "Rows 0 and 3 change places, and 1 and 2: of the alphas bytes 0, 1 and 6, 7, then 2, 3 and 4, 5; of the "
-    "indices 12 and 15, 13 and 14."};
+    "Swap rows 0 and 1: bytes 0, 1 and 2, 3 of the alphas; bytes 12 and 13 of the indices.",
+    "Swap rows 0 and 2: bytes 0, 1 and 4, 5 of the alphas; bytes 12 and 14 of the indices.",
+    "Swap rows 0 and 3, and 1 and 2: bytes 0, 1 and 6, 7, then 2, 3 and 4, 5 of the alphas; bytes 12 and "
+    "15, 13 and 14 of the indices."};
 constexpr std::array<const char*, 3> bytesOfDxt5{
-    "Rows 0 and 1 change places: the first and the second 12 bits of the alphas; bytes 12 and 13.",
-    "Rows 0 and 2 change places: the first and the third 12 bits of the alphas; bytes 12 and 14.",
-    "Rows 0 and 3 change places, and 1 and 2: the 12 bits of each in the alphas; bytes 12 and 15, 13 and 14."};
+    "Swap rows 0 and 1: the first and the second 12 bits of the alphas; bytes 12 and 13.",
+    "Swap rows 0 and 2: the first and the third 12 bits of the alphas; bytes 12 and 14.",
+    "Swap rows 0 and 3, and 1 and 2: their 12 bits of the alphas; bytes 12 and 15, 13 and 14."};
 
 const char* bytesThatMove(BlockFormat format, int rows) {
     const auto& words = format == BlockFormat::Dxt5   ? bytesOfDxt5
@@ -40,7 +40,7 @@ const char* bytesThatMove(BlockFormat format, int rows) {
     return words.at(static_cast<std::size_t>(rows - 2));
 }
 
-/// How far what was compressed again is from the mirrored picture, over all components.
+/// The error of recompression against the mirrored picture, over all components.
 double errorOf(const BlockImage& stored, const BlockImage& again) {
     Image expected = decodeBlocks(stored);
     flipVertically(expected);
@@ -56,16 +56,16 @@ double errorOf(const BlockImage& stored, const BlockImage& again) {
 std::vector<std::string> beginning(const BlockImage& image) {
     const int height = image.height;
     std::vector<std::string> words{
-        "As the file has it: its first row is the upper one of the image, and OpenGL "
-        "takes it for the lowest."};
+        "As in the file: the first row is the top row of the image, but OpenGL takes it for the bottom row."};
     if (height == 1)
-        words.emplace_back("There is one row: nothing is to be done.");
+        words.emplace_back("There is only one row: nothing to do.");
     else if (height < 4)
-        words.push_back(fmt::format("One row of blocks, of which {} texel rows lie in the picture.", height));
+        words.push_back(
+            fmt::format("One row of blocks, of which {} texel rows are inside the image.", height));
     else if (!flipsWithoutLoss(height))
         words.push_back(
-            fmt::format("A height of {} is no multiple of 4: the last block is used in part. Go on "
-                        "to see what the usual steps make of it.",
+            fmt::format("A height of {} is not a multiple of 4: the last block is used in part. Continue "
+                        "to see the result of the usual steps.",
                         height));
     return words;
 }
@@ -76,16 +76,15 @@ std::vector<std::string> turning(std::span<const FlipStep> steps, std::size_t st
     std::vector<std::string> words{fmt::format("Inside the blocks of row {}.", steps[step].first),
                                    bytesThatMove(image.format, rows)};
     if (rows < 4)
-        words.emplace_back("The rows outside of the picture keep their bits.");
+        words.emplace_back("The rows outside the image keep their bits.");
     const bool isLastTurn = step + 1 == steps.size() || steps[step + 1].act == Act::Recompress;
     if (!isLastTurn)
         return words;
     if (flipsWithoutLoss(image.height))
-        words.emplace_back("Done: the picture is upside down, and no colour has changed.");
+        words.emplace_back("Done: the image is upside down, and no colour has changed.");
     else
         words.push_back(
-            fmt::format("Wrong: the picture begins with {} unused rows, and as many of its own have "
-                        "fallen out.",
+            fmt::format("Wrong: the image begins with {} unused rows, and has lost as many rows of its own.",
                         4 - image.height % 4));
     return words;
 }
@@ -112,9 +111,9 @@ std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::siz
         return beginning(now.after);
     case Act::SwapBlockRows: {
         std::vector<std::string> words{fmt::format(
-            "The rows of blocks {} and {} change places, each block as it is.", now.first, now.second)};
+            "Swap the rows of blocks {} and {}, with each block unchanged.", now.first, now.second)};
         if (now.second - now.first == 2)
-            words.emplace_back("The one in the middle stays where it is.");
+            words.emplace_back("The middle row stays in place.");
         return words;
     }
     case Act::TurnRows:
@@ -122,12 +121,11 @@ std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::siz
     case Act::Recompress:
         break;
     }
-    return {
-        "A new block would need rows of two old ones, and has two end colours for all of them.",
-        fmt::format("Decompressed, turned around and compressed again it differs by {:.1f} of 255 (RMS).",
-                    errorOf(steps.front().after, now.after)),
-        "Texplorer decompresses such a texture when it loads it, and turns its pixels around; texshot flip "
-        "refuses it without --lossy."};
+    return {"A new block would need rows of two old blocks, but has only two end colours for all of them.",
+            fmt::format("Decompressed, flipped and compressed again, it differs by {:.1f} of 255 (RMS).",
+                        errorOf(steps.front().after, now.after)),
+            "Texplorer decompresses such a texture at loading and flips its pixels; texshot flip refuses it "
+            "without --lossy."};
 }
 
 } // namespace texplorer::ui

@@ -8,10 +8,10 @@
 
 namespace texplorer::ui {
 
-/// What a step does and what there is to see then, a sentence each.
+/// What a step does and what it shows, one sentence each.
 [[nodiscard]] std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::size_t step);
 
-/// Which rows of texels change places in a block of which so many are turned around.
+/// Rows of texels that are exchanged in a block when this many rows are flipped.
 struct RowPair {
     int first;
     int second;

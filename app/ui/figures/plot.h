@@ -7,7 +7,7 @@
 
 namespace texplorer::ui {
 
-/// A rectangle of the window in which numbers are drawn: x to the right, y upwards.
+/// The rectangle of a plot in the window: x to the right, y upwards.
 struct PlotBox {
     ImVec2 low;  ///< upper left
     ImVec2 high; ///< lower right
@@ -21,23 +21,23 @@ struct PlotBox {
     [[nodiscard]] float atX(float x) const { return low.x + (x - xFrom) / (xTo - xFrom) * width(); }
     [[nodiscard]] float atY(float y) const { return high.y - (y - yFrom) / (yTo - yFrom) * height(); }
     [[nodiscard]] ImVec2 at(float x, float y) const { return {atX(x), atY(y)}; }
-    /// Of a place in the window.
+    /// The x value at a position in the window.
     [[nodiscard]] float xOf(float place) const { return xFrom + (place - low.x) / width() * (xTo - xFrom); }
 };
 
 /// A colour of the scene, opaque.
 [[nodiscard]] ImU32 plotColor(glm::vec3 color);
 
-/// What can be read on a colour of the scene, in every theme.
+/// A text colour that is readable on a colour of the scene, in every theme.
 [[nodiscard]] ImU32 inkOn(glm::vec3 color);
 
-/// A small text, in the window's language already. `anchor`: which share of it lies left of and above `at`.
+/// A small, already translated text. `anchor`: the fraction of its size to the left of `at` and above it.
 void plotText(ImDrawList& draw, ImVec2 at, ImVec2 anchor, const std::string& text, ImU32 ink);
 
-/// How large it is.
+/// The size of such a text.
 [[nodiscard]] ImVec2 plotTextSize(const std::string& text);
 
-/// As wide as the lines of all figures.
+/// The line width of all figures.
 [[nodiscard]] float plotLine();
 
 } // namespace texplorer::ui

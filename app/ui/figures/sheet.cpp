@@ -20,15 +20,15 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::size_t mostOnASide = 8;
-constexpr float leastCell = 6.5F; ///< heights of the text: narrower ones are scrolled instead
+constexpr std::size_t maxPerSide = 8;
+constexpr float minCell = 6.5F; ///< heights of the text: narrower cells are scrolled instead
 
-/// An axis with what it is called.
+/// An axis and its labels.
 struct NamedAxis {
     SweepAxis axis;
     const ParamRow* row;
-    std::vector<std::string> labels; ///< of its values
-    std::size_t all;                 ///< values that there are; those that are shown are in `axis`
+    std::vector<std::string> labels; ///< one for each value
+    std::size_t all;                 ///< the number of all values; `axis` has the shown ones
 
     [[nodiscard]] std::size_t count() const { return axis.values.size(); }
 };
@@ -38,7 +38,7 @@ NamedAxis namedAxis(const Session& session, SweepAxis axis) {
     NamedAxis named{std::move(axis), nullptr, {}, 0};
     named.row = paramAt(scene, named.axis.path)->row;
     named.all = named.axis.values.size();
-    named.axis.values.resize(std::min(named.all, mostOnASide));
+    named.axis.values.resize(std::min(named.all, maxPerSide));
     const sheet::LabelKind kind =
         session.window.settings.glNames ? sheet::LabelKind::Names : sheet::LabelKind::Words;
     named.labels = std::move(sheet::labelsOf(scene, std::span(&named.axis, 1), kind).front().values);
@@ -47,10 +47,10 @@ NamedAxis namedAxis(const Session& session, SweepAxis axis) {
     return named;
 }
 
-/// How the pictures lie in their room.
+/// The layout of the pictures.
 struct SheetPlan {
-    float head = 0; ///< the width of the rows' names
-    float line = 0; ///< the height of the columns' names
+    float head = 0; ///< width of the rows' labels
+    float line = 0; ///< height of the columns' labels
     float gap = 1;
     ImVec2 cell{1, 1};
 };
@@ -63,7 +63,7 @@ float headOf(const NamedAxis& rows) {
                     std::floor(ImGui::GetContentRegionAvail().x * 0.22F));
 }
 
-/// `aspect`: the view's width by its height.
+/// `aspect`: width / height of the view.
 SheetPlan planSheet(const NamedAxis& rows, const NamedAxis& columns, float aspect) {
     const float em = ImGui::GetFontSize();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -75,9 +75,9 @@ SheetPlan planSheet(const NamedAxis& rows, const NamedAxis& columns, float aspec
     const float width = share(room.x - plan.head, columns.count());
     const float height = room.y - plan.line;
     float wide = std::min(width, share(height, rows.count()) * aspect);
-    if (wide < em * leastCell) { // then they scroll; one row and a part of the next are in sight
-        const float most = share(room.x - plan.head - ImGui::GetStyle().ScrollbarSize, columns.count());
-        wide = std::min(most, std::max(em * leastCell, height / 1.4F * aspect));
+    if (wide < em * minCell) { // then they scroll; one row and a part of the next are visible
+        const float maxWidth = share(room.x - plan.head - ImGui::GetStyle().ScrollbarSize, columns.count());
+        wide = std::min(maxWidth, std::max(em * minCell, height / 1.4F * aspect));
     }
     plan.cell.x = std::max(8.0F, std::floor(wide));
     plan.cell.y = std::max(6.0F, std::floor(plan.cell.x / aspect));
@@ -95,7 +95,7 @@ std::string wordsOf(const Session& session, const Axes& axes, std::size_t row, s
                        tr(shownName(settings, *axes.columns.row)), axes.columns.labels.at(column));
 }
 
-/// The value of an axis that the scene has; nothing: another one.
+/// The index of the scene's value on an axis; nothing if the axis does not have it.
 std::optional<std::size_t> ownValue(const Session& session, const SweepAxis& axis) {
     const Result<std::string> now = getParam(session.document.scene, axis.path);
     const auto found = now ? std::ranges::find(axis.values, *now) : axis.values.end();
@@ -116,7 +116,7 @@ void take(Session& session, const Axes& axes, std::size_t row, std::size_t colum
     bringSelectionBack(session);
 }
 
-/// What the mouse does with a cell.
+/// Handles the mouse on a cell.
 void cellButton(Session& session, const Axes& axes, const SheetPictures::Cell& cell, const SheetPlan& plan,
                 std::size_t row, std::size_t column, bool own) {
     const std::string& down = axes.rows.axis.values.at(row);
@@ -213,23 +213,23 @@ void drawCells(Session& session, const Axes& axes, const SheetPlan& plan, const 
     ImGui::EndChild();
 }
 
-/// What there is to do, or what isn't shown.
+/// What the user can do, or what is not shown.
 void sentence(const Axes& axes) {
     for (const NamedAxis* axis : {&axes.rows, &axes.columns}) {
         if (axis->all <= axis->count())
             continue;
         const std::string words =
-            fmt::format("{} has {} values, of which the first {} are shown: write those "
-                        "that you want to see; a file has all.",
+            fmt::format("{} has {} values, and the first {} are shown. Type the values to show; a file has "
+                        "all.",
                         tr(axis->row->label), axis->all, axis->count());
         if (fittedText(words, color::problem))
             helpTip(words);
         return noteItem("sheet:too many");
     }
-    constexpr const char* words = "Rest on a picture to see it large; click to take its values.";
-    const std::string more = tr(
-        "Every pair of values, drawn by the reference: as small as it is here, and so it minifies more than "
-        "the view.");
+    constexpr const char* words = "Point at a picture to enlarge it, click to apply its values.";
+    const std::string more =
+        tr("Every pair of values, drawn by the reference at this small size, so it minifies more than the "
+           "view.");
     helpTip(fittedText(words, color::dim) ? fmt::format("{}\n{}", tr(words), more) : more);
 }
 
@@ -238,7 +238,7 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
     const auto pixels = [](float length, float scale) {
         return std::max(1, static_cast<int>(std::lround(length * scale)));
     };
-    // Whatever values the scene has on both axes, the pictures are the same.
+    // The pictures do not depend on the scene's values on both axes.
     Result<Scene> base = sheetScene(session.document.scene, axes.rows.axis, 0, axes.columns.axis, 0);
     return {{base ? *std::move(base) : session.document.scene, session.document.images,
              session.window.playback.time, pixels(plan.cell.x, density.x), pixels(plan.cell.y, density.y),

@@ -6,8 +6,8 @@
 
 namespace texplorer::ui {
 
-/// The scene with every pair of values of two parameters, small, as the reference draws it. A click takes
-/// both values.
+/// Draws the scene with every pair of values of two parameters, as small pictures by the reference. A click
+/// sets both values.
 void drawSheet(Session& session, SheetState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

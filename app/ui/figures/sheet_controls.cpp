@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
 
-/// The label of the parameter at a path; the path where there is none.
+/// The label of the parameter at a path; the path if there is none.
 std::string labelAt(const Session& session, const std::string& path) {
     const Result<ParamAt> at = paramAt(session.document.scene, path);
     return at ? std::string(shownName(session.window.settings, *at->row)) : path;
@@ -41,7 +41,7 @@ void findOffers(const Session& session, SheetState& state) {
                                             "."
                                       : std::string();
     const std::string unit = selectedUnitPath(session) + ".";
-    // Those of what is selected come first.
+    // Parameters of the selection come first.
     std::vector<std::pair<int, SheetState::Offer>> found;
     forEachParam(session.document.scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         const int match = state.search.empty() ? 1 : matchOf(row, state.search);
@@ -57,7 +57,7 @@ void findOffers(const Session& session, SheetState& state) {
     state.isOffered = true;
 }
 
-/// The list of parameters, which a search shortens. The path that was chosen.
+/// The list of parameters with a search field. Returns the chosen path.
 std::optional<std::string> choosePath(Session& session, SheetState& state, const std::string& current) {
     const float em = ImGui::GetFontSize();
     if (ImGui::IsWindowAppearing()) {
@@ -75,7 +75,7 @@ std::optional<std::string> choosePath(Session& session, SheetState& state, const
     std::optional<std::string> chosen;
     ImGui::BeginChild("offers", {width, em * 16});
     if (state.offers.empty())
-        wrappedText("No choice, number or colour has such a name.");
+        wrappedText("No choice, number or colour has this name.");
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(state.offers.size()));
     while (clipper.Step()) {
@@ -98,7 +98,7 @@ std::optional<std::string> choosePath(Session& session, SheetState& state, const
 constexpr const char* saveWords = "Save…";
 constexpr const char* copyWords = "Copy command";
 
-/// How the file is made: the extent of each picture, and what values are called.
+/// The options of the file: the extent of each picture, and the names of values.
 void fileOptions(Session& session) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -108,7 +108,7 @@ void fileOptions(Session& session) {
         ImGui::DragInt(name, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp);
         markDraggable();
         noteItem(fmt::format("sheet file:{}", name + 2));
-        helpTip("Pixels of each picture. Drag it, or double-click to type a number.");
+        helpTip("The size of each picture in pixels. Drag it, or double-click to type a number.");
     };
     const float names = em * 7;
     ImGui::AlignTextToFramePadding();
@@ -134,24 +134,24 @@ void fileOptions(Session& session) {
     }
 }
 
-/// The sheet as a file and as a command.
+/// Buttons for the sheet as a file and as a command.
 void fileControls(Session& session) {
     if (ImGui::Button(label(saveWords)))
         ImGui::OpenPopup("file");
     noteItem("sheet:save");
-    helpTip("Writes the sheet with every value as a PNG file: labelled, and with the reference's pictures.");
+    helpTip("Writes the sheet with every value as a PNG file, with labels and the reference's pictures.");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(label(copyWords))) {
-        endStanding(session); // the command is about the scene, whatever moves it
+        endStanding(session); // the command contains the scene without the effect of the present time
         if (const Result<std::string> command = sweepCommand(session); command) {
             ImGui::SetClipboardText(command->c_str());
-            tell(session, "The clipboard has a command that draws this sheet without a window.");
+            tell(session, "Copied a command that draws this sheet without a window.");
         } else {
-            say(session, fmt::format("There is no command for this sheet: {}.", describe(command.error())));
+            say(session, fmt::format("No command can draw this sheet: {}.", describe(command.error())));
         }
     }
     noteItem("sheet:copy");
-    helpTip("A \"texshot sweep\" that writes the same file without a window, for scripts.");
+    helpTip("Copies a \"texshot sweep\" command that writes the same file without a window, for scripts.");
     if (!ImGui::BeginPopup("file"))
         return;
     fileOptions(session);
@@ -187,7 +187,7 @@ void axisControls(Session& session, SheetState& state, const SheetAxes& shown, s
     if (ImGui::Button(fmt::format("{}###path", name).c_str(), {button, 0}))
         ImGui::OpenPopup("paths");
     noteItem(fmt::format("sheet:{}", sideNames.at(side)));
-    helpTip(fmt::format("{}\n{}", axis.path, tr("Press for another parameter.")));
+    helpTip(fmt::format("{}\n{}", axis.path, tr("Select another parameter.")));
     if (ImGui::BeginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
             own() = {*std::move(path), "*"};
@@ -202,8 +202,8 @@ void axisControls(Session& session, SheetState& state, const SheetAxes& shown, s
     (void)textField("##values", state.typed.at(side), ImGuiInputTextFlags_AutoSelectAll, "*");
     const bool ended = ImGui::IsItemDeactivatedAfterEdit();
     noteItem(fmt::format("sheet values:{}", sideNames.at(side)));
-    helpTip("Its values: 1,2,4 or 0..4/5, five numbers from 0 to 4; * is all of them, of a number a few. "
-            "Colours have semicolons between them.");
+    helpTip("The values: 1,2,4 or 0..4/5 (five numbers from 0 to 4). * means all values, or a few of a "
+            "number. Separate colours with semicolons.");
     if (ended && state.typed.at(side) != axis.values)
         own().values = state.typed.at(side).empty() ? "*" : state.typed.at(side);
     ImGui::PopID();
@@ -215,9 +215,7 @@ void pairChoice(SheetChoice& choice, float width) {
     const std::string name = fitted(current, listRoom(width));
     const bool open = ImGui::BeginCombo("##pair", name.c_str(), ImGuiComboFlags_HeightLargest);
     noteItem("sheet:pair");
-    helpTip(
-        "Pairs of parameters that belong together; or choose any two beside it, or in the panel by a right "
-        "click.");
+    helpTip("Useful pairs of parameters. Or select any two next to it, or in the panel with a right click.");
     if (!open)
         return;
     for (std::size_t i = 0; i < sheetPairs().size(); ++i) {
@@ -248,7 +246,7 @@ void drawSheetControls(Session& session, SheetState& state, const SheetAxes& sho
     const float gap = em * 0.8F;
     const float names = ImGui::CalcTextSize(tr(sideNames[0])).x + ImGui::CalcTextSize(tr(sideNames[1])).x;
     const float room = ImGui::GetContentRegionAvail().x;
-    // All in one line where there is room for it, or both parameters in one.
+    // Everything in one line if there is room, or both parameters in one.
     const float spare = room - names - buttonWidth("Swap") - buttonWidth(saveWords) - buttonWidth(copyWords) -
                         5 * gap - 6 * inner;
     const bool inLine = spare > em * 38;
@@ -266,7 +264,7 @@ void drawSheetControls(Session& session, SheetState& state, const SheetAxes& sho
             choice.swapped = !choice.swapped;
     }
     noteItem("sheet:swap");
-    helpTip("Rows become columns, and columns rows.");
+    helpTip("Swaps rows and columns.");
     ImGui::SameLine(0, inner);
     fileControls(session);
     if (inTwo) {

@@ -10,26 +10,26 @@
 
 namespace texplorer::ui {
 
-/// What the controls remember.
+/// The state of the controls.
 struct SheetState {
-    std::array<std::string, 2> typed; ///< into the fields of values
-    SheetAxes typedOf;                ///< what the fields showed before
-    std::string search;               ///< for another parameter
-    /// A parameter that may be chosen.
+    std::array<std::string, 2> typed; ///< the texts in the fields of values
+    SheetAxes typedOf;                ///< the axes that the fields belong to
+    std::string search;               ///< text to find another parameter
+    /// A parameter to choose from.
     struct Offer {
         std::string path;
         std::string label;
     };
-    std::vector<Offer> offers; ///< those that were found
-    bool isOffered = false;    ///< `offers` are those of `search`
+    std::vector<Offer> offers; ///< the matching parameters
+    bool isOffered = false;    ///< `offers` match `search`
 };
 
-/// The choice of both parameters and their values, `shown`; the sheet as a file and as a command; and, where
-/// there is room for it, a sentence of one line.
+/// Draws the choice of both parameters and their values, `shown`; buttons for the sheet as a file and as a
+/// command; and, if there is room, one line of text.
 void drawSheetControls(Session& session, SheetState& state, const SheetAxes& shown,
                        const std::function<void()>& sentence);
 
-/// Why there is no sheet.
+/// Shows why there is no sheet.
 void sheetProblem(const std::string& words);
 
 } // namespace texplorer::ui

@@ -9,10 +9,10 @@
 namespace texplorer::ui {
 
 void shrunkText(ImVec2 at, const std::string& words, float size, float room, ImU32 ink) {
-    constexpr float smallest = 0.75F;
+    constexpr float minScale = 0.75F;
     const float width = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, words.c_str()).x;
-    const float fitting = width > room ? std::max(size * smallest, size * room / width) : size;
-    // What is cut is measured in the window's letters.
+    const float fitting = width > room ? std::max(size * minScale, size * room / width) : size;
+    // The cut is measured with the window's letters.
     const std::string shown =
         width * fitting / size > room + 0.5F ? fitted(words, room * ImGui::GetFontSize() / fitting) : words;
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), fitting,

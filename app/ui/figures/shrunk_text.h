@@ -6,8 +6,8 @@
 
 namespace texplorer::ui {
 
-/// A line of text, which has been translated: in smaller letters where it has no room, and cut where those
-/// have none either.
+/// A line of translated text: drawn with smaller letters if it does not fit, and cut if those do not fit
+/// either.
 void shrunkText(ImVec2 at, const std::string& words, float size, float room, ImU32 ink);
 
 } // namespace texplorer::ui

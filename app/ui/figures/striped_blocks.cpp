@@ -6,7 +6,7 @@
 namespace texplorer::ui {
 namespace {
 
-// From one end to the other: indices 1, 3, 2, 0, as color 0 has to be the larger number for four colours.
+// From one end to the other: indices 1, 3, 2, 0, because color 0 must be the larger number for four colours.
 constexpr std::array<std::uint8_t, 4> indexOfRow{1, 3, 2, 0};
 
 struct StripeEnds {

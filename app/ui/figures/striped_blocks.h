@@ -5,15 +5,15 @@
 
 namespace texplorer::ui {
 
-/// A picture of one block's width whose rows can be told apart: each has a colour of its own, and in DXT3 and
-/// DXT5 an alpha that differs from those of the rows around it. Those that the last block has beyond the
-/// height, too. For heights up to 12.
+/// A picture of one block's width with distinguishable rows: each has its own colour, and in DXT3 and DXT5 an
+/// alpha that differs from those of the rows around it. This includes rows of the last block beyond the
+/// height. For heights up to 12.
 [[nodiscard]] BlockImage stripedBlocks(BlockFormat format, int height);
 
-/// A row of blocks of such a picture.
+/// One block row of such a picture.
 [[nodiscard]] BlockBytes blockAt(const BlockImage& image, int blockRow);
 
-/// Which row of `original` a row of blocks of `image` has as its texel row; -1: none.
+/// The row of `original` that is at a texel row of a block row of `image`; -1: none.
 [[nodiscard]] int stripeAt(const BlockImage& image, const BlockImage& original, int row);
 
 } // namespace texplorer::ui

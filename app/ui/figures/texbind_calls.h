@@ -6,7 +6,7 @@
 
 namespace texplorer::ui {
 
-/// A call of a program, and what there is to see of it.
+/// A call of a program, and what it shows.
 struct ToldCall {
     objects::Call call;
     const char* remark;

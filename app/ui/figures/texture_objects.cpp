@@ -30,30 +30,30 @@ using objects::TextureNames;
 using objects::TextureObject;
 using objects::UnitState;
 
-constexpr Name mostNames = 4;
-constexpr std::size_t mostLogged = 100;
+constexpr Name maxNames = 4;
+constexpr std::size_t maxLoggedCalls = 100;
 
 void makeCall(TextureObjectsState& state, const Call& call) {
     state.before = state.names;
     const objects::Answer answer = apply(state.names, call);
     state.log.push_back({call, answer});
-    if (state.log.size() > mostLogged)
+    if (state.log.size() > maxLoggedCalls)
         state.log.erase(state.log.begin());
 }
 
-/// A call that the user makes: a program that is played ends there.
+/// A call by the user; it ends a running program.
 struct Wanted {
     std::optional<Call> call;
 
     void operator()(Call made) { call = std::move(made); }
 };
 
-/// The C of a call, for who rests on its button.
+/// The C code of a call as the tooltip of its button.
 void callTip(const Call& call) {
     helpTip(objects::codeOf(call));
 }
 
-/// Buttons of an enumeration, each of which is a call; the C stands below the pointer.
+/// Buttons of an enumeration, each of which makes a call; the tooltip has its C code.
 template<class Enum, class CallOf>
 void enumCalls(const Session& session, std::string_view name, std::span<const Enum> choices, Enum chosen,
                float width, Wanted& wanted, const CallOf& callOf) {
@@ -89,7 +89,7 @@ void callButton(const char* words, std::string_view name, const Call& call, Want
     callTip(call);
 }
 
-/// What the last item shows was changed by the last call.
+/// Highlights the last item if the last call changed it.
 void lightItem(bool changed, std::string_view name) {
     if (!changed)
         return;
@@ -108,13 +108,13 @@ constexpr std::array sampledRemarks{
     "Object {} is drawn",
 };
 
-/// Where a unit's line to its object begins, and where an object's row is.
+/// The start of a unit's line to its object, and the end at the object's row.
 struct Ends {
     std::array<ImVec2, objects::unitCount> units{};
-    std::array<std::optional<ImVec2>, mostNames + 1> names{};
+    std::array<std::optional<ImVec2>, maxNames + 1> names{};
 };
 
-/// What belongs to a unit, and what comes of the fragment there.
+/// The state of a unit, and the resulting fragment.
 void drawUnitCard(const Session& session, const TextureObjectsState& state, std::size_t number, float width,
                   Wanted& wanted, Ends& ends) {
     const float em = ImGui::GetFontSize();
@@ -176,7 +176,7 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
     ImGui::PopID();
 }
 
-/// A cell of the table, lit where the last call changed it.
+/// A cell of the table, highlighted if the last call changed it.
 void objectCell(const std::string& words, bool changed, std::string_view name) {
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
@@ -284,7 +284,7 @@ void drawObjects(const Session& session, const TextureObjectsState& state, float
     ImGui::EndTable();
 }
 
-/// From each unit to the object that is bound to it.
+/// Lines from each unit to its bound object.
 void drawBindings(const TextureObjectsState& state, const Ends& ends) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize();
@@ -295,7 +295,7 @@ void drawBindings(const TextureObjectsState& state, const Ends& ends) {
         const ImVec2 from = ends.units.at(i);
         const ImVec2 to = *ends.names.at(unit.bound);
         if (to.x <= from.x)
-            continue; // they lie below each other
+            continue; // they are one below the other
         const bool isNew = unit.bound != state.before.units.at(i).bound;
         const bool isActive = i == state.names.active;
         const ImU32 ink = isNew ? color::changed : isActive ? color::chosen : color::dim;
@@ -307,7 +307,7 @@ void drawBindings(const TextureObjectsState& state, const Ends& ends) {
     }
 }
 
-/// What was called, the last one on top.
+/// The calls, the last one on top.
 void drawLog(const TextureObjectsState& state, ImVec2 size) {
     ImGui::BeginChild("log", size, true);
     ImGui::PushFont(codeFont());
@@ -331,13 +331,13 @@ void drawLog(const TextureObjectsState& state, ImVec2 size) {
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     if (state.log.empty())
-        dimWrappedText("The calls appear here, the last one on top.");
+        dimWrappedText("The calls appear here, newest first.");
     ImGui::EndChild();
 }
 
-/// glGenTextures, the program of the slides, and a new start.
+/// glGenTextures, the program of the slides, and a reset.
 void drawProgram(TextureObjectsState& state, Wanted& wanted) {
-    const bool full = state.names.names.size() > mostNames;
+    const bool full = state.names.names.size() > maxNames;
     callButton("glGenTextures", "objects:gen", objects::GenTexture{}, wanted, !full);
     ImGui::SameLine();
     const std::vector<ToldCall>& program = texbindCalls();
@@ -353,23 +353,23 @@ void drawProgram(TextureObjectsState& state, Wanted& wanted) {
         wanted.call.reset();
     }
     noteItem("objects:texbind");
-    helpTip("The next call of the slides' program texbind.c. The first one begins anew.");
+    helpTip("The next call of the program texbind.c in the slides. The first call restarts.");
     ImGui::SameLine();
     if (ImGui::Button(label("Reset")))
         state = {};
     noteItem("objects:reset");
-    helpTip("A new context: nothing but the object that is there from the start, name 0.");
+    helpTip("A new context, which has only the default object with name 0.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     if (state.played > 0)
         fittedText(program[state.played - 1].remark, color::text);
     else
         fittedText(
-            "Each button is a call. Binding brings back what the object keeps; what the unit has stays.",
+            "Each button is a call. Binding switches the state of the object; the state of the unit stays.",
             color::dim);
 }
 
-/// What glTexImage2D and glTexParameter give to the object that is bound.
+/// Controls for glTexImage2D and glTexParameter on the bound object.
 void drawParameters(const Session& session, const TextureObjectsState& state, Wanted& wanted) {
     const float em = ImGui::GetFontSize();
     const TextureObject& object = state.names.objectOf(state.names.active);

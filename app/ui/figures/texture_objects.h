@@ -8,21 +8,21 @@
 
 namespace texplorer::ui {
 
-/// A call with what it gave back.
+/// A call and its result.
 struct LoggedCall {
     objects::Call call;
     objects::Answer answer{};
 };
 
-/// A context of its own, which begins as a new one does; the scene isn't touched.
+/// The state: a separate context in its initial state; the scene is not changed.
 struct TextureObjectsState {
     objects::TextureNames names{};
-    objects::TextureNames before{}; ///< the last call
+    objects::TextureNames before{}; ///< before the last call
     std::vector<LoggedCall> log{};
-    std::size_t played = 0; ///< how many calls of texbind.c were made; 0: it isn't played
+    std::size_t played = 0; ///< the number of calls of texbind.c so far; 0: it is not running
 };
 
-/// Texture objects and units: each button is a call, and what it changed is lit.
+/// Draws texture objects and units: each button makes a call, and its changes are highlighted.
 void drawTextureObjects(Session& session, TextureObjectsState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

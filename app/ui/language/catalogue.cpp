@@ -12,15 +12,16 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr int deepestPart = 6;
-constexpr std::size_t leastEffort = 100;    ///< for a part, beside its bytes, which are held against all keys
-constexpr std::size_t mostEffort = 100'000; ///< for a text: several times what any of ours takes
-constexpr std::size_t keysOfEffort = 16;    ///< so many keys with places cost as much as a byte
-constexpr std::size_t mostPlaces = 32;      ///< of a key
+constexpr int maxPartDepth = 6;
+constexpr std::size_t minEffort =
+    100; ///< for a part, in addition to its bytes, which are compared with all keys
+constexpr std::size_t maxEffort = 100'000; ///< for a text: several times the effort of any of ours
+constexpr std::size_t keysOfEffort = 16;   ///< this many keys with placeholders cost as much as a byte
+constexpr std::size_t maxPlaces = 32;      ///< of a key
 constexpr std::string_view colon = ": ";
-constexpr std::size_t fewestLetters = 3; ///< of a key with places: "{} × {}" says nothing
+constexpr std::size_t minLetters = 3; ///< of a key with placeholders: "{} × {}" is too general
 
-/// "a {} b {}" → "a ", " b ", "". A format such as {:.2f} is a place, and {{ a brace.
+/// "a {} b {}" → "a ", " b ", "". A format such as {:.2f} is a placeholder, and {{ a brace.
 std::vector<std::string> piecesOf(std::string_view key) {
     std::vector<std::string> pieces(1);
     for (std::size_t i = 0; i < key.size(); ++i) {
@@ -43,7 +44,7 @@ bool isLetter(char byte) {
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
 }
 
-/// Letters, and bytes of any kind, which decide between keys of as many letters.
+/// The number of letters and of all bytes; the bytes decide between keys with equally many letters.
 std::pair<std::size_t, std::size_t> saidBy(const std::vector<std::string>& pieces) {
     std::pair<std::size_t, std::size_t> said;
     for (const std::string& piece : pieces) {
@@ -53,8 +54,8 @@ std::pair<std::size_t, std::size_t> saidBy(const std::vector<std::string>& piece
     return said;
 }
 
-/// What stands at the places, where `text` can be read as the key; each as short as it can be. `tries` bounds
-/// what a text that is made for it could cost.
+/// Returns the texts at the placeholders if `text` matches the key; each is as short as possible. `tries`
+/// limits the cost of a malicious text.
 bool match(std::string_view text, std::span<const std::string> pieces, std::vector<std::string_view>& parts,
            int& tries) {
     if (pieces.size() == 1) {
@@ -70,7 +71,7 @@ bool match(std::string_view text, std::span<const std::string> pieces, std::vect
             return true;
         parts.pop_back();
         if (pieces.front().empty())
-            return false; // two places beside each other: nobody knows where one ends
+            return false; // two adjacent placeholders: the boundary between them is unknown
     }
     return false;
 }
@@ -86,7 +87,7 @@ std::optional<std::vector<std::string_view>> partsOf(std::string_view text,
     return parts;
 }
 
-/// A translation with its parts: "{}" takes the next one, "{1}" the second.
+/// Inserts parts into a translation: "{}" takes the next one, "{1}" the second.
 std::string filled(std::string_view form, std::span<const std::string> parts) {
     std::string text;
     std::size_t next = 0;
@@ -107,7 +108,7 @@ std::string filled(std::string_view form, std::span<const std::string> parts) {
     return text;
 }
 
-/// Which parts a translation has: every place of its key exactly once, by order or by number.
+/// Whether a translation has every placeholder of its key exactly once, by order or by number.
 bool hasPlaces(std::string_view form, std::size_t count) {
     std::vector<std::string> names(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -145,7 +146,7 @@ std::string withCapital(std::string text) {
     return text;
 }
 
-/// But not of a name that has several: "GL_REPEAT".
+/// Not for a name with several capitals: "GL_REPEAT".
 std::string withoutCapital(std::string_view text) {
     std::string small(text);
     const auto byte = [&small](std::size_t i) {
@@ -162,7 +163,7 @@ std::string withoutCapital(std::string_view text) {
     return small;
 }
 
-/// The text of a line's quotation: "msgid \"a\\n\"" → a and a line's end.
+/// The text of a quoted line: "msgid \"a\\n\"" → a and a newline.
 std::optional<std::string> quoted(std::string_view line) {
     const std::size_t begin = line.find('"');
     const std::size_t end = line.rfind('"');
@@ -196,7 +197,7 @@ void Catalogue::addKey(std::string_view key, const Draft& draft) {
     std::vector<std::string> pieces = piecesOf(key);
     if (pieces.size() == 1)
         whole_.emplace(pieces.front(), filled(draft.forms.front(), {}));
-    else if (saidBy(pieces).first >= fewestLetters)
+    else if (saidBy(pieces).first >= minLetters)
         entries_.push_back({std::move(pieces), draft.forms, draft.pluralKey.has_value(),
                             key.find('\n') != std::string_view::npos});
 }
@@ -208,9 +209,9 @@ Result<void> Catalogue::add(const Draft& draft, std::string_view file) {
     if (draft.forms.empty() || std::ranges::any_of(draft.forms, isMissing))
         return {};
     const std::size_t places = piecesOf(*draft.key).size() - 1;
-    if (places > mostPlaces)
+    if (places > maxPlaces)
         return fail(ErrorCode::Malformed,
-                    fmt::format("expected a text with at most {} places, found {}", mostPlaces, places),
+                    fmt::format("expected a text with at most {} places, found {}", maxPlaces, places),
                     fmt::format("{}:{}", file, draft.line));
     for (const std::string& form : draft.forms) {
         if (!hasPlaces(form, places))
@@ -277,7 +278,7 @@ Result<Catalogue> Catalogue::parse(Language language, std::span<const CatalogueF
         if (Result<void> added = catalogue.add(draft, file.name); !added)
             return fail(added.error());
     }
-    // The key that says most of a text is the one that it was made of.
+    // A text was most likely made from its most specific key.
     std::ranges::stable_sort(catalogue.entries_, std::greater<>(), &Entry::says);
     return catalogue;
 }
@@ -308,20 +309,20 @@ std::set<std::string> Catalogue::keys() const {
 }
 
 std::optional<std::string> Catalogue::translate(std::string_view english, const Names& names) const {
-    std::size_t left = mostEffort;
+    std::size_t left = maxEffort;
     return lookUp(english, {0, &left, &names});
 }
 
 std::optional<std::string> Catalogue::lookUp(std::string_view english, Search search) const {
-    if (english.empty() || search.depth > deepestPart || std::ranges::none_of(english, isLetter))
+    if (english.empty() || search.depth > maxPartDepth || std::ranges::none_of(english, isLetter))
         return std::nullopt;
     if (search.depth > 0 && search.names->contains(english))
         return std::nullopt;
-    const std::size_t effort = std::max(leastEffort, entries_.size() / keysOfEffort) + english.size();
+    const std::size_t effort = std::max(minEffort, entries_.size() / keysOfEffort) + english.size();
     if (*search.left < effort)
         return std::nullopt;
     *search.left -= effort;
-    // What stands further right belongs to what is above it.
+    // An indented line belongs to the line above it.
     if (const std::size_t indent = english.find_first_not_of(' '); indent > 0) {
         std::optional<std::string> text = lookUp(english.substr(indent), search.deeper());
         return text ? std::optional(std::string(indent, ' ') + *text) : std::nullopt;
@@ -331,7 +332,7 @@ std::optional<std::string> Catalogue::lookUp(std::string_view english, Search se
     return fromParts(english, search);
 }
 
-/// A sentence begins with a capital, and its key may not, or the other way round: both are looked up in each
+/// A sentence begins with a capital letter and its key may not, or the other way round: look both up in each
 /// kind of key before the next kind.
 std::optional<std::string> Catalogue::fromKeys(std::string_view english, Search search) const {
     const std::string small = withoutCapital(english);
@@ -373,7 +374,7 @@ bool Catalogue::Entry::beginsWithPlaceAndColon() const {
     return isOpen() && pieces[1].starts_with(colon);
 }
 
-/// How much the key says that a text was made of; nothing: it is none's.
+/// How specific the key of a text is; nothing if no key matches.
 Catalogue::Said Catalogue::saysOf(std::string_view english) const {
     if (whole_.contains(std::string(english)))
         return saidBy({std::string(english)});
@@ -382,7 +383,7 @@ Catalogue::Said Catalogue::saysOf(std::string_view english) const {
     return known.entry ? known.entry->says() : Said();
 }
 
-/// By the key that says most of it.
+/// Uses the most specific matching key.
 Catalogue::Reading Catalogue::read(Keys keys, std::string_view english) const {
     const bool hasLines = english.find('\n') != std::string_view::npos;
     for (const Entry& entry : entries_) {
@@ -406,8 +407,8 @@ std::string Catalogue::translationOf(const Reading& reading, Search search) cons
     return filled(entry.forms[std::min(form, entry.forms.size() - 1)], words);
 }
 
-/// "textures[0]: …", "brick.bmp: …": what is wrong, after where it is. Before a key that begins with a place
-/// takes both for one.
+/// "textures[0]: …", "brick.bmp: …": the place, then the problem. Tried before keys that begin with a
+/// placeholder, which would match both as one.
 std::optional<std::string> Catalogue::afterPlace(std::string_view english, Search search) const {
     const std::size_t at = english.find(colon);
     if (at == std::string_view::npos)

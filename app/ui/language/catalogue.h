@@ -25,59 +25,58 @@ struct CatalogueFile {
 
 class Catalogue;
 
-/// Those of a language, read; English has none. Malformed: see Catalogue::parse.
+/// The catalogue of a language; nullptr for English. Fails as Catalogue::parse does.
 [[nodiscard]] Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language);
 
-/// Names that the user, or a file, gave: no words of the program.
+/// Names given by the user or a file, which are not translated.
 using Names = std::set<std::string, std::less<>>;
 
-/// The texts of a language, from gettext's .po files: the English text is the key. A key may have places,
-/// "{}", for what the program puts in; a translation has as many, or numbers them, "{1} of {0}". So core
-/// writes its sentences in English and knows of no language: the window translates the sentence that it is
-/// about to show.
+/// The texts of a language, from gettext's .po files: the English text is the key. A key may have
+/// placeholders, "{}", for inserted values; a translation has the same ones, or numbers them, "{1} of {0}".
+/// The core writes sentences in English and does not know about languages: the window translates each
+/// sentence when it shows it.
 class Catalogue {
 public:
-    /// Malformed: what no .po file is, with the line; a translation whose places are not those of its key.
-    /// What isn't translated yet, or is marked as fuzzy, is left out.
+    /// Fails for an invalid .po file, with the line, and for a translation whose placeholders do not match
+    /// its key. Untranslated and fuzzy entries are skipped.
     [[nodiscard]] static Result<Catalogue> parse(Language language, std::span<const CatalogueFile> files);
 
-    /// An English text in this language; nothing where none of it has a translation. Looked up are the text
-    /// itself, as a key, then as what a key with places became, whose parts are translated in their turn,
-    /// then its parts: lines, sentences, what " · " or a colon separates. A part that is one of `names`
-    /// stays.
+    /// Translates an English text; nothing if no part of it has a translation. It looks up the text itself as
+    /// a key, then as a key with placeholders whose values are translated as well, then its parts: lines,
+    /// sentences, and what " · " or a colon separates. A part that is one of `names` stays unchanged.
     [[nodiscard]] std::optional<std::string> translate(std::string_view english,
                                                        const Names& names = {}) const;
 
-    /// Every key that has a translation, each of its places as "{}", and a text as such a key.
+    /// All keys with a translation, with their placeholders as "{}"; and a text as such a key.
     [[nodiscard]] std::set<std::string> keys() const;
     [[nodiscard]] static std::string keyOf(std::string_view text);
 
-    /// Every text that a translation is made of, for a font that has its letters.
+    /// All texts of the translations, to find the letters that a font needs.
     [[nodiscard]] const std::string& letters() const { return letters_; }
 
     [[nodiscard]] Language language() const { return language_; }
 
 private:
-    /// How much a key says without its places: letters, then bytes.
+    /// How specific a key is without its placeholders: letters, then bytes.
     using Said = std::pair<std::size_t, std::size_t>;
 
     struct Entry {
-        std::vector<std::string> pieces; ///< of the key, between its places
-        std::vector<std::string> forms;  ///< the translation, for each form of a number
-        bool counts = false;             ///< its first place is a number, which the form follows
-        bool hasLines = false;           ///< else each line of a text has a key of its own
+        std::vector<std::string> pieces; ///< of the key, between its placeholders
+        std::vector<std::string> forms;  ///< the translations, one for each plural form
+        bool counts = false;             ///< its first placeholder is a number, which selects the form
+        bool hasLines = false;           ///< false: each line of a text has its own key
 
-        /// Whether it begins with a place, and so with anything.
+        /// Whether it begins with a placeholder, and so may match any text.
         [[nodiscard]] bool isOpen() const { return pieces.front().empty(); }
         [[nodiscard]] bool beginsWithPlaceAndColon() const;
         [[nodiscard]] Said says() const;
     };
 
-    /// The keys that a text is held against together.
+    /// Groups of keys that a text is compared with together.
     enum class Keys { Closed, Open };
 
-    /// How deep a part lies, and what all parts together may still cost: there are more ways to divide a text
-    /// that is made for it than anybody can wait for.
+    /// The depth of a part, and the remaining effort for all parts together: a malicious text can be divided
+    /// in too many ways to try all.
     struct Search {
         int depth;
         std::size_t* left;
@@ -86,10 +85,10 @@ private:
         [[nodiscard]] Search deeper() const { return {depth + 1, left, names}; }
     };
 
-    /// A text as what a key with places became.
+    /// A text that matches a key with placeholders.
     struct Reading {
         const Entry* entry = nullptr;
-        std::vector<std::string_view> parts; ///< what stands at its places
+        std::vector<std::string_view> parts; ///< the texts at its placeholders
     };
 
     struct Draft;
@@ -107,8 +106,8 @@ private:
                                                     Search search) const;
 
     Language language_ = Language::English;
-    std::unordered_map<std::string, std::string> whole_; ///< what has no places
-    std::vector<Entry> entries_;                         ///< what has, the most letters first
+    std::unordered_map<std::string, std::string> whole_; ///< keys without placeholders
+    std::vector<Entry> entries_; ///< keys with placeholders, the one with most letters first
     std::string letters_;
 };
 

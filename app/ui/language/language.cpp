@@ -33,7 +33,7 @@ Language languageOfEnvironment(const std::function<const char*(const char* name)
 Language languageOfSystem() {
     return languageOfEnvironment([](const char* name) {
         return std::getenv(name);
-    }); // NOLINT(concurrency-mt-unsafe): nobody changes it
+    }); // NOLINT(concurrency-mt-unsafe): no thread changes it
 }
 
 } // namespace texplorer::ui

@@ -11,10 +11,9 @@ enum class Language { System, English, Chinese, Russian };
 
 struct LanguageRow {
     Language language;
-    std::string_view
-        name;          ///< the folder of its catalogues, and what the settings' file and --language call it
-    const char* label; ///< in letters that the usual font has
-    /// Which of gettext's forms a number takes.
+    std::string_view name; ///< the folder of its catalogues; its name in the settings file and for --language
+    const char* label;     ///< in letters of the default font
+    /// The index of gettext's plural form for a number.
     std::size_t (*form)(unsigned long number);
 };
 
@@ -48,11 +47,11 @@ inline constexpr std::array languageRows{
 /// none.
 [[nodiscard]] Language languageOfLocale(std::string_view locale);
 
-/// What the environment asks for: LC_ALL, LC_MESSAGES or LANG, the first that is set; and where that isn't
-/// "C", the first language of the list LANGUAGE, as gettext has it.
+/// The language set in the environment: LC_ALL, LC_MESSAGES or LANG, the first that is set; and unless that
+/// is "C", the first language of the list LANGUAGE, as in gettext.
 [[nodiscard]] Language languageOfEnvironment(const std::function<const char*(const char* name)>& variable);
 
-/// That of this process.
+/// The language of this process's environment.
 [[nodiscard]] Language languageOfSystem();
 
 } // namespace texplorer::ui

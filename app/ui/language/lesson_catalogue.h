@@ -8,15 +8,15 @@
 
 namespace texplorer::ui {
 
-/// The file of a lesson's folder with its texts in a language: "zh_CN.po".
+/// The name of a lesson's catalogue file in its folder: "zh_CN.po".
 [[nodiscard]] std::string catalogueFileOf(Language language);
 
-/// The texts of a lesson in a language; nullptr: it has none, or they are English. Errors: those of
+/// The texts of a lesson in a language; nullptr if it has none, or for English. Errors: those of
 /// LessonFolder::read and Catalogue::parse.
 [[nodiscard]] Result<std::shared_ptr<const Catalogue>> readLessonCatalogue(const lesson::LessonFolder& folder,
                                                                            Language language);
 
-/// The same; nullptr, too, where they can't be read.
+/// The same; also nullptr if they cannot be read.
 [[nodiscard]] std::shared_ptr<const Catalogue> catalogueOfLesson(const lesson::LessonFolder& folder,
                                                                  Language language);
 

@@ -13,14 +13,14 @@ struct TextHash {
 
 using Memory = std::unordered_map<std::string, std::string, TextHash, std::equal_to<>>;
 
-// As Dear ImGui's own context: of the window that is being drawn.
+// Global, like Dear ImGui's own context, for the window that is being drawn.
 const Catalogue* inUse = nullptr;
 std::set<std::string, std::less<>>* gapsFound = nullptr;
 Names namesInUse;
 Memory translated; // most texts stay as they are from frame to frame
 Memory labelled;
 
-constexpr std::size_t mostRemembered = 20'000;
+constexpr std::size_t maxRemembered = 20'000;
 
 const std::string& remembered(std::string_view english) {
     const auto found = translated.find(english);
@@ -78,7 +78,7 @@ std::string label(std::string_view english) {
 }
 
 void beginTranslations() {
-    if (translated.size() > mostRemembered || labelled.size() > mostRemembered) {
+    if (translated.size() > maxRemembered || labelled.size() > maxRemembered) {
         translated.clear();
         labelled.clear();
     }

@@ -8,33 +8,34 @@
 
 namespace texplorer::ui {
 
-/// What the window's texts are translated by from here on; nullptr: they stay English. It must outlive its
-/// use. `gaps`: gets what it has no translation for, for tests.
+/// Sets the catalogue for the window's texts; nullptr: English. It must outlive its use. `gaps` collects
+/// texts without a translation, for tests.
 void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>* gaps = nullptr);
 
 [[nodiscard]] const Catalogue* catalogueInUse();
 
-/// An English text in the window's language. Functions of ours that take words translate them by themselves;
-/// Dear ImGui's own are given what this returns. The first one's pointer is good until the next frame.
+/// Translates an English text to the window's language. Our own functions that take texts translate them;
+/// Dear ImGui's functions get the result of this one. The returned pointer of the first overload is valid
+/// until the next frame.
 [[nodiscard]] const char* tr(const char* english);
 [[nodiscard]] std::string tr(std::string_view english);
 [[nodiscard]] inline std::string tr(const std::string& english) {
     return tr(std::string_view(english));
 }
 
-/// The same for what Dear ImGui takes an identity from: a button, a menu, a tab, a dialog. That one stays the
-/// English one, with what stands after "##".
+/// The same for texts from which Dear ImGui makes an ID: of a button, a menu, a tab, a dialog. The ID stays
+/// the English one, with the part after "##".
 [[nodiscard]] const char* label(const char* english);
 [[nodiscard]] std::string label(std::string_view english);
 [[nodiscard]] inline std::string label(const std::string& english) {
     return label(std::string_view(english));
 }
 
-/// A frame begins: what was remembered may be forgotten.
+/// Begins a frame: cached translations may be freed.
 void beginTranslations();
 
-/// A file or a model that is called like a text of the window, "Texture", keeps its name in sentences from
-/// here on.
+/// Sets the names that are not translated within sentences: a file or a model may have the same name as a
+/// text of the window, "Texture".
 void keepNames(Names names);
 
 } // namespace texplorer::ui

@@ -11,34 +11,34 @@
 
 namespace texplorer::ui {
 
-// What menus, keys, buttons and the host ask for. Where it needs an answer first, a dialog is opened:
-// WindowState::dialog says which.
+// Requests of menus, keys, buttons and the host. A request that needs an answer first opens a dialog: see
+// WindowState::dialog.
 
 void askOpenScene(Session& session);
-/// `param` is what shall name it, "textures[0].levels[1].file"; empty: the texture that is bound.
+/// `param` is the parameter that will name the image, "textures[0].levels[1].file"; empty: the bound texture.
 void askOpenImage(Session& session, std::string param = {});
 void askNewScene(Session& session);
 void askExample(Session& session, std::string_view file); ///< see examples.h
 void askLesson(Session& session, std::string nameOrFolder);
-void askSaveAnswers(Session& session); ///< what was done in which lesson, as a file
-void save(Session& session);           ///< asks for a name where there is none
-/// Saves, asks where another program has written the file meanwhile, and goes on with what waits for it.
-/// Errors: those of saveScene.
+void askSaveAnswers(Session& session); ///< the results of all lessons, as a file
+void save(Session& session);           ///< asks for a name if the document has no file
+/// Saves, asks first if another program has written the file meanwhile, and then continues with the pending
+/// action. Errors: those of saveScene.
 [[nodiscard]] Result<void> saveTo(Session& session, const std::filesystem::path& file,
                                   const std::optional<FileFingerprint>& replaces = {});
 void askSaveAs(Session& session);
 
-/// The user wants to close the window: asks first where something would be lost.
+/// The user wants to close the window: asks first if something would be lost.
 void requestQuit(Session& session);
 
-/// Files were dropped onto the window: a scene, images, the folder of a lesson. Asks first where a scene
-/// would replace unsaved changes, and, of an image alone that holds a scene, what is meant.
+/// Opens files that were dropped onto the window: a scene, images, the folder of a lesson. Asks first if a
+/// scene would replace unsaved changes, and, for a single image that holds a scene, what the user wants.
 void requestOpen(Session& session, std::vector<std::filesystem::path> files);
 
-/// What was asked with Dialog::Picture: its scene is opened, as far as unsaved changes let it.
+/// The answer to Dialog::Picture: opens the image's scene, after asking about unsaved changes.
 void askPictureScene(Session& session);
 
-/// The changes are saved or given up: what had to wait for that is done.
+/// Called when the changes are saved or discarded: runs the pending action.
 void finishPending(Session& session);
 
 } // namespace texplorer::ui

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr FailureWords captureFailure{"there is no memory for the picture", "the picture can't be written"};
-constexpr std::size_t longestUserDirs = 64U << 10;
+constexpr FailureWords captureFailure{"not enough memory for the picture", "the picture can't be written"};
+constexpr std::size_t maxUserDirsBytes = 64U << 10;
 
 Captures::News captureProblem(const Error& error) {
     return {fmt::format("The picture can't be written: {}.", describe(error)), false};
@@ -50,7 +50,7 @@ fs::path picturesFolderOfUser() {
     const char* home = std::getenv("HOME");
     std::error_code failed;
     if (!config.empty() && home) {
-        const Result<std::string> text = readText(config / "user-dirs.dirs", longestUserDirs);
+        const Result<std::string> text = readText(config / "user-dirs.dirs", maxUserDirsBytes);
         const fs::path folder = text ? picturesFolderIn(*text, home) : fs::path{};
         if (!folder.empty())
             return folder;

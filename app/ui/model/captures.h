@@ -12,16 +12,16 @@
 
 namespace texplorer::ui {
 
-/// Where pictures of the window go: XDG_PICTURES_DIR in the text of user-dirs.dirs, whose paths are absolute
-/// or begin with $HOME. Empty where the text names none.
+/// The folder for pictures of the window: XDG_PICTURES_DIR in the text of user-dirs.dirs, whose paths are
+/// absolute or begin with $HOME. Empty if the text has none.
 [[nodiscard]] std::filesystem::path picturesFolderIn(std::string_view userDirs,
                                                      const std::filesystem::path& home);
 
-/// The same of this user; else "Pictures" at home; else, without a home, the working folder. It needn't be
-/// there: the first picture makes it.
+/// The same for the current user; else "Pictures" in the home folder; else, without a home, the working
+/// folder. It need not exist: the first picture creates it.
 [[nodiscard]] std::filesystem::path picturesFolderOfUser();
 
-/// Writes what the window shows as PNG files, on a thread of its own where it is beside the window.
+/// Writes the picture of the window as PNG files, on its own thread if it works in the background.
 class Captures {
 public:
     explicit Captures(std::filesystem::path folder, When when = When::AtOnce,
@@ -30,8 +30,7 @@ public:
     Captures& operator=(const Captures&) = delete;
     ~Captures();
 
-    /// Under a name that no file in the folder has: "name.png", "name-2.png" … `image` has its bottom row
-    /// first.
+    /// Writes under a free name in the folder: "name.png", "name-2.png" … `image` has its bottom row first.
     void write(std::string name, Image image);
 
     /// A sentence for the user.
@@ -40,8 +39,7 @@ public:
         bool isWritten = false; ///< else it says why not
     };
 
-    /// What there is to say of those that were written, or couldn't be: once. Of several the last one, a
-    /// failure before everything else.
+    /// The result of finished pictures, once. For several, the last one; a failure has priority.
     [[nodiscard]] std::optional<News> takeNews();
 
 private:

@@ -6,19 +6,19 @@
 
 namespace texplorer::ui {
 
-// Selection::vertex is the one that lists and labels are about; others may be chosen with it. Who sets the
-// vertex alone, or another model, has chosen no others: a group counts while it has the vertex.
+// Selection::vertex is the main vertex, for lists and labels; others may be selected with it. Setting the
+// vertex alone, or another model, deselects the others: a group is valid only while it contains the vertex.
 
-/// All that are chosen, ascending.
+/// All selected vertices, ascending.
 [[nodiscard]] std::vector<std::size_t> chosenVertices(const Selection& selection);
 
 [[nodiscard]] bool isChosen(const Selection& selection, std::size_t vertex);
 
-/// Chooses exactly these; none: nothing is chosen. The one that was the vertex stays it where it is among
+/// Selects exactly these vertices; none: clears the selection. The main vertex stays the same if it is among
 /// them.
 void chooseVertices(Selection& selection, std::vector<std::size_t> vertices);
 
-/// Adds one to those that are chosen, which becomes the vertex, or takes it away.
+/// Adds a vertex to the selection as the main vertex, or removes it.
 void toggleVertex(Selection& selection, std::size_t vertex);
 
 } // namespace texplorer::ui

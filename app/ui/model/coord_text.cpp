@@ -14,8 +14,8 @@ namespace texplorer::ui {
 namespace {
 
 constexpr std::string_view between = " \t\r,;()[]";
-constexpr std::size_t longestWord = 40;                   // of what a message repeats
-constexpr std::size_t longestText = std::size_t{8} << 20; // more than the coordinates of any model take
+constexpr std::size_t maxWordLength = 40;                   // of what a message repeats
+constexpr std::size_t maxTextLength = std::size_t{8} << 20; // more than the coordinates of any model take
 
 Result<float> numberOf(std::string_view word, std::size_t line) {
     std::istringstream stream{std::string(word)};
@@ -24,7 +24,7 @@ Result<float> numberOf(std::string_view word, std::size_t line) {
     if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof() ||
         !std::isfinite(value))
         return fail(ErrorCode::Malformed, fmt::format("line {}: expected a number, found \"{}\"", line,
-                                                      printable(word.substr(0, longestWord))));
+                                                      printable(word.substr(0, maxWordLength))));
     if (value < double{coordRange.min} || value > double{coordRange.max})
         return fail(ErrorCode::OutOfRange, fmt::format("line {}: expected a number from {} to {}, found {}",
                                                        line, coordRange.min, coordRange.max, value));
@@ -69,9 +69,9 @@ std::string coordText(std::span<const glm::vec4> coords) {
 }
 
 Result<TexCoords> parseCoordText(std::string_view text) {
-    if (text.size() > longestText)
+    if (text.size() > maxTextLength)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} letters, found {}", longestText, text.size()));
+                    fmt::format("expected at most {} letters, found {}", maxTextLength, text.size()));
     TexCoords coords;
     std::size_t line = 0;
     while (!text.empty()) {

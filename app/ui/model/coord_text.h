@@ -9,12 +9,13 @@
 
 namespace texplorer::ui {
 
-/// Coordinates as lines of text, "0.25 0.5"; with r and q where these aren't 0 and 1.
+/// Coordinates as lines of text, "0.25 0.5"; with r and q unless they are 0 and 1.
 [[nodiscard]] std::string coordText(std::span<const glm::vec4> coords);
 
-/// What such lines say: two to four numbers each, with blanks, commas, semicolons or parentheses around them.
-/// r is 0 and q 1 where they aren't given. Empty lines don't count. The error names the line: what isn't a
-/// number, numbers that are too few or too many, or too large; or says that there are no lines.
+/// Parses such lines: two to four numbers each, separated by blanks, commas, semicolons or parentheses.
+/// Missing r is 0 and missing q 1. Empty lines are ignored. The error names the line with something that is
+/// not a number, with too few or too many numbers, or with a number that is too large; or says that there are
+/// no lines.
 [[nodiscard]] Result<TexCoords> parseCoordText(std::string_view text);
 
 } // namespace texplorer::ui

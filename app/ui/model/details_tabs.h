@@ -6,12 +6,12 @@
 
 namespace texplorer::ui {
 
-/// Where tabs lie.
+/// The places of tabs.
 enum class Dock { Right, Below };
 
 struct DockRow {
     Dock dock;
-    std::string_view name; ///< in the settings' file
+    std::string_view name; ///< in the settings file
     const char* label;
     const char* window; ///< of Dear ImGui
 };
@@ -44,12 +44,12 @@ struct TabRow {
     Tab tab;
     std::string_view name; ///< for texshot's --tab
     const char* label;
-    const char* brief; ///< the label where it has no room
+    const char* brief; ///< the short label
     Dock home = Dock::Below;
 };
 
-// All lie below at first: the right column is texture space's alone, which would be low beside a list, and
-// the levels of a texture are wider than high.
+// All tabs start in the dock below: the right column is for texture space, which would be too low above a
+// list, and the levels of a texture are wider than high.
 inline constexpr std::array tabRows{
     TabRow{Tab::Lesson, "lesson", "Lesson", "Lesson", Dock::Right},
     TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices"},

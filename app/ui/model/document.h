@@ -18,20 +18,20 @@ namespace texplorer::ui {
 
 struct ChangedFile;
 
-/// What the findings were made of.
+/// The inputs of the findings.
 struct Diagnosis {
     Scene scene;
     std::vector<TexturePictures> pictures;
     DriverFacts driver;
 };
 
-/// A camera whose distance shows the whole scene in a picture of this shape.
+/// The camera distance that fits the whole scene into a picture of this shape.
 struct Fit {
     View view{};
-    float aspect = 0; ///< width by height; 0: there was none
+    float aspect = 0; ///< width / height; 0: not fitted
 };
 
-/// A level that a click chose as the only one that is read, and what that replaced.
+/// A level that a click selected as the only one that is read, and the range that it replaced.
 struct ForcedLevel {
     int texture = 0;
     int level = 0;
@@ -39,51 +39,52 @@ struct ForcedLevel {
     int maxLevel = 0;
 };
 
-/// While panels are drawn: see timeline_edits.h.
+/// Exists while panels are drawn: see timeline_edits.h.
 struct Standing {
-    Scene base;  ///< what the document has
-    Scene shown; ///< what it was when the panels began, or after the last edit
+    Scene base;  ///< the document's own scene
+    Scene shown; ///< the scene when the panels began, or after the last edit
 };
 
-/// What is shown and edited. Another scene is another Document; the window around it stays.
+/// The scene that is shown and edited. Opening a scene creates another Document; the window stays.
 struct Document {
-    /// A scene whose images are loaded. A camera that nobody has chosen, that of the default scene, is fitted
-    /// to the view when its shape is known, so that a narrow window cuts nothing off.
+    /// A scene with loaded images. The default camera is fitted to the view when its shape is known, so that
+    /// a narrow window cuts nothing off.
     Document(Scene start, ImageSource source, std::filesystem::path savedAs = {});
 
-    Scene scene; ///< `history.current()` but for an edit in progress
+    Scene scene; ///< `history.current()`, except during an edit
     History history;
-    Scene saved; ///< as the file has it
+    Scene saved; ///< the scene in the file
     Kept kept;
     ImageSource images;
     std::filesystem::path file;      ///< empty: never saved
-    std::filesystem::path suggested; ///< what it would be saved as, where it was never saved; may be empty
-    /// Of what the file had in it when it was read or written last, to notice what another program has
-    /// written since. Empty: not known.
+    std::filesystem::path suggested; ///< the suggested name if it was never saved; may be empty
+    /// The hash of the file's content when it was last read or written, to detect changes by other programs.
+    /// Empty: unknown.
     std::string fileHash{};
-    std::shared_ptr<const ChangedFile> changedFile{}; ///< of Dialog::FileHasChanged: see scene_saving.h
-    bool isLessons = false;                           ///< a lesson's: nobody misses what was tried with it
-    bool needsFit = false;             ///< the camera has not yet been fitted to the view's shape
-    Fit fit;                           ///< the last one
-    std::string lastChanged;           ///< the path of the parameter that was edited last
-    std::optional<ForcedLevel> forced; ///< kept by the tab Levels
-    std::set<std::string> used;        ///< files that the scene used when that was last looked at
-    std::vector<Load> loads;           ///< what is on its way, in the order in which it was asked for
-    std::set<std::string> damaged;     ///< files of `images` that changed and can't be read any more
+    std::shared_ptr<const ChangedFile> changedFile{}; ///< for Dialog::FileHasChanged: see scene_saving.h
+    bool isLessons = false;                           ///< the scene of a lesson: its edits need not be saved
+    bool needsFit = false;                            ///< the camera must still be fitted to the view's shape
+    Fit fit;                                          ///< the last one
+    std::string lastChanged;                          ///< the path of the last edited parameter
+    std::optional<ForcedLevel> forced;                ///< updated by the tab Levels
+    std::set<std::string> used;                       ///< the files of the scene at the last check
+    std::vector<Load> loads;                          ///< pending loads, in the order of the requests
+    std::set<std::string> damaged; ///< files of `images` that changed and can no longer be read
 
-    std::vector<Finding> findings; ///< about the scene, kept by `diagnoseSession`
+    std::vector<Finding> findings; ///< about the scene, updated by `diagnoseSession`
     Diagnosis diagnosis;
 
-    std::optional<Standing> standing; ///< `scene` is that of the present time; nothing: it is its own
+    std::optional<Standing>
+        standing; ///< `scene` is that of the present time; nothing: it is the document's own
 };
 
-/// Whether closing would lose something. Looking around in a scene that was never saved doesn't count.
+/// Whether closing would lose changes. Moving the camera in a scene that was never saved does not count.
 [[nodiscard]] bool isDirty(const Document& document);
 
-/// "earth" of earth.json and of earth.texplorer.json; empty: it has no file.
+/// "earth" of earth.json and of earth.texplorer.json; empty: no file.
 [[nodiscard]] std::string nameOf(const Document& document);
 
-/// "earth.json • Texplorer": the bullet says that there are unsaved changes.
+/// "earth.json • Texplorer": the bullet marks unsaved changes.
 [[nodiscard]] std::string windowTitle(const Document& document);
 
 } // namespace texplorer::ui

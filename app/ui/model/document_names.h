@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-/// What a document's files and models are called: nobody's to translate.
+/// The names of a document's files and models, which are not translated.
 [[nodiscard]] Names namesIn(const Document& document);
 
 } // namespace texplorer::ui

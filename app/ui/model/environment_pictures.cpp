@@ -13,7 +13,7 @@ EnvironmentPictures::EnvironmentPictures(When when, std::function<void()> wake)
           [](const auto& task) {
               const Question& asked = task.job();
               const Image texels =
-                  asked.texels ? thumbnailOf(*asked.texels, longest) : reference::hueAndAlpha(longest);
+                  asked.texels ? thumbnailOf(*asked.texels, maxExtent) : reference::hueAndAlpha(maxExtent);
               return std::optional(std::make_shared<const Image>(reference::environmentPictures(
                   texels, {.fragment = asked.fragment, .constant = asked.constant})));
           },

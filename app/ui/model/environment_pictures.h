@@ -11,11 +11,11 @@
 
 namespace texplorer::ui {
 
-/// Draws a small image with every environment mode and base format, for a window that must not wait: see
-/// reference::environmentPictures. All functions are to be called from one thread.
+/// Draws a small image with every environment mode and base format, without blocking the window: see
+/// reference::environmentPictures. Call all functions on one thread.
 class EnvironmentPictures {
 public:
-    /// `wake` is called on the thread that works whenever there are new pictures.
+    /// `wake` is called on the working thread when there are new pictures.
     explicit EnvironmentPictures(When when, std::function<void()> wake = {});
 
     struct Question {
@@ -25,20 +25,20 @@ public:
 
         bool operator==(const Question&) const = default;
     };
-    /// The newest ones, all in one image: to this question, or to an earlier one until there are those.
+    /// The newest pictures, all in one image: for this question, or for an earlier one until they are ready.
     /// nullptr: none yet.
     [[nodiscard]] std::shared_ptr<const Image> find(const Question& question);
 
-    /// Nobody looks any more.
+    /// Call when the pictures are no longer shown.
     void rest();
 
-    /// A picture's longer side has no more texels.
-    static constexpr int longest = 48;
+    /// The maximum of a picture's longer side in texels.
+    static constexpr int maxExtent = 48;
 
 private:
     std::optional<Question> asked_;
     std::shared_ptr<const Image> newest_;
-    Worker<Question, std::shared_ptr<const Image>> worker_; // last: it ends before the rest does
+    Worker<Question, std::shared_ptr<const Image>> worker_; // last member: it ends before the others
 };
 
 } // namespace texplorer::ui

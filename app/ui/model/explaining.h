@@ -10,41 +10,43 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// What the user asks about the picture: why a pixel has its colour, and which pixels a texel has a share in.
+/// The user's questions about the picture: why a pixel has its colour, and which pixels a texel contributes
+/// to.
 struct Explaining {
     std::optional<reference::PixelPlace> pixel{};
     std::optional<reference::TexelQuestion> texel{};
-    std::shared_ptr<const TextureImage> texelOf{}; ///< the image that it was picked in: it goes with it
-    std::shared_ptr<const reference::ProbeWorker::Answer> answer{}; ///< the newest; may be an earlier one's
-    std::shared_ptr<const Image> light{}; ///< of the answer: the texel's weight in each pixel as alpha
+    std::shared_ptr<const TextureImage> texelOf{}; ///< the image of the texel: cleared together with it
+    std::shared_ptr<const reference::ProbeWorker::Answer>
+        answer{};                         ///< the newest answer; may be for an earlier question
+    std::shared_ptr<const Image> light{}; ///< from the answer: alpha is the texel's weight in each pixel
     std::shared_ptr<const reference::ProbeWorker::Answer> lightOf{};
-    /// A pixel that stays beside the one that is explained, as it was when it was pinned; nullptr: none.
+    /// The answer for a pinned pixel, shown next to the current one, as it was when it was pinned; nullptr:
+    /// none.
     std::shared_ptr<const reference::ProbeWorker::Answer> pinned{};
-    bool isOpen = false; ///< the tab is in front: then a click in the view chooses the pixel
+    bool isOpen = false; ///< the tab is in front: a click in the view selects the pixel
 };
 
-/// To be called once a frame, before the panels: asks what the session wants to know of the picture, which
-/// has this size in pixels, and takes what there is to know by now. A pixel outside of a picture that became
-/// smaller is forgotten.
+/// Call once per frame, before the panels. Asks the session's questions about the picture, which has this
+/// size in pixels, and takes finished answers. Clears a pixel outside of a picture that became smaller.
 void askAboutPicture(Session& session, view::Size picture);
 
-/// What the selected unit of the selected pass did at the pixel, in the fragment that one sees; nullptr:
-/// nothing, or nothing is known.
+/// What the selected unit of the selected pass did at the pixel, in the visible fragment; nullptr: nothing,
+/// or not known.
 [[nodiscard]] const reference::UnitExplanation* probedUnit(const Session& session);
 
-/// The explanation that there is; nullptr: none.
+/// The current explanation; nullptr: none.
 [[nodiscard]] const reference::Explanation* explanationOf(const Session& session);
 
-/// Of the pinned pixel; nullptr: none is pinned.
+/// The explanation of the pinned pixel; nullptr: none is pinned.
 [[nodiscard]] const reference::Explanation* pinnedExplanation(const Session& session);
 
-/// Keeps what there is to know of the pixel, for a comparison. Nothing happens where there is no explanation.
+/// Pins the pixel with its explanation, for a comparison. Does nothing without an explanation.
 void pinPixel(Session& session);
 
-/// Whether it is about the scene, the pixel and the time as they are now, and not about earlier ones.
+/// Whether the explanation is for the current scene, pixel and time.
 [[nodiscard]] bool explainsThePicture(const Session& session);
 
-/// Asks for a texel of the selected unit; asks no longer where it was the one.
+/// Selects a texel of the selected unit, or clears it if it was selected.
 void chooseTexel(Session& session, const reference::TexelPlace& texel);
 void clearTexel(Session& session);
 

@@ -8,7 +8,7 @@
 
 namespace texplorer::ui {
 
-/// Interactive drawings that explain a thing beside the scene, all in one tab.
+/// Interactive figures that explain a topic next to the scene, all in one tab.
 enum class Figure { Environments, Sheet, Block, Flip, Objects, Emboss, Edge };
 
 struct FigureRow {
@@ -20,15 +20,15 @@ struct FigureRow {
 
 inline constexpr std::array figureRows{
     FigureRow{Figure::Environments, "environments", "Environments",
-              "What each environment mode makes of each base format, in symbols and in numbers."},
+              "The result of each environment mode with each base format, in symbols and in numbers."},
     FigureRow{Figure::Sheet, "sheet", "Sheet",
-              "The scene with every pair of values of two parameters; a click takes them."},
+              "The scene with every pair of values of two parameters. A click applies them."},
     FigureRow{Figure::Block, "block", "Block",
-              "A compressed block of 4x4 texels, bit by bit: its end colours, palette and indices."},
+              "A compressed block of 4 × 4 texels, bit by bit: its end colours, palette and indices."},
     FigureRow{Figure::Flip, "flip", "Block flip",
-              "How compressed blocks are turned upside down without decompressing, for every height."},
+              "How compressed blocks are flipped without decompressing, for every height."},
     FigureRow{Figure::Objects, "objects", "Texture objects",
-              "What glBindTexture brings back, and what stays with the unit."},
+              "What glBindTexture switches, and what stays with the unit."},
     FigureRow{Figure::Emboss, "emboss", "Emboss", "How two heights, a light and a slope make a bump."},
     FigureRow{Figure::Edge, "edge", "Edge lens",
               "Which texels are mixed across the edges of a texture, for each wrap mode and filter."},

@@ -15,7 +15,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr FailureWords fileFailure{"there is no memory for it", "it can't be made"};
+constexpr FailureWords fileFailure{"not enough memory for it", "it can't be created"};
 
 constexpr const char* meanwhile = "Another program has written the other file meanwhile.";
 
@@ -42,9 +42,10 @@ struct FileWriting::State {
     [[nodiscard]] Result<std::filesystem::path> write(const FileOrder& order, ByteView bytes);
 
     const LevelWork levels;
-    /// What it has written itself, which the next order of that name replaces. Of whoever works.
+    /// The files that it has written, which a later order of the same name replaces. Used only on the working
+    /// thread.
     std::map<std::filesystem::path, FileFingerprint> own;
-    Writing worker; // last: it ends before the rest does
+    Writing worker; // last member: it ends before the others
 };
 
 Result<std::filesystem::path> FileWriting::State::write(const FileOrder& order, ByteView bytes) {
@@ -60,7 +61,7 @@ Result<std::filesystem::path> FileWriting::State::write(const FileOrder& order, 
 std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) {
     const FileOrder& order = task.job();
     if (!task.atOnce())
-        giveWay(); // the window goes on
+        giveWay(); // the window has priority
     FileMaking making{.threads = task.atOnce() ? processorThreads() : std::max(1U, processorThreads() / 2),
                       .levels = levels,
                       .report = [&](float share) {

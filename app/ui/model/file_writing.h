@@ -16,34 +16,34 @@
 
 namespace texplorer::ui {
 
-/// What whoever makes a file's bytes is lent.
+/// The means for making a file's bytes.
 struct FileMaking {
-    unsigned threads = 1;                      ///< so many may work at it
-    LevelWork levels{};                        ///< how textures are made; its `stop` ends all of the work
-    std::function<void(float share)> report{}; ///< 0 to 1: how much is done
+    unsigned threads = 1;                      ///< the maximum number of threads
+    LevelWork levels{};                        ///< how textures are made; its `stop` ends the whole work
+    std::function<void(float share)> report{}; ///< 0 to 1: reports the progress
 };
 
 struct MadeFile {
     Bytes bytes;
-    std::string remark{}; ///< a sentence: what of it is not as it was asked for; empty: all is
+    std::string remark{}; ///< a sentence about differences from the request; empty: none
 };
 
 /// A file that is to be written.
 struct FileOrder {
-    std::filesystem::path file; ///< is written as a whole, or stays
+    std::filesystem::path file; ///< is written completely or stays unchanged
     std::string_view failure;   ///< "The sheet can't be written: {}."
-    std::size_t pictures = 0;   ///< that are drawn for it; 0: it is none of pictures
-    /// On the thread that works. Errors become a sentence with `failure`, but Cancelled.
+    std::size_t pictures = 0;   ///< pictures to draw; 0: the file has no pictures
+    /// Runs on the working thread. Errors become a sentence with `failure`, except Cancelled.
     std::function<Result<MadeFile>(const FileMaking&)> make;
-    /// What the user has agreed to have replaced. What else is there by then stays, and this file gets a name
-    /// that is free.
+    /// The file that the user has agreed to replace. If another file is there by then, it stays, and this
+    /// file gets a free name.
     std::optional<FileFingerprint> replaces{};
 };
 
-/// How far a file is.
+/// The progress of a file.
 struct FileProgress {
     std::filesystem::path file;
-    std::size_t pictures = 0; ///< that are drawn for it; 0: it is none of pictures
+    std::size_t pictures = 0; ///< pictures to draw; 0: the file has no pictures
     float share = 0;          ///< 0 to 1
 
     [[nodiscard]] std::size_t picturesDrawn() const;
@@ -52,28 +52,28 @@ struct FileProgress {
 /// A sentence for the user.
 struct FileNews {
     std::string text;
-    bool isGood = false; ///< it is written, with all that was asked for
+    bool isGood = false; ///< written completely as requested
 };
 
-/// Writes files whose making takes long, one after the other, beside the window. All functions are to be
-/// called from one thread.
+/// Writes files that take long to make, one after the other, in the background. Call all functions on one
+/// thread.
 class FileWriting {
 public:
-    /// `wake` is called on the thread that works whenever there is news. `levels`: how textures are
-    /// compressed at run time.
+    /// `wake` is called on the working thread when there is a result. `levels`: how textures are compressed
+    /// at run time.
     explicit FileWriting(When when, std::function<void()> wake = {}, LevelWork levels = {});
     FileWriting(const FileWriting&) = delete;
     FileWriting& operator=(const FileWriting&) = delete;
-    ~FileWriting(); ///< what isn't written by then never is
+    ~FileWriting(); ///< files that are not written yet are cancelled
 
     void write(FileOrder order);
-    /// Of the one that is made; nothing: none is.
+    /// The progress of the current file; nothing if there is none.
     [[nodiscard]] std::optional<FileProgress> progress() const;
-    /// Gives up all that isn't written yet: its files stay what they were.
+    /// Cancels all files that are not written yet: the old ones stay unchanged.
     void cancel();
-    /// What there is to say, once: of the first that couldn't be written, or of the last that was.
+    /// The result, once: of the first file that failed, or of the last one that was written.
     [[nodiscard]] std::optional<FileNews> takeNews();
-    /// Sleeps until all is written.
+    /// Blocks until all files are written.
     void wait() const;
 
 private:

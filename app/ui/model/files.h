@@ -12,8 +12,8 @@
 
 namespace texplorer::ui {
 
-/// Reads files for the window. What is asked for has a ticket, and is there to be taken later: how much
-/// later is the implementation's. All functions are called from one thread.
+/// Reads files for the window. A request returns a ticket; its result can be taken later, depending on the
+/// implementation. Call all functions on one thread.
 class Files {
 public:
     using Ticket = ImageLoader::Ticket;
@@ -25,30 +25,30 @@ public:
     virtual ~Files() = default;
 
     [[nodiscard]] virtual Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture) = 0;
-    /// From here on nothing comes of it.
+    /// Cancels a request: it has no result.
     virtual void cancel(Ticket ticket) = 0;
-    /// What is finished, in the order in which it was asked for.
+    /// Finished files, in the order of the requests.
     [[nodiscard]] virtual std::vector<ImageLoader::Loaded> take() = 0;
-    /// The file that is worked on; nothing: all is done.
+    /// The progress of the current file; nothing if all are done.
     [[nodiscard]] virtual std::optional<ImageLoader::Progress> progress() const = 0;
 
-    /// Looks out for changes of exactly these files from now on.
+    /// Watches exactly these files from now on.
     virtual void watch(std::vector<std::filesystem::path> files) = 0;
-    /// Those that have changed since the last call.
+    /// The files that have changed since the last call.
     [[nodiscard]] virtual std::vector<std::filesystem::path> changed() = 0;
 
-    /// A small picture of a file; nullptr: not there yet, or none can be had. `modified` tells a changed file
-    /// from what it was.
+    /// A small picture of a file; nullptr: not ready, or not available. `modified` distinguishes versions of
+    /// a file.
     [[nodiscard]] virtual std::shared_ptr<const Image>
     thumbnail(const std::filesystem::path& file, std::filesystem::file_time_type modified) = 0;
-    /// To be called once before each frame. True where a small picture has come.
+    /// Call once before each frame. Returns true if a small picture has arrived.
     virtual bool receiveThumbnails() = 0;
 
-    /// Sleeps until everything that was asked for is there to be taken.
+    /// Blocks until all requests are finished.
     virtual void wait() const = 0;
 };
 
-/// Reads on threads of its own; `wake` is called on those when there is news.
+/// Reads on its own threads; `wake` is called on those when there is a result.
 class FilesBeside final : public Files {
 public:
     explicit FilesBeside(const std::function<void()>& wake = {});
@@ -65,12 +65,12 @@ public:
     void wait() const override;
 
 private:
-    ImageLoader loader_; // what the user wants to see
+    ImageLoader loader_; // for images that the user opens
     Thumbnails thumbnails_;
     FileWatch watch_;
 };
 
-/// Reads while one waits; watches nothing and has no small pictures. For programs without a user.
+/// Reads synchronously; watches nothing and has no small pictures. For programs without a user.
 class FilesAtOnce final : public Files {
 public:
     [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture) override;

@@ -7,24 +7,24 @@
 
 namespace texplorer::ui {
 
-// What the diagnosis says, as the panels ask for it.
+// The findings of the diagnosis for the panels.
 
-/// Brings session.document.findings up to date; costs little where nothing has changed.
+/// Updates session.document.findings; cheap if nothing has changed.
 void diagnoseSession(Session& session, const DriverFacts& driver);
 
-/// Whether a parameter belongs to a choice that isn't made, so that it isn't shown.
+/// Whether a parameter belongs to a choice that is not selected, so that it is not shown.
 [[nodiscard]] bool isUnused(const Session& session, std::string_view path);
 
 /// A finding as a sentence for a reader: "The texture is incomplete: … ."
 [[nodiscard]] std::string sentenceOf(const Finding& finding);
 
-/// Selects what a parameter is part of, opens its section and scrolls to it with the next frame.
+/// Selects the object of a parameter, opens its section and scrolls to it in the next frame.
 void reveal(Session& session, const std::string& path);
 
-/// What it sets, a line each.
+/// The assignments of a fix, one per line.
 [[nodiscard]] std::string assignmentsOf(const Fix& fix);
 
-/// One step of undo.
+/// Applies a fix as one undo step.
 void applyFix(Session& session, const Fix& fix);
 
 } // namespace texplorer::ui

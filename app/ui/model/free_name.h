@@ -9,8 +9,8 @@
 
 namespace texplorer::ui {
 
-/// Writes a file as a whole, under this name or, where something else than `replaces` has it, under the first
-/// one of "earth-2.gif", "earth-3.gif" … that is free. Returns the name that it has. Errors: those of
+/// Writes a file completely, under this name, or, if a file other than `replaces` has it, under the first
+/// free name of "earth-2.gif", "earth-3.gif" … Returns the name of the file. Errors: those of
 /// writeFileAtomically.
 [[nodiscard]] Result<std::filesystem::path> writeFreely(const std::filesystem::path& wanted, ByteView bytes,
                                                         const std::optional<FileFingerprint>& replaces = {});

@@ -12,40 +12,40 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// Which field of an anatomy a byte belongs to: the smallest one that covers it.
+/// Maps a byte to its field of an anatomy: the smallest field that covers it.
 class FieldMap {
 public:
     FieldMap() = default;
     explicit FieldMap(const Anatomy& anatomy);
 
-    /// An index into Anatomy::fields; nothing between them.
+    /// An index into Anatomy::fields; nothing if no field covers the byte.
     [[nodiscard]] std::optional<std::size_t> at(std::size_t offset) const;
 
 private:
-    std::map<std::size_t, std::optional<std::size_t>> starts_; ///< from here on it is this field
+    std::map<std::size_t, std::optional<std::size_t>> starts_; ///< the field that starts here
 };
 
-/// The file that the tab "File" shows, as it is read.
+/// The file in the tab "File", as it is read.
 struct InspectedFile {
-    std::filesystem::path chosen; ///< what the user wants to look into; empty: the bound texture's file
-    std::shared_ptr<const Bytes> inMemory; ///< what `shown` is where it lies in no folder
-    std::filesystem::path shown;           ///< the file that `content` or `problem` is about; empty: none yet
-    ImageLoader::Ticket ticket = 0;        ///< of what is awaited; 0: nothing
+    std::filesystem::path chosen; ///< the file that the user selected; empty: that of the bound texture
+    std::shared_ptr<const Bytes> inMemory; ///< the content of `shown` if it is not in a folder
+    std::filesystem::path shown;           ///< the file of `content` or `problem`; empty: none yet
+    ImageLoader::Ticket ticket = 0;        ///< of the pending request; 0: none
     std::shared_ptr<const DissectedFile> content;
     FieldMap map;
-    std::string problem; ///< why the file can't be read; empty: nothing wrong
+    std::string problem; ///< why the file cannot be read; empty: no problem
 };
 
-/// Opens the tab with a file, be it an image or damaged.
+/// Opens the tab with a file, which may be damaged.
 void lookInto(Session& session, std::filesystem::path file);
 
 /// The content has arrived.
 void receiveInspected(Session& session, Result<ImageLoader::Content> content);
 
-/// Reads the file anew: it has changed.
+/// Reads the file again, because it has changed.
 void refreshInspected(Session& session);
 
-/// Asks for the file that the tab is to show, if it shows another one.
+/// Requests the file that the tab should show, if it shows another one.
 void followFile(Session& session);
 
 } // namespace texplorer::ui

@@ -11,7 +11,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// What is looked at stays as it is, only from elsewhere.
+/// The same view settings with another camera.
 View lookedAtFrom(View view, const View& place) {
     view.azimuth = place.azimuth;
     view.elevation = place.elevation;
@@ -25,13 +25,13 @@ bool differsInView(const Scene& a, const Scene& b) {
     return lookedAtFrom(a.view, b.view) != b.view;
 }
 
-/// But for the place of the camera.
+/// Ignores the camera.
 bool isSame(const Scene& a, const Scene& b) {
     return !differsInView(a, b) && a.light == b.light && a.material == b.material && a.models == b.models &&
            a.textures == b.textures && a.passes == b.passes;
 }
 
-/// The lists whose items are selected.
+/// The lists with selectable elements.
 void selectAsInA(Selection& selection, const Selection& inA, std::string_view path) {
     if (path.empty() || path == "models") {
         selection.model = inA.model;
@@ -76,7 +76,7 @@ void keepAsA(Session& session) {
     session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt,
                              session.window.selection};
     followKept(session);
-    tell(session, "Kept as A: change something, and compare it by the menu A/B.");
+    tell(session, "Kept as A. Change something and compare it with the menu A/B.");
 }
 
 void flipKept(Session& session) {

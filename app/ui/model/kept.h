@@ -14,37 +14,39 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// A: what a document was when the user kept it, to compare what is now with. Undo leaves it alone.
+/// A: the state of a document that the user kept, for comparisons with the current state. Undo does not
+/// change it.
 struct Kept {
-    std::shared_ptr<const Scene> scene; ///< nullptr: nothing is kept
-    /// The same, seen by the present camera: what the view draws of it. nullptr: it draws nothing of it.
+    std::shared_ptr<const Scene> scene; ///< nullptr: no state is kept
+    /// The same scene with the current camera, for the view. nullptr: the view does not draw it.
     std::shared_ptr<const Scene> seen;
-    /// The scene beside which the view shows A: any edit of it but of the camera leads back to what is now.
+    /// The current scene while the view shows A: any edit except of the camera switches back to the current
+    /// scene.
     std::optional<Scene> flippedAt;
-    Selection selection{}; ///< of the time when it was kept
+    Selection selection{}; ///< at the time when it was kept
 };
 
-/// The scene as it is now becomes A.
+/// Keeps the current scene as A.
 void keepAsA(Session& session);
-/// The view shows A in the place of what is now, or that again. Nothing happens where nothing is kept.
+/// Switches the view between A and the current scene. Does nothing if no state is kept.
 void flipKept(Session& session);
-/// The view shows both across one picture, or one again. Nothing happens where nothing is kept.
+/// Switches the split view of both on or off. Does nothing if no state is kept.
 void splitKept(Session& session);
 void forgetKept(Session& session);
 
 [[nodiscard]] bool isKeptShown(const Session& session);
 [[nodiscard]] bool isKeptBeside(const Session& session);
 
-/// Brings up to date what follows the scene: to be called by `settle`.
+/// Updates everything that depends on the scene. Called by `settle`.
 void followKept(Session& session);
 
-/// What differs from A but for the place of the camera, from A to now; empty where nothing is kept.
+/// The differences from A to the current scene, except the camera; empty if no state is kept.
 [[nodiscard]] std::vector<SceneChange> changesSinceKept(const Session& session);
 
-/// A's value becomes that of the scene, a step of undo. Models or passes that come back are selected as they
-/// were in A. The error says why it doesn't fit.
+/// Sets the scene to A's value, as an undo step. Restored models or passes are selected as in A. The error
+/// says why the value does not fit.
 [[nodiscard]] Result<void> takeFromKept(Session& session, const SceneChange& change);
-/// The same of everything but the place of the camera.
+/// The same for all differences, except the camera.
 void takeAllFromKept(Session& session);
 
 } // namespace texplorer::ui

@@ -21,27 +21,27 @@ struct Rect {
     bool operator==(const Rect&) const = default;
 };
 
-/// How the view is divided among the pictures.
+/// The division of the view among the pictures.
 struct PaneGrid {
     int columns = 1;
     int rows = 1;
-    bool compares = false; ///< there is a strip with numbers below them
-    int stripLines = 0;    ///< that it takes, as its words were measured; 0: not yet
+    bool compares = false; ///< a strip with numbers is below them
+    int stripLines = 0;    ///< the measured number of its lines; 0: not measured yet
 };
 
-/// Where everything is, as `layoutFor` has it. The panels fill the window without overlapping: menu on top,
-/// status at the bottom, between them three columns with seams that one can drag; the middle and the right
-/// one lie above the dock below. What is closed, or behind something maximised, is empty, and so is its seam.
+/// The rectangles of all parts, computed by `layoutFor`. The panels fill the window without overlapping: menu
+/// at the top, status bar at the bottom, between them three columns with draggable seams; the middle and the
+/// right one are above the dock below. A closed panel, or one hidden by something maximised, is empty, and so
+/// is its seam.
 struct Layout {
     float scale = 1;
     Rect window;
     Rect menu;
     Rect parameters;
-    Rect view;   ///< the centre column: its tool row, the pictures and the hint line
-    Rect canvas; ///< inside of `view`: all pictures
-    Rect
-        picture; ///< the first of them, pixel for pixel; all have this size, be they seen or not: see panes.h
-    Rect strip;  ///< inside of `view`: what a comparison says, below the pictures; empty: there is none
+    Rect view;      ///< the centre column: its tool row, the pictures and the hint line
+    Rect canvas;    ///< inside of `view`: all pictures
+    Rect picture;   ///< the first one, pixel by pixel; all have this size, visible or not: see panes.h
+    Rect strip;     ///< inside of `view`: the results of a comparison, below the pictures; empty: none
     Rect texture;   ///< right column, top
     Rect rightDock; ///< right column, bottom
     Rect belowDock; ///< below the view and the right column

@@ -32,7 +32,7 @@ void pressLessonKey(Session& session, std::size_t key, float times) {
     const std::string words = fmt::format("Key {}", pressed.key);
     Scene& scene = session.document.scene;
     if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
-        // At the end of its range a number stays, and there is nothing to say about it.
+        // At the end of its range a number stays unchanged, without a message.
         if (addTo(scene, *addition, times, session.window.playback.time))
             recordEdit(session, words, addition->path);
         return;

@@ -7,7 +7,7 @@
 
 namespace texplorer::ui {
 
-/// One of the program's own lessons, as a list shows it.
+/// A built-in lesson in a list.
 struct LessonTitle {
     std::string name;
     std::string title;
@@ -15,7 +15,7 @@ struct LessonTitle {
     std::size_t steps = 0;
 };
 
-/// All of them in a language, in the order in which they are taught. Read once for each language.
+/// All built-in lessons in a language, in teaching order. Read once for each language.
 [[nodiscard]] const std::vector<LessonTitle>& lessonTitles(Language language);
 
 } // namespace texplorer::ui

@@ -17,13 +17,13 @@ bool isBuiltIn(const std::string& key) {
     return lesson::LessonFolder::builtIn(key).has_value();
 }
 
-/// Room for one more: of folders that are nowhere any more nothing is missed, then of any.
+/// Makes room for one more: removes first folders that no longer exist, then any.
 void makeRoomForLesson(std::map<std::string, std::vector<StepRecord>>& lessons) {
     const auto isGone = [](const auto& each) {
         std::error_code ignored;
         return !isBuiltIn(each.first) && !std::filesystem::is_directory(each.first, ignored);
     };
-    while (lessons.size() >= mostLessonsKept) {
+    while (lessons.size() >= maxLessonsKept) {
         auto found = std::ranges::find_if(lessons, isGone);
         if (found == lessons.end())
             found = std::ranges::find_if(lessons, [](const auto& each) { return !isBuiltIn(each.first); });

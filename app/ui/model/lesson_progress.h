@@ -1,6 +1,6 @@
 #pragma once
 
-// What was done in which step of which lesson: Settings::lessons, which outlives the lesson that is open.
+// The results of lesson steps in Settings::lessons, which are kept after a lesson is closed.
 
 #include "app/ui/model/settings.h"
 #include "core/base/file_fingerprint.h"
@@ -16,18 +16,19 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// Under which name it is kept: the program's own lessons by theirs, a folder by where it is, so that two of
-/// the same name are two.
+/// The key of a lesson's records: the name of a built-in lesson, the path of a folder, so that two folders
+/// with the same name differ.
 [[nodiscard]] std::string progressKey(const lesson::LessonFolder& folder);
 
-/// Settings of before kept a folder's steps by its name alone: they become those of `key`.
+/// Old settings stored a folder's steps by its name alone: moves them to `key`.
 void takeOldRecords(Settings& settings, const lesson::LessonFolder& folder, const std::string& key);
 
-/// Of a step of a lesson that has so many. Where too many lessons are kept, one gives way.
+/// The record of a step in a lesson with this number of steps. If too many lessons are kept, one of them is
+/// replaced.
 [[nodiscard]] StepRecord& recordOf(Settings& settings, const std::string& key, std::size_t steps,
                                    std::size_t step);
 
-/// How many of the steps were done.
+/// The number of steps that are done.
 struct LessonProgress {
     std::size_t done = 0;
     std::size_t steps = 0;
@@ -35,10 +36,10 @@ struct LessonProgress {
 [[nodiscard]] LessonProgress progressOf(const Session& session, const std::string& key, std::size_t steps);
 [[nodiscard]] bool isStepDone(const Session& session, const std::string& key, std::size_t step);
 
-/// What the student answered in which lesson, as JSON, to be kept or handed in.
+/// The student's answers in all lessons, as JSON, to keep or hand in.
 [[nodiscard]] std::string answersText(const Session& session);
 
-/// The same as a file, by writeFreely.
+/// The same as a file, written by writeFreely.
 [[nodiscard]] Result<std::filesystem::path> saveAnswers(const Session& session,
                                                         const std::filesystem::path& file,
                                                         const std::optional<FileFingerprint>& replaces = {});

@@ -28,7 +28,7 @@ StepRecord& recordOf(Session& session, const LessonRun& run) {
     return recordOf(session.window.settings, run.key, run.lesson.steps.size(), run.step);
 }
 
-/// "fixed", or "fixed,reference": two that are compared.
+/// "fixed", or "fixed,reference" for a comparison of two.
 void showRenderers(ViewSettings& view, std::string_view names) {
     std::vector<RendererKind> wanted;
     for (std::size_t from = 0; from <= names.size();) {
@@ -43,7 +43,7 @@ void showRenderers(ViewSettings& view, std::string_view names) {
         showOne(view, wanted.front());
 }
 
-/// Of every answer, or of what is to be reached. None: that one has no edits, or they can't be made.
+/// The scenes of all answers, or the target. An answer without edits, or with edits that fail, has none.
 std::vector<LessonWork::Pictured> picturedScenes(const LessonRun& run) {
     const auto pictured = [&run](const std::vector<lesson::Edit>& edits) -> LessonWork::Pictured {
         Result<lesson::LessonScene> scene = withEdits(run.start, edits);
@@ -59,7 +59,7 @@ std::vector<LessonWork::Pictured> picturedScenes(const LessonRun& run) {
     return scenes;
 }
 
-/// What the step wants to be looked at.
+/// Applies the step's look.
 void look(Session& session, const lesson::Look& wanted) {
     WindowState& window = session.window;
     const auto tab = std::ranges::find(tabRows, wanted.tab, &TabRow::name);
@@ -83,7 +83,7 @@ void look(Session& session, const lesson::Look& wanted) {
     window.lessonPictures = {before, window.view};
 }
 
-/// What the step before has read needs no reading.
+/// Images that the previous step has read are reused.
 void shareImages(lesson::LessonScene& step, const Document& before) {
     if (!before.isLessons || before.images.directory() != step.images.directory())
         return;
@@ -97,16 +97,16 @@ bool holdsAll(const ImageSource& images, const Scene& scene) {
     return std::ranges::all_of(filesOf(scene), [&](const std::string& file) { return images.holds(file); });
 }
 
-/// The scene takes the place of the document's, whose history ends with it. Its images may come later.
+/// Replaces the document's scene and its history. Images may arrive later.
 void showScene(Session& session, const lesson::LessonScene& scene) {
     Document document(scene.scene, scene.images);
     document.isLessons = true;
-    document.used.clear();     // what isn't there is read
-    document.needsFit = false; // pictures are compared, and pixels named, as the step's camera sees them
+    document.used.clear();     // missing images are read
+    document.needsFit = false; // pictures are compared and pixels named with the step's own camera
     replaceDocument(session, std::move(document));
 }
 
-/// Which of the lesson's keys do something in its step.
+/// Finds which of the lesson's keys have an effect in its step.
 void readyKeys(LessonRun& run) {
     const std::vector<lesson::LessonKey>& keys = run.lesson.keys;
     run.usable.clear();
@@ -116,7 +116,7 @@ void readyKeys(LessonRun& run) {
     run.keyed.reset();
 }
 
-/// What the keys have led to, whoever has changed it: undo, or a panel.
+/// Finds the current choices of the keys, which undo and panels can change as well.
 void followKeys(Session& session, LessonRun& run) {
     if (run.lesson.keys.empty() || run.keyed == session.document.scene)
         return;
@@ -156,10 +156,10 @@ void begin(Session& session) {
     const lesson::Step& step = stepOf(run);
     const bool asks = std::holds_alternative<Predict>(step.task) || std::holds_alternative<Match>(step.task);
     if (!asks)
-        recordOf(session, run).done = true; // it was read
+        recordOf(session, run).done = true; // a step without a task is done when it was read
 }
 
-/// The texts, the scenes and the catalogue of a folder, whether they are there or not: what isn't may come.
+/// The texts, the scenes and the catalogue of a folder, including missing files, which may be created later.
 /// Images are watched with the document.
 std::vector<std::filesystem::path> filesOfLesson(const lesson::LessonFolder& folder,
                                                  const lesson::Lesson& lesson, Language language) {
@@ -185,7 +185,7 @@ void translateTexts(LessonRun& run) {
     run.files = filesOfLesson(run.folder, run.lesson, wanted);
 }
 
-/// What has to begin anew where it is another one.
+/// Compares the parts of a step that restart it when they change.
 bool isSameStep(const lesson::Step& a, const lesson::Step& b) {
     return a.look == b.look && a.task == b.task;
 }
@@ -194,20 +194,20 @@ void tellProblem(Session& session, const Error& error) {
     LessonRun& run = *session.window.lesson;
     say(session,
         {error.code,
-         fmt::format("the lesson has changed and can't be read now, the old one stays: {}", error.message),
+         fmt::format("the lesson has changed and can't be read, so the old one stays: {}", error.message),
          error.where},
         error.where);
     run.problem = session.window.notice.text;
 }
 
-/// The camera of another view, with what isn't the camera's.
+/// The camera of `camera` with the other settings of `view`.
 View seenFrom(View camera, const View& view) {
     camera.background = view.background;
     camera.perspectiveHint = view.perspectiveHint;
     return camera;
 }
 
-/// What is compared: where the camera isn't what the step is about, one may look from anywhere.
+/// The scene that is compared: if the step is not about the camera, any camera is allowed.
 Scene comparedScene(const LessonRun& run, const Scene& target, Scene scene) {
     const View& start = run.start.scene.view;
     if (target.view == seenFrom(start, target.view))
@@ -215,18 +215,18 @@ Scene comparedScene(const LessonRun& run, const Scene& target, Scene scene) {
     return scene;
 }
 
-/// The images that the step's scene was shown without, once they are there, or can't be read.
+/// Takes in images that were missing when the step's scene was shown, or their errors.
 void receiveImages(Session& session, LessonRun& run) {
     const Document& document = session.document;
     if (!run.awaitsImages || !document.loads.empty() || document.used.empty())
-        return; // or not even asked for
+        return; // or not requested yet
     run.awaitsImages = false;
     for (const std::string& file : filesOf(run.start.scene))
         run.start.images.share(file, document.images, file);
     askPictures(session, run);
 }
 
-/// Those of the step's scene in the picture that is shown.
+/// Updates the numbers of the step's scene in the shown picture.
 void followNumbers(Session& session, LessonRun& run, lesson::PictureSize picture) {
     LessonWork& work = session.services.lessons;
     if (std::optional<lesson::StepNumbers> numbers = work.takeNumbers()) {
@@ -353,7 +353,7 @@ void answerQuestion(Session& session, std::size_t answer) {
     StepRecord& record = recordOf(session, run);
     const bool right = answer == predict->right;
     if (!record.done) {
-        record.tries = std::min(record.tries + 1, mostTriesKept);
+        record.tries = std::min(record.tries + 1, maxTriesKept);
         record.answer = static_cast<int>(answer);
     }
     if (!right)

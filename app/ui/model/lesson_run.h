@@ -18,7 +18,7 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// A lesson that is open. What was done in which step outlives it: see lesson_progress.h.
+/// An open lesson. The results of its steps are kept longer: see lesson_progress.h.
 struct LessonRun {
     LessonRun(lesson::LessonFolder from, lesson::Lesson what, std::size_t first, lesson::LessonScene scene)
         : folder(std::move(from))
@@ -31,75 +31,74 @@ struct LessonRun {
     std::string key; ///< see progressKey
     lesson::Lesson lesson;
     std::size_t step = 0;
-    lesson::LessonScene start;                  ///< what the step begins with
-    std::optional<Scene> target;                ///< to be reached; none: the step has no such task
-    std::optional<std::size_t> answer;          ///< the one that was chosen
-    std::optional<lesson::StepNumbers> numbers; ///< of its texts; none: they are being found
-    lesson::PictureSize numbersFor;             ///< the picture for which they were asked for
-    /// What the tab comes to be scrolled to with the next frame that shows it.
+    lesson::LessonScene start;                  ///< the step's initial scene
+    std::optional<Scene> target;                ///< the target scene; none: the step has no such task
+    std::optional<std::size_t> answer;          ///< the chosen answer
+    std::optional<lesson::StepNumbers> numbers; ///< in its texts; none: they are being computed
+    lesson::PictureSize numbersFor;             ///< the picture of the requested numbers
+    /// Where the tab scrolls to in the next frame that shows it.
     enum class Scroll { None, Top, Verdict };
     Scroll wantedScroll = Scroll::None;
-    bool awaitsImages = false;                            ///< those of `start` are still being read
-    std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or the one to be reached
-    std::optional<lesson::Grade> grade;                   ///< of the scene that was last compared
-    std::optional<Scene> asked;                           ///< the one that is, or was last
-    bool wantsHint = false;                               ///< somebody has asked for it
-    std::optional<Scene> hintAsked;             ///< the scene for which it is, or was last, looked for
-    std::optional<LessonWork::Hinted> hint;     ///< what came of it
-    Language language = Language::English;      ///< of the catalogue
-    std::shared_ptr<const Catalogue> catalogue; ///< of the lesson's own texts; nullptr: English
-    std::vector<std::filesystem::path> files;   ///< that it is written in; none: it is the program's own
-    bool hasChanged = false;                    ///< one of them has, and was not read again yet
-    std::string problem;                        ///< why not, as the user was told; empty: nothing is wrong
-    lesson::ChosenChoices chosen;               ///< which choice of each of its keys the scene has
-    std::vector<bool> usable;                   ///< which of its keys do something in this step
-    std::optional<Scene> keyed;                 ///< the scene that `chosen` is about
-    std::optional<std::size_t> heldKey;         ///< the last one of them that is down
-    bool holdsKey = false;                      ///< one of them is held that goes on meanwhile
+    bool awaitsImages = false;                            ///< images of `start` are still being read
+    std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or of the target
+    std::optional<lesson::Grade> grade;                   ///< of the last compared scene
+    std::optional<Scene> asked;                           ///< the scene that was last sent for comparison
+    bool wantsHint = false;                               ///< a hint was requested
+    std::optional<Scene> hintAsked;                       ///< the scene of the last search for a hint
+    std::optional<LessonWork::Hinted> hint;               ///< its result
+    Language language = Language::English;                ///< of the catalogue
+    std::shared_ptr<const Catalogue> catalogue;           ///< of the lesson's own texts; nullptr: English
+    std::vector<std::filesystem::path> files;             ///< its files; none: a built-in lesson
+    bool hasChanged = false;                              ///< a file has changed and was not read again yet
+    std::string problem;                                  ///< the reported error of reading it; empty: none
+    lesson::ChosenChoices chosen;                         ///< the current choice of each of its keys
+    std::vector<bool> usable;                             ///< which of its keys have an effect in this step
+    std::optional<Scene> keyed;                           ///< the scene of `chosen`
+    std::optional<std::size_t> heldKey;                   ///< the last pressed one of its keys
+    bool holdsKey = false;                                ///< a key with a continuous effect is held
 
     /// A text of the lesson in the window's language.
     [[nodiscard]] std::string text(const std::string& english) const;
-    /// One of the step's, with its numbers.
+    /// A text of the step with its numbers.
     [[nodiscard]] std::string stepText(const std::string& english) const;
-    /// Why the right answer is right, once it was chosen.
+    /// Why the right answer is right; empty until it was chosen.
     [[nodiscard]] std::string reason() const;
 };
 
-/// How much of a picture that was compared is wrong still, in percent; 0: it is reached.
+/// The wrong part of a compared picture in percent; 0: the target is reached.
 [[nodiscard]] long percentWrong(const lesson::Grade& grade);
 
-/// Opens it at the step where one was, in place of the scene, which is lost: see askLesson. Errors: those of
-/// readLesson and startOf; nothing has changed then. Images of a folder come later, as those of any scene.
+/// Opens a lesson at its last shown step and replaces the scene: see askLesson. Errors: those of readLesson
+/// and startOf; nothing has changed then. Images of a folder arrive later, as for any scene.
 [[nodiscard]] Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
                                       std::optional<std::size_t> step = {});
 
-/// One of the program's own, or a folder's. Errors: those of LessonFolder::builtIn and openLesson.
+/// Opens a built-in lesson or a folder's. Errors: those of LessonFolder::builtIn and openLesson.
 [[nodiscard]] Result<void> openLessonNamed(Session& session, const std::string& nameOrFolder,
                                            std::optional<std::size_t> step = {});
 
-/// Whether the tab stays, with the list of all lessons.
+/// Whether the tab stays open with the list of all lessons.
 enum class KeepsTab : bool { No, Yes };
 void closeLesson(Session& session, KeepsTab tab = KeepsTab::No);
 
-/// Another step, or the same one from its start.
+/// Shows another step, or restarts the current one.
 void goToLessonStep(Session& session, std::size_t step);
 
-/// What the student thinks. The right answer shows its picture's scene, and soon why.
+/// The student's answer. The right one shows its scene, and later the reason.
 void answerQuestion(Session& session, std::size_t answer);
 
-/// What shows it: the picture in the view, and the driver.
+/// Where a lesson is shown: the picture in the view, and the driver.
 struct LessonPlace {
     lesson::PictureSize picture;
-    int units = maxUnits; ///< how many texture units the driver has
+    int units = maxUnits; ///< the number of the driver's texture units
 };
 
-/// To be called once a frame: takes what is ready, asks for the grade of a scene that has changed, for a hint
-/// where one is wanted, and for the numbers of another picture. A driver that turns out to have fewer texture
-/// units begins the step anew.
+/// Call once per frame. Takes finished results, and requests the grade of a changed scene, a wanted hint, and
+/// the numbers of another picture. Restarts the step if the driver turns out to have fewer texture units.
 void followLesson(Session& session, const LessonPlace& place);
 
-/// The files of a lesson's folder have changed: it is read again, and the step that is shown stays where it
-/// was; where one can't be read or says something wrong, everything stays, and the user is told.
+/// Reads a lesson's folder again after its files have changed; the shown step stays. If a file cannot be read
+/// or is invalid, nothing changes and the user gets a message.
 void reloadLesson(Session& session);
 
 } // namespace texplorer::ui

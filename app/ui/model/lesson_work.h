@@ -12,28 +12,28 @@
 
 namespace texplorer::ui {
 
-/// Draws the small pictures of a lesson, compares them, looks for hints and for the numbers of its texts, for
-/// a window that must not wait. All functions are to be called from one thread.
+/// Draws the small pictures of a lesson, compares them, looks for hints and for the numbers of its texts,
+/// without blocking the window. Call all functions on one thread.
 class LessonWork {
 public:
-    /// `wake` is called on the thread that works whenever there is something new.
+    /// `wake` is called on the working thread when there is a result.
     explicit LessonWork(When when, std::function<void()> wake = {});
 
     using Pictured = std::optional<lesson::LessonScene>;
 
-    /// Of each scene; nullptr where there is none, or it couldn't be drawn.
+    /// One picture per scene; nullptr if there is no scene, or if it could not be drawn.
     using Pictures = std::vector<std::shared_ptr<const Image>>;
 
-    /// Of a step. What was asked before is forgotten.
+    /// Requests the pictures of a step. Cancels an earlier request.
     void askPictures(std::vector<Pictured> scenes);
 
-    /// The scene is compared with the one to be reached. An earlier question that waits is forgotten.
+    /// Requests a comparison of the scene with the target. Replaces a waiting request.
     void askGrade(Scene scene, Scene target, ImageSource images);
 
-    /// Which parameter brings the scene nearest.
+    /// Requests the parameter that brings the scene closest to the target.
     void askHint(Scene scene, Scene target, ImageSource images);
 
-    /// The numbers of a step's texts, in a picture of this size.
+    /// Requests the numbers of a step's texts, in a picture of this size.
     void askNumbers(lesson::LessonScene start, lesson::Step step, lesson::PictureSize picture);
 
     struct Graded {
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::shared_ptr<const Pictures> takePictures();
     [[nodiscard]] std::optional<Graded> takeGrade();
     [[nodiscard]] std::optional<Hinted> takeHint();
-    /// Without numbers where they can't be found.
+    /// Without numbers if they cannot be computed.
     [[nodiscard]] std::optional<lesson::StepNumbers> takeNumbers();
 
     void rest();

@@ -10,10 +10,10 @@ namespace {
 
 using ByteTable = std::array<std::byte, 256>;
 
-constexpr FailureWords pictureFailure{"there is no memory for a picture of the level",
+constexpr FailureWords pictureFailure{"not enough memory for a picture of the level",
                                       "the picture of the level can't be made"};
 
-/// What each value is shown as.
+/// The displayed byte for each value.
 ByteTable tableOf(const TexelLook& look) {
     ByteTable table{};
     const float factor = std::exp2(look.exposure);
@@ -84,7 +84,7 @@ std::shared_ptr<const LevelPictures::Answer> LevelPictures::make(const Making::T
 void LevelPictures::take(LevelsWorker& source) {
     for (std::shared_ptr<const Answer>& answer : worker_.take())
         newest_ = std::move(answer);
-    // To free so much memory takes its time, too.
+    // Freeing so much memory takes time, too.
     if (levels_ && asked_ && newest_ && newest_->request.sameTexels(*asked_))
         source.uploaded(asked_->levels, std::exchange(levels_, nullptr), {});
 }
@@ -100,14 +100,14 @@ std::shared_ptr<const LevelPictures::Answer> LevelPictures::answer(const LevelPi
         asked_.reset();
         if (!levels_)
             return newest_;
-        if (!*levels_ && levels_->error().code == ErrorCode::Cancelled) { // until somebody wants them again
+        if (!*levels_ && levels_->error().code == ErrorCode::Cancelled) { // until the level is needed again
             newest_.reset();
             return std::make_shared<const Answer>(
                 Answer{.request = request, .problem = std::exchange(levels_, nullptr)->error().message});
         }
     }
     asked_ = request;
-    if (known && !newest_->texels) { // there was no such level, and no look makes one
+    if (known && !newest_->texels) { // the level does not exist, and another look does not change that
         auto again = std::make_shared<Answer>(*newest_);
         again->request = request;
         newest_ = std::move(again);

@@ -12,20 +12,20 @@
 
 namespace texplorer::ui {
 
-/// What of the texels is shown.
+/// The displayed channel of the texels.
 enum class Channel : std::uint8_t { All, Red, Green, Blue, Alpha, Luminance };
 
-/// How texels are made visible. Changes nothing of the scene.
+/// How texels are displayed. Does not change the scene.
 struct TexelLook {
     Channel channel = Channel::All;
-    float exposure = 0; ///< values times 2 to this
-    float low = 0;      ///< the value that is shown as 0
-    float high = 1;     ///< and as 1, above `low`
+    float exposure = 0; ///< values are multiplied by 2 to this power
+    float low = 0;      ///< the value that is displayed as 0
+    float high = 1;     ///< the value that is displayed as 1, above `low`
 
     bool operator==(const TexelLook&) const = default;
 };
 
-/// An Rgba8 image as the look shows it.
+/// Converts an image to Rgba8 with the look applied.
 [[nodiscard]] Image lookedAt(const Image& texels, const TexelLook& look);
 
 struct LevelPictureRequest {
@@ -35,35 +35,35 @@ struct LevelPictureRequest {
 
     bool operator==(const LevelPictureRequest&) const = default;
 
-    /// Whether the other one is about the same texels.
+    /// Whether both requests use the same texels.
     [[nodiscard]] bool sameTexels(const LevelPictureRequest& other) const {
         return level == other.level && levels == other.levels;
     }
 };
 
-/// Makes the picture of a level and counts its texels, for a window that must not wait: a large level takes
-/// seconds, which a thread of its own has. All functions are to be called from one thread.
+/// Makes the picture of a level and counts its texels, without blocking the window: a large level takes
+/// seconds on a separate thread. Call all functions on one thread.
 class LevelPictures {
 public:
-    /// `wake` is called on that thread whenever there is a new answer.
+    /// `wake` is called on the separate thread when there is a new answer.
     explicit LevelPictures(When when, std::function<void()> wake = {});
 
     struct Answer {
-        LevelPictureRequest request;            ///< what it answers
-        std::shared_ptr<const Image> texels{};  ///< themselves, Rgba8; nullptr: `problem` says why not
-        std::shared_ptr<const Image> picture{}; ///< as the look shows them
+        LevelPictureRequest request;            ///< the request that it answers
+        std::shared_ptr<const Image> texels{};  ///< Rgba8; nullptr: see `problem`
+        std::shared_ptr<const Image> picture{}; ///< the texels with the look applied
         std::optional<reference::TexelStatistics> statistics{};
         std::string problem{}; ///< a sentence without its full stop
     };
-    /// The newest answer: to this request, or to an earlier one until there is one; nullptr: none yet. The
-    /// levels come from `source`, and go back to it.
+    /// The newest answer: for this request, or for an earlier one until it is ready; nullptr: none yet.
+    /// Levels are taken from `source` and returned to it.
     [[nodiscard]] std::shared_ptr<const Answer> answer(const LevelPictureRequest& request,
                                                        LevelsWorker& source);
 
-    /// Nobody asks any more: gives up what is being made, and forgets the answer.
+    /// Call when the picture is no longer needed: cancels the work and frees the answer.
     void rest();
 
-    /// Sleeps until what was asked last is answered.
+    /// Blocks until the last request is answered.
     void wait() const { worker_.wait(); }
 
 private:
@@ -77,9 +77,9 @@ private:
     void take(LevelsWorker& source);
 
     std::optional<LevelPictureRequest> asked_;
-    std::shared_ptr<const PreparedLevels> levels_; ///< of what is asked, until its texels are there
+    std::shared_ptr<const PreparedLevels> levels_; ///< for the current request, until its texels are ready
     std::shared_ptr<const Answer> newest_;
-    Making worker_; // last: it ends before the rest does
+    Making worker_; // last member: it ends before the others
 };
 
 } // namespace texplorer::ui

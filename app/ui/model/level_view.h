@@ -11,25 +11,24 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// What the user sees of the levels that each pixel reads: as false colours over the pictures, and in the tab
-/// Levels.
+/// The levels that each pixel reads: shown as false colours over the pictures, and in the tab Levels.
 struct LevelView {
-    std::optional<reference::PixelPlace> hovered{}; ///< the pixel under the pointer, kept by the view
+    std::optional<reference::PixelPlace> hovered{}; ///< the pixel under the pointer, set by the view
     std::shared_ptr<const reference::LevelMapWorker::Answer>
-        answer{}; ///< the newest; may be an earlier one's
+        answer{}; ///< the newest; may be for an earlier question
 };
 
-/// To be called once a frame, before the panels: asks for the levels of the pixels, where somebody looks at
-/// them, and takes what there is by now. A picture has this size in pixels.
+/// Call once per frame, before the panels. Asks for the levels of the pixels if a panel shows them, and takes
+/// finished answers. A picture has this size in pixels.
 void askAboutLevels(Session& session, view::Size picture);
 
-/// The map that there is, of the selected unit; nullptr: none yet, or the answer says why not.
+/// The current map of the selected unit; nullptr: none yet, or see the answer's problem.
 [[nodiscard]] const reference::LevelMap* levelMapOf(const Session& session);
 
-/// The pixel that one asks about: the one under the pointer, else the one that is explained.
+/// The queried pixel: the one under the pointer, else the one that is explained.
 [[nodiscard]] std::optional<reference::PixelPlace> askedPixel(const Session& session);
 
-/// What the selected unit read at that pixel; nullptr: nothing, or nothing is known.
+/// What the selected unit read at that pixel; nullptr: nothing, or not known.
 [[nodiscard]] const reference::PixelLevels* askedLevels(const Session& session);
 
 } // namespace texplorer::ui

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Wanted = ImageLoader::Wanted;
 
-/// What a load needs of the images that are not there.
+/// The missing images that a load needs.
 std::set<std::string> missingFiles(const Session& session, const Load& load) {
     if (load.kind == Load::Kind::Reload)
         return {load.file};
@@ -34,7 +34,7 @@ fs::path folderOf(const Session& session, const Load& load) {
     return load.kind == Load::Kind::Scene ? load.images.directory() : session.document.images.directory();
 }
 
-/// The files that a load needs, each with all spellings that it has.
+/// The files that a load needs, each with all its notations.
 std::vector<std::vector<std::string>> missingBySpelling(const Session& session, const Load& load) {
     std::vector<std::vector<std::string>> missing;
     std::map<FileFingerprint, std::size_t> places;
@@ -52,13 +52,13 @@ std::vector<std::vector<std::string>> missingBySpelling(const Session& session, 
     return missing;
 }
 
-/// The loaded files become part of a source, with all that they hold.
+/// Adds the loaded files and their whole content to a source.
 void putAll(ImageSource& images, const Load& load) {
     for (const auto& [file, texture] : load.arrived)
         images.put(file, texture);
 }
 
-/// Takes in a file that has arrived, if the images of the scene that it is for leave room for it.
+/// Takes in a file that has arrived, if the images of its scene leave room for it.
 Result<void> arrive(const Session& session, Load& load, const std::vector<std::string>& spellings,
                     const ImageLoader::Content& content) {
     const auto& image = std::get<std::shared_ptr<const TextureImage>>(content);
@@ -69,7 +69,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
     for (const auto& [file, texture] : load.arrived)
         files.insert(file);
     for (const std::string& file : spellings)
-        files.erase(file); // what it replaces
+        files.erase(file); // replaced files
     const std::size_t used = images.bytesOf(files);
     if (used + byteCount(*image) > sceneImageBytes) {
         Error refused = beyondBudget(byteCount(*image), sceneImageBytes - std::min(sceneImageBytes, used));
@@ -82,14 +82,14 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
 }
 
 void finishImport(Session& session, const Load& load) {
-    session.window.fileView.chosen.clear(); // the new image is what one looks at
+    session.window.fileView.chosen.clear(); // the tab shows the new image
     bindFile(session.document.scene, load.pass, load.unit, load.file);
     sealEdit(session);
     recordEdit(session, fmt::format("Open {}", load.path.filename().string()));
     sealEdit(session);
 }
 
-/// One step of undo for all of them.
+/// Puts all of them into one undo step.
 void finishAdd(Session& session, Load& load) {
     addImages(session.document.scene, session.document.images, load);
     sealEdit(session);
@@ -97,7 +97,7 @@ void finishAdd(Session& session, Load& load) {
     sealEdit(session);
 }
 
-/// The user is told with the next frame that has room for it.
+/// The user gets the message in the next frame that has room for it.
 void tellRefused(Session& session, std::vector<Error>& refused) {
     session.window.refused.insert(session.window.refused.end(), refused.begin(), refused.end());
     refused.clear();
@@ -108,7 +108,7 @@ void finishSetFile(Session& session, const Load& load) {
     const std::string source(rowOf(SourceKind::File).name);
     if (!setParam(session.document.scene, load.param, load.file) ||
         !setParam(session.document.scene, owner + keyOf<&Texture::source>(), source))
-        return; // it was removed meanwhile
+        return; // it was removed in the meantime
     sealEdit(session);
     recordEdit(session, "File", load.param);
     sealEdit(session);
@@ -120,15 +120,15 @@ void finishReload(Session& session, const Load& load) {
         session.window.notice = {};
 }
 
-/// Whether it makes a step of undo, or another scene.
+/// Whether it makes an undo step, or another scene.
 bool isEdit(const Load& load) {
     return load.kind != Load::Kind::Reload && load.kind != Load::Kind::Used;
 }
 
-/// Everything has arrived. False: it has to wait for the user.
+/// All files have arrived. Returns false if it has to wait for the user.
 bool finish(Session& session, Load& load) {
     if (session.window.movesVertices && isEdit(load))
-        return false; // the move would be two steps of undo, with this one between them
+        return false; // otherwise the move would be two undo steps with this one in between
     switch (load.kind) {
     case Load::Kind::Import:
         putAll(session.document.images, load);
@@ -162,7 +162,7 @@ bool finish(Session& session, Load& load) {
     return true;
 }
 
-/// Nothing is changed; the user is told. A file that was fine before keeps its old picture, and is mentioned
+/// Changes nothing and tells the user. A file that was valid before keeps its old picture, and is mentioned
 /// once.
 void giveUp(Session& session, const Load& load, const std::string& file, const Error& error) {
     const fs::path path = folderOf(session, load) / file;
@@ -171,7 +171,7 @@ void giveUp(Session& session, const Load& load, const std::string& file, const E
     if (session.document.damaged.insert(file).second)
         say(session,
             {error.code,
-             fmt::format("has changed and can't be read now, its old picture stays: {}", error.message),
+             fmt::format("has changed and can't be read, so the old image stays: {}", error.message),
              path.string()},
             path);
 }
@@ -213,15 +213,14 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
     }
 }
 
-/// Those of the images that lie in a folder.
+/// The images that are in a folder.
 std::vector<std::string> filesOnDisk(const ImageSource& images) {
     std::vector<std::string> files = images.files();
     std::erase_if(files, [&](const std::string& file) { return images.fileInMemory(file) != nullptr; });
     return files;
 }
 
-/// True where the lesson that is open has changed: it is read again with the next frame that has room for
-/// it.
+/// Returns true if the open lesson has changed: it is read again in the next frame that has room for it.
 bool reloadChanged(Session& session) {
     std::set<std::string> files;
     for (const std::string& file : filesOnDisk(session.document.images))
@@ -245,7 +244,7 @@ bool reloadChanged(Session& session) {
     return lessonHasChanged;
 }
 
-/// An edit may bring a file into use that was never read: what a scene doesn't use isn't read with it.
+/// An edit may add a file that was never read: unused files of a scene are not read with it.
 void loadUsed(Session& session) {
     std::set<std::string> used = filesOf(session.document.scene);
     for (const std::string& file : used) {
@@ -280,7 +279,7 @@ void start(Session& session, Load load) {
         const ImageLoader::Ticket ticket = session.services.files.load(folder / spellings.front());
         load.waits[ticket] = std::move(spellings);
     }
-    if (load.kind == Load::Kind::Scene) { // the last one that was asked for is the one that is wanted
+    if (load.kind == Load::Kind::Scene) { // the last requested scene is the wanted one
         std::erase_if(session.document.loads, [&](const Load& each) {
             if (each.kind == Load::Kind::Scene)
                 cancelWaiting(session, each);

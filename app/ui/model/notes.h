@@ -9,28 +9,28 @@
 
 namespace texplorer::ui {
 
-/// Bytes of a note: longer ones would have more letters, each with its halo, than one list of Dear ImGui's
-/// takes.
-inline constexpr std::size_t longestNote = 500;
+/// Limits the bytes of a note: a longer one would have more letters, each with its halo, than a draw list of
+/// Dear ImGui can hold.
+inline constexpr std::size_t maxNoteBytes = 500;
 
-/// Words that somebody who presents puts over the view.
+/// A note over the view, for presentations.
 struct ViewNote {
-    glm::vec2 at{0.5F}; ///< its upper left corner, as a share of the pictures' room from there
+    glm::vec2 at{0.5F}; ///< its upper left corner, as a fraction of the picture area
     std::string text{};
 };
 
-/// They belong to the window, not to the scene, and end with it.
+/// The notes belong to the window, not to the scene, and are not kept.
 struct ViewNotes {
     std::vector<ViewNote> list;
     std::optional<std::size_t> chosen; ///< Delete removes it
     bool isEdited = false;             ///< the chosen one is a text field
-    bool wantsKeyboard = false;        ///< which gets the keyboard with the next frame
+    bool wantsKeyboard = false;        ///< the text field gets the keyboard in the next frame
 };
 
 void editNote(ViewNotes& notes, std::size_t index);
-/// A new one that waits for its words, chosen and edited.
+/// Adds an empty note, selected and being edited.
 void addNote(ViewNotes& notes, glm::vec2 at);
-/// A text that is longer than a note may be ends with "…".
+/// Cuts a text that is too long for a note and ends it with "…".
 void shortenNote(std::string& text);
 void removeNote(ViewNotes& notes, std::size_t index);
 

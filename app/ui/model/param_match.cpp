@@ -11,7 +11,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// The small letters of Latin and of Russian, whose capitals are D0 90 to D0 AF and D0 81 in UTF-8.
+/// Lower case for Latin and Russian letters; Russian capitals are D0 90 to D0 AF and D0 81 in UTF-8.
 std::string lowered(std::string_view text) {
     std::string lower(text);
     for (std::size_t i = 0; i < lower.size(); ++i) {
@@ -37,7 +37,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// `word` is in small letters.
+/// `word` is in lower case.
 bool contains(std::string_view text, std::string_view word) {
     return lowered(text).find(word) != std::string::npos;
 }

@@ -10,7 +10,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// A constant that is worked out when it is first asked for, as the pattern itself is.
+/// A constant that is computed at its first use, like the pattern itself.
 std::shared_ptr<const Image> smallPattern(Pattern pattern) {
     struct Constant {
         std::once_flag drawn;

@@ -11,14 +11,14 @@
 
 namespace texplorer::ui {
 
-/// Small pictures of the built-in patterns, for a choice among them. To draw all of them takes too long for a
-/// frame: they are made on a thread of their own.
+/// Small pictures of the built-in patterns, to choose from. Drawing all of them takes too long for a frame:
+/// they are made on a separate thread.
 class PatternPictures {
 public:
-    /// `wake` is called on that thread whenever there is one more.
+    /// `wake` is called on that thread for each new picture.
     explicit PatternPictures(When when, std::function<void()> wake = {});
 
-    /// nullptr: not yet.
+    /// nullptr: not ready.
     [[nodiscard]] std::shared_ptr<const Image> find(Pattern pattern);
 
 private:
@@ -26,7 +26,7 @@ private:
 
     std::array<std::shared_ptr<const Image>, patternRows.size()> pictures_;
     bool asked_ = false;
-    Worker<Pattern, Picture> worker_; // last: it ends before the rest does
+    Worker<Pattern, Picture> worker_; // last member: it ends before the others
 };
 
 } // namespace texplorer::ui

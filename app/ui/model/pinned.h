@@ -7,16 +7,16 @@
 
 namespace texplorer::ui {
 
-/// A parameter of any texture, unit, model …: "textures[].wrapR" of "textures[2].wrapR".
+/// The pattern of a path, for any texture, unit, model …: "textures[].wrapR" of "textures[2].wrapR".
 [[nodiscard]] std::string patternOf(std::string_view path);
 
-/// Whether Essentials shows a parameter because the user wants it there.
+/// Whether the user has pinned a parameter in Essentials.
 [[nodiscard]] bool isPinned(const Settings& settings, std::string_view path);
 
-/// Whether it is one of those that Essentials always has.
+/// Whether it is always in Essentials.
 [[nodiscard]] bool isEssential(std::string_view path);
 
-/// Pins it, or takes the pin away.
+/// Pins or unpins it.
 void togglePin(Settings& settings, std::string_view path);
 
 } // namespace texplorer::ui

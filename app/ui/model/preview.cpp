@@ -17,7 +17,7 @@ void preview(Session& session, std::string_view choice, std::string_view text,
     if (!shown || shown->choice != choice || shown->madeOf != scene) {
         Scene edited = scene;
         edit(edited);
-        // As it would be recorded; what can't be a key shows nothing.
+        // As it would be recorded; a value that cannot be a key is not shown.
         const Scene& before = session.document.standing ? session.document.standing->shown : scene;
         static_cast<void>(keyEdits(edited, before, presentKeyTime(session)));
         const bool isLoaded = std::ranges::all_of(

@@ -10,26 +10,26 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// What the view shows in the place of the document's scene while the pointer rests on a choice. Nothing else
-/// knows of it: it is neither recorded nor diagnosed nor saved.
+/// The scene that the view shows instead of the document's while the pointer rests on a choice. It is not
+/// recorded, diagnosed or saved.
 struct Preview {
-    std::string choice; ///< tells it from the next one: "textures[0].wrapS=GL_CLAMP"
-    std::string text;   ///< what the view says of it: "Wrap s: Clamp (legacy)"
+    std::string choice; ///< identifies it: "textures[0].wrapS=GL_CLAMP"
+    std::string text;   ///< the text in the view: "Wrap s: Clamp (legacy)"
     std::shared_ptr<const Scene> scene;
     Scene madeOf;        ///< the document's scene without the edit
-    bool wanted = false; ///< somebody asked for it in this frame
+    bool wanted = false; ///< requested in this frame
 };
 
-/// To be called in every frame in which the pointer rests on a choice: the view shows the document's scene
-/// with this edit from the next frame on, up to the first one in which nobody asks. A scene that names an
-/// image that isn't loaded is not shown. Where several ask, the last one is heard.
+/// Call in every frame in which the pointer rests on a choice. The view shows the document's scene with this
+/// edit from the next frame on, until the first frame without a call. A scene with an image that is not
+/// loaded is not shown. If there are several calls, the last one is used.
 void preview(Session& session, std::string_view choice, std::string_view text,
              const std::function<void(Scene&)>& edit);
 
-/// To be called at the end of a frame: a preview that nobody has asked for in it is over.
+/// Call at the end of a frame: ends a preview that was not requested in it.
 void endPreview(Session& session);
 
-/// The scene that the view shows, with all its passes: the document's, the one that is previewed, or A.
+/// The scene in the view, with all its passes: the document's, the previewed one, or A.
 [[nodiscard]] const Scene& shownScene(const Session& session);
 
 } // namespace texplorer::ui

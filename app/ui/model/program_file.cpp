@@ -22,7 +22,7 @@ std::string stemOf(const Document& document) {
     return stem.empty() ? "scene" : stem;
 }
 
-/// What a program in a folder calls an image of the scene.
+/// The name of a scene's image in a program's folder.
 std::string imageNameFrom(const std::filesystem::path& folder, const std::filesystem::path& scenes,
                           const std::string& image) {
     const std::filesystem::path whole = (scenes / image).lexically_normal();
@@ -31,7 +31,7 @@ std::string imageNameFrom(const std::filesystem::path& folder, const std::filesy
     return (below ? relative : whole).generic_string();
 }
 
-/// How far all is, of textures of which each says it of itself.
+/// The progress of all textures, each of which reports its own.
 std::function<void(float)> reportOfAll(const FileMaking& making, std::size_t textures) {
     return [report = making.report, textures, done = std::size_t{0}, last = 0.0F](float share) mutable {
         if (share < std::exchange(last, share))

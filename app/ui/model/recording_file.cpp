@@ -15,7 +15,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::size_t mostPictures = 10'000; // as of texshot animate
+constexpr std::size_t maxPictures = 10'000; // as in texshot animate
 
 animation::Settings settingsOf(const Recording& recording) {
     animation::Settings settings{.width = recording.picture.width, .height = recording.picture.height};
@@ -79,20 +79,20 @@ Result<Recording> recordingOf(const Session& session) {
                         static_cast<double>(recordedSeconds(session)),
                         static_cast<double>(choice.perSecond)};
     const auto refuse = [](std::string words) { return fail(ErrorCode::OutOfRange, std::move(words)); };
-    if (!(recording.perSecond > 0 && recording.perSecond <= format.mostPerSecond))
+    if (!(recording.perSecond > 0 && recording.perSecond <= format.maxPerSecond))
         return refuse(fmt::format("expected up to {} pictures a second in a {}, found {:g}",
-                                  format.mostPerSecond, format.name, choice.perSecond));
-    const int mostExtent = std::min(format.mostExtent, reference::maxPictureExtent);
-    if (std::min(choice.width, choice.height) < 1 || std::max(choice.width, choice.height) > mostExtent)
+                                  format.maxPerSecond, format.name, choice.perSecond));
+    const int maxExtent = std::min(format.maxExtent, reference::maxPictureExtent);
+    if (std::min(choice.width, choice.height) < 1 || std::max(choice.width, choice.height) > maxExtent)
         return refuse(fmt::format("expected a picture of up to {} × {} pixels in a {}, found {} × {}",
-                                  mostExtent, mostExtent, format.name, choice.width, choice.height));
+                                  maxExtent, maxExtent, format.name, choice.width, choice.height));
     if (!(recording.seconds > 0 && recording.picture.time >= 0 &&
           recording.picture.time + recording.seconds <= double{maxKeyTime}))
         return refuse(fmt::format("expected an end within {:g} s, found {:g} s", maxKeyTime,
                                   recording.picture.time + recording.seconds));
-    if (recording.pictures() > mostPictures)
+    if (recording.pictures() > maxPictures)
         return refuse(
-            fmt::format("expected at most {} pictures, found {}", mostPictures, recording.pictures()));
+            fmt::format("expected at most {} pictures, found {}", maxPictures, recording.pictures()));
     return recording;
 }
 

@@ -12,24 +12,24 @@ namespace texplorer::ui {
 
 struct Session; // see session.h
 
-/// How long a recording is that nothing else says it of.
+/// The default length of a recording.
 inline constexpr float usualSeconds = 4;
 
-/// What of a document is recorded.
+/// The recorded time of a document.
 struct RecordedTime {
     float begin = 0;                ///< seconds
-    std::optional<float> seconds{}; ///< nothing: as long as the key frames are
+    std::optional<float> seconds{}; ///< nothing: the length of the key frames
 };
 
-/// What is recorded, and how.
+/// The options of a recording.
 struct RecordingChoice : RecordedTime {
     animation::Format format = animation::Format::WebP;
-    float perSecond = 25; ///< pictures
-    int width = 640;      ///< of each, in pixels
+    float perSecond = 25; ///< pictures per second
+    int width = 640;      ///< of each picture, in pixels
     int height = 400;
 };
 
-/// What an animation is made of. Its pictures are those of "texshot animate --renderer reference".
+/// The inputs of an animation. Its pictures are those of "texshot animate --renderer reference".
 struct Recording {
     reference::DrawRequest picture; ///< the first one, with its time
     animation::Format format{};
@@ -39,20 +39,20 @@ struct Recording {
     [[nodiscard]] std::size_t pictures() const; ///< at least 1
 };
 
-/// How long it will be, in seconds.
+/// The length of the recording in seconds.
 [[nodiscard]] float recordedSeconds(const Session& session);
 
-/// What the choice makes of the scene as it is. Errors: the format can't have so many pictures a second or
-/// such an extent, they are too many, it ends too late.
+/// The recording of the current scene with these options. Errors: the format does not support this number of
+/// pictures per second or this extent, there are too many pictures, it ends too late.
 [[nodiscard]] Result<Recording> recordingOf(const Session& session);
 
-/// The file that it becomes.
+/// The order for its file.
 [[nodiscard]] FileOrder fileOrder(Recording recording, std::filesystem::path file);
 
 /// "earth.webp"
 [[nodiscard]] std::string recordingFileName(const Session& session);
 
-/// Has it written. Errors: those of recordingOf, and a name that isn't the format's.
+/// Writes it. Errors: those of recordingOf, and a name that is not valid for the format.
 [[nodiscard]] Result<void> saveRecording(Session& session, const std::filesystem::path& file,
                                          const std::optional<FileFingerprint>& replaces = {});
 

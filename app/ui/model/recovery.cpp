@@ -10,7 +10,7 @@ namespace {
 
 constexpr int pictureWidth = 320;
 constexpr int pictureHeight = 240;
-constexpr FailureWords failure{"there is no memory for the picture", "the picture can't be drawn"};
+constexpr FailureWords failure{"not enough memory for the picture", "the picture can't be drawn"};
 
 } // namespace
 
@@ -38,7 +38,7 @@ Recovery::~Recovery() = default;
 Recovery::Picture Recovery::draw(const Drawing::Task& task) {
     const UnsavedScene& draft = task.job().scene;
     ImageSource images(draft.folder);
-    (void)images.load(draft.scene); // what can't be read is missing in the picture, too
+    (void)images.load(draft.scene); // images that cannot be read are missing in the picture
     reference::DrawOptions options;
     options.levels.stop = options.stop = task.stop();
     Result<Frame> drawn =

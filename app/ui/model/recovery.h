@@ -10,9 +10,8 @@
 
 namespace texplorer::ui {
 
-/// The unsaved work of windows that have died, offered one after the other. Their pictures are drawn by the
-/// reference, on a thread of its own where there is one to be had: what had ended the window may have been
-/// the driver.
+/// Unsaved work of windows that crashed, offered one after the other. Their pictures are drawn by the
+/// reference, on its own thread if one is available: the driver may have caused the crash.
 class Recovery {
 public:
     /// Claims every draft in the folder whose window is gone. `wake` is called when there is a picture.
@@ -22,31 +21,31 @@ public:
     ~Recovery();
 
     struct Offer {
-        UnsavedPlace place; ///< not open where its lock can't be had: the draft can't be discarded then
+        UnsavedPlace place; ///< not open if its lock is not available: the draft cannot be discarded then
         std::filesystem::file_time_type written;
         Result<UnsavedScene> draft;
     };
-    /// Those that are not decided yet, the youngest first.
+    /// The offers that are not decided yet, the newest first.
     [[nodiscard]] const std::vector<Offer>& offers() const { return offers_; }
-    /// Of the first offer; nullptr: not drawn yet, or there is none.
+    /// The picture of the first offer; nullptr: not drawn yet, or none.
     [[nodiscard]] std::shared_ptr<const Image> picture() const;
 
-    void discard(); ///< the first: its draft is removed
-    void later();   ///< all: they stay for another start
-    /// The first is restored: its place is kept for the window that shows it. The others stay for another
+    void discard(); ///< the first offer: removes its draft
+    void later();   ///< all offers: they stay for another start
+    /// Restores the first offer: its place is kept for the window that shows it. The others stay for another
     /// start.
     [[nodiscard]] UnsavedScene restore();
-    /// The place of what was restored, once.
+    /// The place of the restored work, once.
     [[nodiscard]] UnsavedPlace takeRestored() { return std::move(restored_); }
 
 private:
     struct Draft {
-        std::size_t number = 0; ///< of the offer, in the order of all that were found
+        std::size_t number = 0; ///< of the offer, counted among all that were found
         UnsavedScene scene;
     };
     struct Picture {
         std::size_t number = 0;
-        std::shared_ptr<const Image> image; ///< nullptr: it can't be drawn
+        std::shared_ptr<const Image> image; ///< nullptr: it cannot be drawn
     };
     using Drawing = Worker<Draft, Picture>;
     [[nodiscard]] static Picture draw(const Drawing::Task& task);

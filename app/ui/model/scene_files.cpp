@@ -22,40 +22,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same of a file that becomes one of a source's images; absolute while the scene was never saved.
+/// The same for a file that becomes an image of a source; absolute if the scene was never saved.
 std::string nameIn(const ImageSource& images, const fs::path& file) {
     return images.directory().empty() ? absolutePath(file).generic_string()
                                       : nameFrom(images.directory(), file);
 }
 
-/// As the file has it, where it can be read: what undo and the mark of unsaved changes go by.
+/// The scene in the file, if it can be read: for undo and the mark of unsaved changes.
 SceneText savedScene(const fs::path& file) {
     return file.empty() ? SceneText{defaultScene()} : readScene(file).value_or(SceneText{});
 }
 
-/// What another program has written takes the place of the document's scene, as a step of its history: it is
-/// looked at as before.
+/// Replaces the document's scene by what another program has written, as a step of its history; the view
+/// stays.
 void replaceByFile(Session& session, Load load) {
     Document document(std::move(load.scene), std::move(load.images), load.path);
     document.fileHash = std::move(load.fileHash);
-    document.needsFit = false; // it is what was saved
+    document.needsFit = false; // it was saved like this
     document.kept = std::move(session.document.kept);
     document.history = std::move(session.document.history);
     document.history.seal();
-    document.history.record(document.scene, "Take what the file has");
+    document.history.record(document.scene, "Reload the file");
     document.history.seal();
     exchangeDocument(session, std::move(document));
 }
 
-/// Unsaved work takes the place of the document, with its draft as this window's own.
+/// Replaces the document by unsaved work, with its draft as this window's own.
 void replaceByUnsaved(Session& session, Load load) {
     const UnsavedScene draft{load.path, load.images.directory(), load.scene, load.fileHash};
     Document document(std::move(load.scene), std::move(load.images), load.path);
     SceneText saved = savedScene(document.file);
-    if (saved.hash == load.fileHash) // else it was written again since
+    if (saved.hash == load.fileHash) // otherwise it was written again since
         document.fileHash = std::move(saved.hash);
     document.saved = std::move(saved.scene);
-    document.needsFit = false; // the camera is part of the work
+    document.needsFit = false; // the camera belongs to the work
     replaceDocument(session, std::move(document));
     if (UnsavedWork* unsaved = session.services.unsaved)
         unsaved->autosave.adopt(unsaved->recovery.takeRestored(), draft);
@@ -119,18 +119,19 @@ void showLoadedScene(Session& session, Load load) {
         Document document(std::move(load.scene), std::move(load.images), load.path);
         document.fileHash = std::move(load.fileHash);
         if (!load.suggested.empty())
-            document.needsFit = document.scene.view == defaultScene().view; // it shows what the picture does
+            document.needsFit =
+                document.scene.view == defaultScene().view; // it shows the same as the picture
         document.suggested = std::move(load.suggested);
         return replaceDocument(session, std::move(document));
     }
-    load.before = session.document.scene; // the next answer is about this one
+    load.before = session.document.scene; // the next answer is for this scene
     session.window.readyScene = std::make_shared<Load>(std::move(load));
     session.window.pending = Pending::ShowScene;
     session.window.dialog = Dialog::Discard;
 }
 
 void restoreUnsaved(Session& session, UnsavedScene draft) {
-    // What it was restored from isn't lost with an image: the load goes on without.
+    // A missing image does not lose the restored work: the load goes on without it.
     start(session, {.kind = Load::Kind::Scene,
                     .path = std::move(draft.file),
                     .goesOn = true,
@@ -163,9 +164,10 @@ void chooseFile(Session& session, std::string param, const fs::path& path) {
 
 Result<std::string> sceneLink(const Session& session) {
     Scene scene = session.document.scene;
-    renameFiles(scene, [&](const std::string& file) { // where it is read there is no folder to name them from
-        return absolutePath(session.document.images.directory() / file).generic_string();
-    });
+    renameFiles(scene,
+                [&](const std::string& file) { // there is no folder that file names could be relative to
+                    return absolutePath(session.document.images.directory() / file).generic_string();
+                });
     return writeSceneLink(scene);
 }
 
@@ -176,7 +178,7 @@ Result<void> openSceneLink(Session& session, std::string_view link) {
     start(session, {.kind = Load::Kind::Scene,
                     .goesOn = true,
                     .scene = std::move(*scene),
-                    .before = session.document.saved, // else the user is asked
+                    .before = session.document.saved, // otherwise the user is asked
                     .images = ImageSource(fs::path{})});
     return {};
 }
@@ -209,7 +211,7 @@ Result<void> openFile(Session& session, const fs::path& path) {
 
 namespace {
 
-/// What a file is, or why it is nothing that can be opened.
+/// The kind of a file, or why it cannot be opened.
 Result<bool> checkFile(const fs::path& file) {
     const Result<bool> scene = holdsScene(file);
     if (!scene)
@@ -230,7 +232,7 @@ Result<bool> checkFile(const fs::path& file) {
     return false;
 }
 
-/// Several files as one load: what is no file or a second scene is refused already.
+/// Several files as one load: invalid files and a second scene are already refused.
 Load sorted(const Session& session, const std::vector<fs::path>& files) {
     Load load{.kind = Load::Kind::Add,
               .pass = session.window.selection.pass,
@@ -243,10 +245,10 @@ Load sorted(const Session& session, const std::vector<fs::path>& files) {
         } else if (!*isScene) {
             images.push_back(file);
         } else if (load.kind == Load::Kind::Scene) {
-            load.refused.push_back(
-                {ErrorCode::OutOfRange,
-                 fmt::format("one scene is shown at a time, and {} is opened", load.path.filename().string()),
-                 file.string()});
+            load.refused.push_back({ErrorCode::OutOfRange,
+                                    fmt::format("only one scene is shown at a time, and {} is opened",
+                                                load.path.filename().string()),
+                                    file.string()});
         } else if (Result<SceneText> read = readScene(file)) {
             load.kind = Load::Kind::Scene;
             load.path = absolutePath(file);
@@ -325,7 +327,7 @@ Result<void> beginWith(Session& session, const std::vector<fs::path>& files) {
         return fail(load.refused.front());
     for (const fs::path& file : files)
         rememberFile(session.window.settings, absolutePath(file));
-    if (load.kind == Load::Kind::Add) { // to begin with them is no edit
+    if (load.kind == Load::Kind::Add) { // opening them first is not an edit
         load.kind = Load::Kind::Scene;
         load.scene = session.document.scene;
         load.images = ImageSource(session.document.images.directory());

@@ -6,81 +6,80 @@
 
 namespace texplorer::ui {
 
-// Files. Each of these changes nothing when it fails.
+// Opening files. Each of these changes nothing if it fails.
 
-/// Looked at as a window begins, whatever the old one was looked at with.
+/// Opens a new scene with the initial view, regardless of how the old one was shown.
 void newScene(Session& session);
 
-/// One of the scenes that come with the program, as a scene without a file.
+/// Opens one of the program's example scenes, as a scene without a file.
 [[nodiscard]] Result<void> openExample(Session& session, std::string_view file);
 
-// Images come later: what was asked for happens in `receiveFiles`, or the user is told there why it can't.
-// The errors that are returned are those that are seen at once.
+// Images arrive later: `receiveFiles` finishes the request or reports the error to the user. Only immediate
+// errors are returned.
 
-/// Reads a scene and every image that it names. One of a picture that texshot has drawn has no file then, so
-/// that the picture isn't overwritten.
+/// Reads a scene and every image that it names. A scene from a picture by texshot has no file, so that the
+/// picture is not overwritten.
 [[nodiscard]] Result<void> openScene(Session& session, const std::filesystem::path& path);
 
-/// What was asked with Dialog::Picture: the picture is an image.
+/// The answer to Dialog::Picture: uses the picture as an image.
 void usePicture(Session& session);
 
-/// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
+/// Puts an image on the texture bound to the selected unit, and enables the unit.
 void importImage(Session& session, const std::filesystem::path& path);
 
-/// Puts the images that a load has added into a scene, as far as they are in `images`: the first for the
-/// load's unit, a texture for each of the others. Those for which there is no room are refused.
+/// Puts the images that a load has added into a scene, if they are in `images`: the first for the load's
+/// unit, one texture for each of the others. Images without room are refused.
 void addImages(Scene& scene, const ImageSource& images, Load& load);
 
-/// Shows unsaved work of a window that has died, once its images are there or can't be read.
+/// Shows unsaved work of a window that crashed, once its images are loaded or cannot be read.
 void restoreUnsaved(Session& session, UnsavedScene draft);
 
-/// A unit shows a file, with the texture that is bound to it, or with a new one; the unit is switched on.
+/// Shows a file on a unit, with its bound texture or with a new one; enables the unit.
 void bindFile(Scene& scene, int pass, int unit, std::string file);
 
-/// A parameter names an image, "textures[0].levels[1].file", which becomes the source of what it belongs to.
-/// `file` is spelled as in Texture::file.
+/// Sets the parameter that names an image, "textures[0].levels[1].file", and the image becomes the source of
+/// its object. `file` is in the notation of Texture::file.
 void setFile(Session& session, std::string param, std::string file);
 
-/// The same of a file that was chosen somewhere.
+/// The same for a path that the user has chosen.
 void chooseFile(Session& session, std::string param, const std::filesystem::path& path);
 
-/// A scene that has been loaded takes the place of this one; asks first where the user has changed something
-/// meanwhile.
+/// Replaces the scene by a loaded one; asks first if the user has changed something meanwhile.
 void showLoadedScene(Session& session, Load load);
 
-/// A scene or an image, by its content.
+/// Opens a scene or an image, depending on its content.
 [[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
 
-/// A scene as a text that one can send, as it is now.
+/// The current scene as a text to send.
 [[nodiscard]] Result<std::string> sceneLink(const Session& session);
 
-/// Shows the scene of such a text; asks first where there are unsaved changes. Images that aren't there are
-/// left out, and that is said.
+/// Shows the scene of such a text; asks first if there are unsaved changes. Missing images are left out and
+/// reported.
 [[nodiscard]] Result<void> openSceneLink(Session& session, std::string_view link);
 
-/// Several files: at most one scene, and images; the first one is shown, the others wait as textures. What
-/// can't be opened is listed in Session::refused, and the rest is opened. The error is that of a file that is
-/// the only one.
+/// Opens several files: at most one scene, and images; the first image is shown, the others become textures.
+/// Files that cannot be opened are listed in Session::refused, and the rest is opened. The error is that of a
+/// single file.
 [[nodiscard]] Result<void> openFiles(Session& session, const std::vector<std::filesystem::path>& files);
 
-/// What of the command line is not there or is nothing that can be opened, by the beginning of each file:
-/// what can be said before there is a window. An error for each.
+/// Checks the files of the command line by their first bytes, before there is a window. Returns an error for
+/// each that is missing or cannot be opened.
 [[nodiscard]] std::vector<Error> checkArguments(const std::vector<std::filesystem::path>& files);
 
-/// What the command line names, as openFiles. The session begins with it: there is nothing to undo or to
-/// save. The error is that of the first file where none can be opened. Of an image alone that holds a scene,
-/// it is asked what is meant: Dialog::Picture.
+/// Opens the files of the command line, like openFiles. The session begins with them: there is nothing to
+/// undo or to save. Returns the error of the first file if none can be opened. For a single image that holds
+/// a scene, it asks what to open: Dialog::Picture.
 [[nodiscard]] Result<void> openArguments(Session& session, const std::vector<std::filesystem::path>& files);
 
-/// Whether a file is to be read as a scene, by its first bytes and its name; else as an image.
+/// Whether a file should be read as a scene, by its first bytes and its name; else it is an image.
 [[nodiscard]] Result<bool> holdsScene(const std::filesystem::path& path);
 
-/// Tells the user. Where the content of `file` was the reason, it is offered to look into it.
+/// Shows an error to the user. If the content of `file` was the reason, it offers to inspect the file.
 void say(Session& session, const Error& error, const std::filesystem::path& file = {});
 void say(Session& session, std::string sentence);
-/// The same of what was done, and can't be seen.
+/// Shows a message about a success that is not visible otherwise.
 void tell(Session& session, std::string sentence);
-/// Shows a failure to the user.
+/// Shows an error to the user.
 void report(Session& session, const Result<void>& result, const std::filesystem::path& file = {});
 
 } // namespace texplorer::ui

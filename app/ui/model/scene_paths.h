@@ -5,10 +5,10 @@
 
 namespace texplorer::ui {
 
-/// Without "." and ".."; links stay.
+/// Removes "." and ".."; links stay.
 [[nodiscard]] std::filesystem::path absolutePath(const std::filesystem::path& path);
 
-/// How a scene in `directory` names a file: relative where it lies at or below it, absolute elsewhere.
+/// The name of a file for a scene in `directory`: relative if it is in or below it, else absolute.
 [[nodiscard]] std::string nameFrom(const std::filesystem::path& directory, const std::filesystem::path& file);
 
 } // namespace texplorer::ui

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same scene, with its image files named from another folder. Those that lie in none keep their names.
+/// The same scene with its image files named from another folder. Names of files in no folder stay unchanged.
 Scene rebased(const Scene& scene, const ImageSource& images, const fs::path& to) {
     Scene result = scene;
     renameFiles(result, [&](const std::string& file) {
@@ -29,10 +29,12 @@ Scene rebased(const Scene& scene, const ImageSource& images, const fs::path& to)
     return result;
 }
 
-/// Images that lie in no folder come into that of the scene, where there is no other file of their name.
+/// Images in no folder are moved to that of the scene, unless it has another file of their name.
 Result<void> saveFilesInMemory(const Scene& scene, const ImageSource& images, const fs::path& folder) {
     const auto another = [&](const std::string& file) {
-        return fail(ErrorCode::Unwritable, "the scene has an image of this name, and there is another file",
+        return fail(ErrorCode::Unwritable,
+                    "the scene has an image of this name, but another file has it "
+                    "too",
                     (folder / file).string());
     };
     std::vector<std::string> missing;
@@ -64,8 +66,8 @@ bool isOwnFile(const Document& document, const fs::path& file) {
     return document.file == file || (there && there == fingerprintOf(document.file));
 }
 
-/// What is in the document's file, where that is neither what it was nor what is to be saved; nullptr:
-/// nothing is lost where it is replaced. Another text of the same scene is no change.
+/// The content of the document's file, if it is neither the old one nor the one to be saved; nullptr:
+/// replacing it loses nothing. Another text of the same scene is not a change.
 std::shared_ptr<const ChangedFile> changedFileOf(const Document& document, const fs::path& file,
                                                  const Scene& mine) {
     const Result<std::string> text = readText(file, maxSceneBytes);
@@ -102,9 +104,9 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
     Document& document = session.document;
     const Scene scene = rebased(document.scene, document.images, folder);
     const std::string text = writeScene(scene);
-    if (text.size() > maxSceneBytes) // and what is there stays
+    if (text.size() > maxSceneBytes) // the existing file stays
         return fail(ErrorCode::TooLarge,
-                    fmt::format("the scene takes {} bytes, and no more than {} are read again", text.size(),
+                    fmt::format("the scene takes {} bytes, but only {} can be read again", text.size(),
                                 maxSceneBytes),
                     file.string());
     const bool isOwn = isOwnFile(document, file);

@@ -6,7 +6,7 @@
 
 namespace texplorer::ui {
 
-/// What the parameters are divided into.
+/// The tabs of the parameters.
 enum class ParameterTab { Essentials, Texture, Unit, Coordinates, Pass, Light, View };
 
 struct ParameterTabRow {
@@ -16,18 +16,18 @@ struct ParameterTabRow {
 };
 
 inline constexpr std::array parameterTabRows{
-    ParameterTabRow{ParameterTab::Essentials, "Essentials", "What one needs first, one click each"},
+    ParameterTabRow{ParameterTab::Essentials, "Essentials", "The most important settings, one click each"},
     ParameterTabRow{ParameterTab::Texture, "Texture",
                     "The texture object: its image, filters, wrap modes and levels"},
     ParameterTabRow{ParameterTab::Unit, "Unit", "What the texture unit does with the texture's colour"},
     ParameterTabRow{ParameterTab::Coordinates, "Coordinates",
-                    "What becomes of texture coordinates: generated ones, and the texture matrix"},
-    ParameterTabRow{ParameterTab::Pass, "Pass", "What is drawn how: tests, blending, fog; several passes"},
-    ParameterTabRow{ParameterTab::Light, "Light", "The light, and the materials that it falls on"},
-    ParameterTabRow{ParameterTab::View, "View", "The models, and the camera that looks at them"},
+                    "Texture coordinates: how they are generated and transformed"},
+    ParameterTabRow{ParameterTab::Pass, "Pass", "Passes and their tests, blending and fog"},
+    ParameterTabRow{ParameterTab::Light, "Light", "The light and the materials"},
+    ParameterTabRow{ParameterTab::View, "View", "The models and the camera"},
 };
 
-/// The parts of the tabs, from top to bottom.
+/// The sections of the tabs, from top to bottom.
 enum class Section {
     Essentials,
     Texture,

@@ -6,17 +6,17 @@
 
 namespace texplorer::ui {
 
-/// Vertices of one model that are chosen together.
+/// Vertices of one model that are selected together.
 struct VertexGroup {
     int model = 0;
     std::vector<std::size_t> vertices{}; ///< ascending
 };
 
-/// What the panels show. Indices beyond the scene are brought back by `settle`.
+/// The selected objects, which the panels show. `settle` corrects indices outside of the scene.
 struct Selection {
     int model = 0;
     std::optional<std::size_t> vertex;
-    VertexGroup group{}; ///< counts while `vertex` is one of it: see chosen_vertices.h
+    VertexGroup group{}; ///< valid while it contains `vertex`: see chosen_vertices.h
     int pass = 0;
     int unit = 0;
 };

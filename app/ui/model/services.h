@@ -20,29 +20,30 @@
 
 namespace texplorer::ui {
 
-/// What works for the window. The host has it and lends it to the session, which it must outlive.
+/// The workers of the window. Owned by the host; must outlive the session.
 struct Services {
     Files& files;
     LevelsWorker& levels;                ///< of the scene's textures
     reference::DrawWorker& reference;    ///< of the reference's picture
-    reference::DrawWorker& kept;         ///< of its picture of what was kept as A
+    reference::DrawWorker& kept;         ///< of its picture of the kept state A
     reference::ProbeWorker& probe;       ///< of the pixel that is explained
     reference::LevelMapWorker& levelMap; ///< of the levels that each pixel reads
-    PatternPictures& patterns;           ///< of the choice among them
-    LevelPictures& levelPictures;        ///< of the level that texture space shows
-    LessonWork& lessons;                 ///< of the lesson that is open
+    PatternPictures& patterns;           ///< of the choice of patterns
+    LevelPictures& levelPictures;        ///< of the level shown in texture space
+    LessonWork& lessons;                 ///< of the open lesson
     EnvironmentPictures& environments;   ///< of the table of environments
-    reference::ProbeWorker& plainProbe;  ///< of the same pixel for that table, whatever the texture's format
-    SheetPictures& sheet;                ///< of the sheet of variations
-    emit::ProgramWorker& programs;       ///< of the calls that the tab lists
-    FileWriting& writing;                ///< of sheets, animations and programs
-    UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
-    SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
-    Captures* captures = nullptr;        ///< nullptr: no pictures are written
+    reference::ProbeWorker&
+        plainProbe;                 ///< of the same pixel for that table, regardless of the texture's format
+    SheetPictures& sheet;           ///< of the sheet of variations
+    emit::ProgramWorker& programs;  ///< of the calls in the tab
+    FileWriting& writing;           ///< of sheets, animations and programs
+    UnsavedWork* unsaved = nullptr; ///< nullptr: unsaved work is not kept
+    SettingsFile* settings = nullptr; ///< nullptr: settings are not kept
+    Captures* captures = nullptr;     ///< nullptr: no pictures are written
 };
 
-/// What works beside the window, on threads of its own; `wake` is called on those when there is news for the
-/// next frame. Textures that are compressed at run time are kept in `cache`.
+/// Services that work in the background on their own threads; `wake` is called on those when the next frame
+/// has something new. Textures that are compressed at run time are kept in `cache`.
 class ServicesBeside {
 public:
     explicit ServicesBeside(const std::function<void()>& wake = {}, const BlockCache& cache = {})
@@ -83,7 +84,7 @@ private:
     FileWriting writing_;
 };
 
-/// The same without a thread: every call waits. For programs without a user. `work`: how textures are
+/// The same without threads: every call blocks. For programs without a user. `work`: how textures are
 /// compressed at run time.
 class ServicesAtOnce {
 public:

@@ -28,8 +28,8 @@ int lastIndex(std::size_t size) {
     return std::max(0, static_cast<int>(size) - 1);
 }
 
-/// A camera that was fitted, and that nobody has moved since, fills its picture whatever its shape becomes.
-/// That is no edit: steps of the history and the saved scene that have the same camera come along.
+/// A fitted camera that the user has not moved fills its picture when the picture's shape changes. This is
+/// not an edit: steps of the history and the saved scene with the same camera are changed as well.
 void followShape(Document& document, double time, float aspect) {
     const Fit& fit = document.fit;
     const bool follows = fit.aspect > 0 && fit.aspect != aspect && document.scene.view == fit.view;
@@ -52,7 +52,7 @@ void showStep(Session& session, const Scene& scene) {
     session.document.lastChanged.clear();
 }
 
-/// Where a lesson's mark is in the picture, whatever size that gets.
+/// Places a lesson's mark in the picture of any size.
 void placeMark(Session& session, lesson::PictureSize picture) {
     std::optional<WantedProbe>& wanted = session.window.wantedProbe;
     std::optional<reference::PixelPlace>& explained = session.window.explaining.pixel;
@@ -146,7 +146,7 @@ void recordEdit(Session& session, std::string_view what, std::string_view path) 
     const Scene& before = document.standing ? document.standing->shown : document.history.current();
     const Result<bool> keyed = keyEdits(document.scene, before, presentKeyTime(session));
     if (!keyed)
-        say(session, fmt::format("There can be no key frame: {}.", describe(keyed.error())));
+        say(session, fmt::format("A key frame can't be added: {}.", describe(keyed.error())));
     else if (*keyed)
         holdTime(session);
     recordScene(session, what, path);
@@ -155,7 +155,7 @@ void recordEdit(Session& session, std::string_view what, std::string_view path) 
 void recordScene(Session& session, std::string_view what, std::string_view path) {
     Document& document = session.document;
     if (session.window.notice.isGood)
-        session.window.notice = {}; // what was done before is no news any more
+        session.window.notice = {}; // messages about earlier actions are out of date
     if (document.standing) {
         Standing& standing = *document.standing;
         standing.shown = document.scene;

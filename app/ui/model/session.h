@@ -9,71 +9,72 @@
 
 namespace texplorer::ui {
 
-/// Everything that the panels show and change.
+/// Everything that the panels show and edit.
 struct Session {
     explicit Session(Services lent, Document start = {defaultScene(), ImageSource{}});
 
     Services services;
     Document document;
     WindowState window;
-    std::size_t documents = 0; ///< how many have been replaced: what panels remember of those is out of date
+    std::size_t documents =
+        0; ///< the number of replaced documents, for panels to detect that their state is out of date
 };
 
-/// Another document takes the place of this one and is looked at anew, by the renderers that the user has
-/// chosen; the rest of the window stays. Gives up the loads of the old one, and closes the lesson, unless it
-/// is the lesson's.
+/// Replaces the document and resets how it is shown, with the renderers that the user has chosen; the rest of
+/// the window stays. Cancels the loads of the old document, and closes the lesson, unless the new document
+/// belongs to it.
 void replaceDocument(Session& session, Document document);
-/// The same of another state of this document: it is looked at as before.
+/// Replaces the document by another state of it, without resetting how it is shown.
 void exchangeDocument(Session& session, Document document);
 
-/// The renderers that a lesson's step has chosen give way to those of before, unless the user has chosen
-/// others since.
+/// Restores the renderers that were shown before a lesson's step chose others, unless the user has chosen
+/// some since.
 void endLessonPictures(WindowState& window);
 
-/// What one sees is what the lists should be about: a model that isn't drawn gives way to the first that is.
+/// Selects the first visible model if the selected one is not drawn.
 void leaveHiddenModel(Session& session);
 
-/// To be called before a frame is rendered and its panels are drawn: fits a camera that waits for it, brings
-/// selections back into the scene.
+/// Call before a frame is rendered and its panels are drawn: fits a camera that needs it, and corrects
+/// selections that are not in the scene.
 void settle(Session& session, const Layout& layout);
 
-/// Lets the clock run for `seconds` of real time, if it plays and something depends on it.
+/// Advances the clock by `seconds` of real time, if it plays and something depends on it.
 void advance(Session& session, double seconds);
 
-/// Whether the next frame differs from this one without any input.
+/// Whether the next frame differs even without input.
 [[nodiscard]] bool isMoving(const Session& session);
 
-/// To be called after an edit of the scene: remembers it for undo under the name `what`. `path` is the
-/// parameter that changed, where it is one. Of what has key frames it becomes one (timeline_edits.h).
+/// Call after an edit of the scene: records it for undo under the name `what`. `path` is the changed
+/// parameter, if it is one. An edit of a parameter with key frames becomes a key frame (timeline_edits.h).
 void recordEdit(Session& session, std::string_view what, std::string_view path = {});
 
-/// The same of a scene that took the place of the document's: what is another one in it is no edit of
-/// parameters, which might set key frames.
+/// The same after the document's scene was replaced: its differences are not edits of parameters, which could
+/// set key frames.
 void recordScene(Session& session, std::string_view what, std::string_view path = {});
 
-/// The edit in progress, which no `sealEdit` has ended yet, never was: neither undo nor redo knows of it.
+/// Removes the edit in progress, before `sealEdit`, from undo and redo.
 void takeBackEdit(Session& session);
 
-/// To be called where the scene became another one: what is selected gives way to what is there and is seen.
+/// Call after the scene was replaced: selects existing and visible objects.
 void bringSelectionBack(Session& session);
 
-/// Ends a step of the history: the next edit is a new one even if it has the same name.
+/// Ends an undo step: the next edit starts a new one even with the same name.
 void sealEdit(Session& session);
 
 void undo(Session& session);
 void redo(Session& session);
-/// As many undos or redos as lead to a step of the history.
+/// Undoes or redoes until the step of the history.
 void goToStep(Session& session, std::size_t step);
-/// The scene becomes what the file has, or what it was at the start: a step of undo.
+/// Resets the scene to its file, or to its initial state: an undo step.
 void resetToSaved(Session& session);
 
-// What the panels show.
+// The objects that the panels show.
 [[nodiscard]] Model* selectedModel(Session& session);
-[[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty where no model is selected
+[[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty if no model is selected
 [[nodiscard]] Pass& selectedPass(Session& session);
 [[nodiscard]] Unit& selectedUnit(Session& session);
 [[nodiscard]] std::string selectedUnitPath(const Session& session); ///< "passes[0].units[1]"
-/// The texture that is bound to the selected unit, as glBindTexture makes one both used and edited. nullptr:
+/// The texture bound to the selected unit, which is both used and edited as after glBindTexture. nullptr:
 /// none.
 [[nodiscard]] Texture* boundTexture(Session& session);
 [[nodiscard]] const Texture* boundTexture(const Session& session);

@@ -16,7 +16,7 @@ enum class Theme { Dark, Light, HighContrast };
 
 struct ThemeRow {
     Theme theme;
-    std::string_view name; ///< in the settings' file and for texshot's --theme
+    std::string_view name; ///< in the settings file and for texshot's --theme
     const char* label;
 };
 
@@ -28,36 +28,34 @@ inline constexpr std::array themeRows{
 
 inline constexpr int tourSteps = 5; ///< of the tour at the first start
 
-/// What became of a step of a lesson.
+/// The result of a lesson's step.
 struct StepRecord {
     bool done = false;
     int tries = 0;   ///< answers until the right one
-    int answer = -1; ///< the last of them
+    int answer = -1; ///< the last one
 
     bool operator==(const StepRecord&) const = default;
 };
 
-inline constexpr std::size_t mostLessonsKept = 1000;
-inline constexpr std::size_t mostStepsKept = 100;
-inline constexpr int mostTriesKept = 1'000'000;
+inline constexpr std::size_t maxLessonsKept = 1000;
+inline constexpr std::size_t maxStepsKept = 100;
+inline constexpr int maxTriesKept = 1'000'000;
 
-/// What outlives the window and belongs to the person, not to the scene.
+/// Settings of the user, which are kept between windows.
 struct Settings {
     Theme theme = Theme::Dark;
     Language language = Language::System;
-    int textPercent = 100; ///< of the text's usual size
-    bool glNames = false;  ///< parameters are called as OpenGL calls them
-    std::vector<std::string>
-        pinned; ///< parameters that Essentials shows beside its own, as "textures[].wrapR"
-    std::vector<std::filesystem::path> recentFiles; ///< scenes and images, the newest first
+    int textPercent = 100;           ///< relative to the usual text size
+    bool glNames = false;            ///< parameters have OpenGL's names
+    std::vector<std::string> pinned; ///< additional parameters in Essentials, such as "textures[].wrapR"
+    std::vector<std::filesystem::path> recentFiles; ///< scenes and images, newest first
     bool hasSeenTour = false;
-    bool helpBelow =
-        true; ///< what the pointer rests on is explained in the status bar, not over its neighbours
+    bool helpBelow = true; ///< help is shown in the status bar, not in tooltips
     std::map<std::string, std::vector<StepRecord>> lessons; ///< by their names
     Workspace workspace;                                    ///< which panels are open, and where
 
-    static constexpr int smallestText = 75;
-    static constexpr int largestText = 250;
+    static constexpr int minText = 75;
+    static constexpr int maxText = 250;
 
     bool operator==(const Settings&) const = default;
 };

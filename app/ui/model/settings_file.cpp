@@ -15,19 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longestSettings = std::size_t{1} << 20;
-constexpr FailureWords settingsFailure{"there is no memory for the settings", "the settings can't be kept"};
+constexpr std::size_t maxSettingsBytes = std::size_t{1} << 20;
+constexpr FailureWords settingsFailure{"not enough memory for the settings", "the settings can't be saved"};
 
 fs::path placeIn(const fs::path& folder, const char* name) {
     return folder.empty() ? folder : folder / "texplorer" / name;
 }
 
 std::string settingsProblem(const Error& error) {
-    return fmt::format("Settings can't be kept: {}.", describe(error));
+    return fmt::format("Settings can't be saved: {}.", describe(error));
 }
 
-/// A file that is there and can't be understood gets another name, so that nothing writes over it, nor over
-/// one that was set aside before.
+/// Renames an existing file that cannot be parsed, so that it is not overwritten, without overwriting an
+/// earlier renamed one.
 std::string setAside(const fs::path& file, const Error& error) {
     std::error_code failed;
     fs::path broken = file;
@@ -36,24 +36,24 @@ std::string setAside(const fs::path& file, const Error& error) {
         broken = fmt::format("{}.broken-{}", file.string(), number);
     fs::rename(file, broken, failed);
     return failed ? fmt::format("{} can't be read ({}).", file.string(), describe(error))
-                  : fmt::format("{} can't be read ({}). It was set aside as {}.", file.string(),
+                  : fmt::format("{} can't be read ({}). It was renamed to {}.", file.string(),
                                 describe(error), broken.filename().string());
 }
 
 std::string leftOutText(const fs::path& file, const std::vector<std::string>& leftOut) {
     if (leftOut.empty())
         return {};
-    return fmt::format("{} has values that aren't known, which are left out: {}.", file.string(),
+    return fmt::format("{} has unknown values, which are ignored: {}.", file.string(),
                        fmt::join(leftOut, ", "));
 }
 
-/// Empty where there is none, or it can't be understood and was set aside: then `problem` says so.
+/// Empty if there is no file, or if it cannot be parsed and was renamed: then `problem` says so.
 template<class Parse>
 std::string readWhole(const fs::path& file, const Parse& parse, std::string& problem) {
     std::error_code ignored;
     if (file.empty() || !fs::exists(file, ignored))
         return {};
-    Result<std::string> text = readText(file, longestSettings);
+    Result<std::string> text = readText(file, maxSettingsBytes);
     if (text && text->empty())
         return {};
     const Result<void> parsed = text ? parse(*text) : Result<void>(fail(text.error()));
@@ -63,12 +63,13 @@ std::string readWhole(const fs::path& file, const Parse& parse, std::string& pro
     return {};
 }
 
-/// One of the files, read and written anew, where that changes it. What went wrong, or nothing.
+/// Reads one of the files again and writes it if it changes. Returns an error message, or an empty text.
 template<class Parse, class Merge>
 std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& merge) {
-    std::error_code ignored; // the writing says what is wrong
+    std::error_code ignored; // reported by writing
     fs::create_directories(file.parent_path(), ignored);
-    const FolderLock lock(file.parent_path()); // or another window's change of this moment would be lost
+    const FolderLock lock(
+        file.parent_path()); // otherwise a simultaneous change of another window could be lost
     std::string problem;
     const std::string there = readWhole(file, parse, problem);
     const std::string text = merge(there);
@@ -84,13 +85,13 @@ std::string writeChanges(const SettingsPlaces& places, const Settings& before, c
         problem = mergeInto(
             places.settings,
             [](const std::string& text) {
-                std::vector<std::string> ignored; // they stay as they are in the file
+                std::vector<std::string> ignored; // they stay in the file
                 return parseKnownSettings(text, ignored).map([](const Settings&) {});
             },
             [&](const std::string& there) { return mergeSettings(there, before, now); });
     if (before.recentFiles == now.recentFiles)
         return problem;
-    std::vector<fs::path> files = before.recentFiles; // where there is no file
+    std::vector<fs::path> files = before.recentFiles; // if there is no file
     Settings merged;
     std::string other = mergeInto(
         places.recent,
@@ -114,8 +115,8 @@ void rememberFile(Settings& settings, const fs::path& file) {
         return;
     std::erase(settings.recentFiles, file);
     settings.recentFiles.insert(settings.recentFiles.begin(), file);
-    if (settings.recentFiles.size() > mostRecentFiles)
-        settings.recentFiles.resize(mostRecentFiles);
+    if (settings.recentFiles.size() > maxRecentFiles)
+        settings.recentFiles.resize(maxRecentFiles);
 }
 
 SettingsPlaces SettingsPlaces::ofUser() {
@@ -141,7 +142,7 @@ SettingsFile::SettingsFile(SettingsPlaces places, std::function<void()> wake, st
 SettingsFile::~SettingsFile() {
     writing_.wait();
     learn();
-    write(); // what isn't there yet, or couldn't be written before
+    write(); // writes what is not written yet
     writing_.wait();
 }
 
@@ -160,7 +161,7 @@ Settings SettingsFile::read() {
     (void)readWhole(
         places_.recent,
         [&](const std::string& text) {
-            std::vector<std::string> ignored; // what was opened once is no great loss
+            std::vector<std::string> ignored; // lost recent files do not matter
             return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> files) {
                 told_.recentFiles = std::move(files);
             });
@@ -180,7 +181,7 @@ void SettingsFile::keep(const Settings& settings) {
     }
     if (!due_ || clock_() < *due_)
         return;
-    if (writing_.isWorking()) // what it answers says what is left to be written
+    if (writing_.isWorking()) // its answer decides what is left to write
         due_ = clock_() + delay_;
     else
         write();
@@ -190,7 +191,7 @@ void SettingsFile::learn() {
     for (Answer& each : writing_.take()) {
         if (each.problem.empty())
             continue;
-        written_ = std::move(each.before); // so that the next time tries it again
+        written_ = std::move(each.before); // so that it is tried again
         problem_ = std::move(each.problem);
     }
 }

@@ -14,41 +14,39 @@
 
 namespace texplorer::ui {
 
-/// Settings as JSON, an object; files that were opened are a text of their own. What `before` has under keys
-/// that nobody knows is written again.
+/// Settings as a JSON object; recent files have a separate text. Unknown keys in `before` are kept.
 [[nodiscard]] std::string writeSettings(const Settings& settings, std::string_view before = {});
 [[nodiscard]] std::string writeRecentFiles(const Settings& settings);
 
-/// What the text leaves out is as in `Settings{}`; keys that nobody knows are left alone. Refused, with the
-/// JSON pointer in Error::where: what is no JSON, wrong types, names and sizes that there aren't.
+/// Missing values are as in `Settings{}`; unknown keys are ignored. Fails, with the JSON pointer in
+/// Error::where, for invalid JSON, wrong types, and unknown names and sizes.
 [[nodiscard]] Result<Settings> parseSettings(std::string_view json);
 [[nodiscard]] Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json);
 
-/// The same, but a value that can't be understood is left out, and its JSON pointer goes into `leftOut`: it
-/// may be one of a later version. What is no JSON, or another document, is refused.
+/// The same, but skips invalid values and adds their JSON pointers to `leftOut`: they may be from a later
+/// version. Fails for invalid JSON and other documents.
 [[nodiscard]] Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut);
 [[nodiscard]] Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
                                                                          std::vector<std::string>& leftOut);
 
-inline constexpr std::size_t mostRecentFiles = 12;
+inline constexpr std::size_t maxRecentFiles = 12;
 
-/// To be called when a file was opened or saved: it comes first.
+/// Call when a file was opened or saved: moves it to the front.
 void rememberFile(Settings& settings, const std::filesystem::path& file);
 
-/// Where they lie.
+/// The paths of the files.
 struct SettingsPlaces {
     std::filesystem::path settings; ///< empty: they are not kept
-    std::filesystem::path recent;   ///< likewise
+    std::filesystem::path recent;   ///< empty: they are not kept
 
     /// $XDG_CONFIG_HOME/texplorer/settings.json and $XDG_STATE_HOME/texplorer/recent.json, else below
     /// ~/.config and ~/.local/state.
     [[nodiscard]] static SettingsPlaces ofUser();
 };
 
-/// Keeps settings on the disk: a moment after they have changed, and at the end. Another window may have
-/// written since they were read: what this one changed goes into what lies there, see settings_merge.h.
-/// Writes on a thread of its own where there is one to be had. The host makes one and lends it to the
-/// session.
+/// Keeps settings on the disk: written shortly after a change, and at the end. If another window has written
+/// since they were read, only the changes of this one are merged into the file, see settings_merge.h. Writes
+/// on its own thread if one is available. Owned by the host; must outlive the session.
 class SettingsFile {
 public:
     static constexpr std::chrono::milliseconds usualDelay{1000};
@@ -57,24 +55,24 @@ public:
                           std::chrono::milliseconds delay = usualDelay, Clock clock = steadySeconds);
     SettingsFile(const SettingsFile&) = delete;
     SettingsFile& operator=(const SettingsFile&) = delete;
-    /// Writes what waits.
+    /// Writes pending changes.
     ~SettingsFile();
 
-    /// To be called once, at the start. A value that can't be understood is left out. A file that is no JSON
-    /// is set aside, as "settings.json.broken", or where that is taken "settings.json.broken-2", and so on.
+    /// Call once, at the start. Skips invalid values. A file that is not JSON is renamed to
+    /// "settings.json.broken", or, if that exists, "settings.json.broken-2", and so on.
     [[nodiscard]] Settings read();
 
-    /// These are the settings now. Costs a comparison where they are those of before.
+    /// Sets the current settings. Costs one comparison if they have not changed.
     void keep(const Settings& settings);
 
-    /// When `keep` has to be called again: something waits to be written. Nothing: it need not.
+    /// When `keep` must be called again to write changes. Nothing: not needed.
     [[nodiscard]] std::optional<double> due() const { return due_; }
 
-    /// What there is to say to the user: once.
+    /// A message for the user, once.
     [[nodiscard]] std::optional<std::string> takeProblem();
 
 private:
-    /// What was to be written since the last time.
+    /// The changes since the last write.
     struct Job {
         SettingsPlaces places;
         Settings before;
@@ -82,17 +80,17 @@ private:
     };
     struct Answer {
         Settings before;
-        std::string problem; ///< empty: it is written
+        std::string problem; ///< empty: written
     };
     using Writing = Worker<Job, Answer>;
     void learn();
-    void write(); ///< one job at a time: the next one begins with what that one left
+    void write(); ///< one job at a time: the next one starts from its result
 
     SettingsPlaces places_;
     double delay_;
     Clock clock_;
     Settings told_;
-    Settings written_; ///< what was read, or was to be written last
+    Settings written_; ///< what was read or last written
     std::optional<double> due_;
     std::optional<std::string> problem_;
     Writing writing_;

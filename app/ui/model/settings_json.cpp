@@ -14,9 +14,9 @@ namespace {
 
 using SettingsJson = nlohmann::ordered_json;
 
-constexpr std::size_t mostPinned = 1000;
+constexpr std::size_t maxPinned = 1000;
 
-/// A member that is remembered. `read` says what it expected where it can't take the value.
+/// A stored member. `read` returns what it expected if it does not accept the value.
 struct SettingRow {
     const char* key;
     SettingsJson (*write)(const Settings& settings);
@@ -59,7 +59,7 @@ const char* readLanguage(const SettingsJson& value, Settings& settings) {
 }
 
 const char* readTextPercent(const SettingsJson& value, Settings& settings) {
-    if (!value.is_number_integer() || value < Settings::smallestText || value > Settings::largestText)
+    if (!value.is_number_integer() || value < Settings::minText || value > Settings::maxText)
         return "a whole number from 75 to 250";
     settings.textPercent = value.get<int>();
     return nullptr;
@@ -67,7 +67,7 @@ const char* readTextPercent(const SettingsJson& value, Settings& settings) {
 
 const char* readPinned(const SettingsJson& value, Settings& settings) {
     const auto isText = [](const SettingsJson& each) { return each.is_string(); };
-    if (!value.is_array() || value.size() > mostPinned || !std::ranges::all_of(value, isText))
+    if (!value.is_array() || value.size() > maxPinned || !std::ranges::all_of(value, isText))
         return "a list of parameters";
     settings.pinned = value.get<std::vector<std::string>>();
     return nullptr;
@@ -86,18 +86,18 @@ SettingsJson writeLessons(const Settings& settings) {
 
 const char* readLessons(const SettingsJson& value, Settings& settings) {
     constexpr const char* expected = "of each lesson a list of steps, each true or false and two numbers";
-    if (!value.is_object() || value.size() > mostLessonsKept)
+    if (!value.is_object() || value.size() > maxLessonsKept)
         return expected;
     std::map<std::string, std::vector<StepRecord>> lessons;
     for (const auto& [name, steps] : value.items()) {
-        if (!steps.is_array() || steps.size() > mostStepsKept)
+        if (!steps.is_array() || steps.size() > maxStepsKept)
             return expected;
         for (const SettingsJson& step : steps) {
-            const auto isWithin = [](const SettingsJson& each, int least, int most) {
-                return each.is_number_integer() && each >= least && each <= most;
+            const auto isWithin = [](const SettingsJson& each, int min, int max) {
+                return each.is_number_integer() && each >= min && each <= max;
             };
             if (!step.is_array() || step.size() != 3 || !step[0].is_boolean() ||
-                !isWithin(step[1], 0, mostTriesKept) || !isWithin(step[2], -1, mostTriesKept))
+                !isWithin(step[1], 0, maxTriesKept) || !isWithin(step[2], -1, maxTriesKept))
                 return expected;
             lessons[name].push_back({step[0].get<bool>(), step[1].get<int>(), step[2].get<int>()});
         }
@@ -135,17 +135,17 @@ constexpr std::array settingRows{
 Result<SettingsJson> parseText(std::string_view json) {
     if (const Result<void> whole = checkNoNul(json); !whole)
         return fail(whole.error());
-    constexpr int deepest = 32; // nlohmann-json writes by recursion
+    constexpr int maxDepth = 32; // nlohmann-json writes recursively
     bool isTooDeep = false;
     SettingsJson value = SettingsJson::parse(
         json,
         [&isTooDeep](int depth, SettingsJson::parse_event_t, const SettingsJson&) {
-            isTooDeep = isTooDeep || depth > deepest;
+            isTooDeep = isTooDeep || depth > maxDepth;
             return !isTooDeep;
         },
         false);
     if (isTooDeep)
-        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", deepest));
+        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxDepth));
     if (value.is_discarded())
         return fail(ErrorCode::Malformed, "expected JSON");
     return value;
@@ -158,8 +158,8 @@ Result<SettingsJson> parseObject(std::string_view json) {
     return object;
 }
 
-/// A value without the members that aren't known; none: nothing of it is. A list within an object is known as
-/// a whole or not at all, since its places mean something.
+/// A value without its unknown members; none: all of it is unknown. A list within an object is known as a
+/// whole or not at all, since the positions in it have a meaning.
 std::optional<SettingsJson> knownPart(const SettingsJson& value,
                                       const std::function<bool(const SettingsJson&)>& isKnown,
                                       const SettingsJson::json_pointer& where,
@@ -269,7 +269,7 @@ Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json
         const SettingsJson& each = (*list)[i];
         if (!each.is_string())
             leftOut.push_back(fmt::format("/{}", i));
-        else if (files.size() < mostRecentFiles)
+        else if (files.size() < maxRecentFiles)
             files.emplace_back(each.get<std::string>());
     }
     return files;

@@ -16,7 +16,7 @@ bool has(const std::vector<Each>& list, const Each& wanted) {
     return std::ranges::find(list, wanted) != list.end();
 }
 
-/// With what was added to it and without what was taken away.
+/// With the added elements and without the removed ones.
 std::vector<std::string> mergeLists(std::vector<std::string> list, const std::vector<std::string>& before,
                                     const std::vector<std::string>& now) {
     std::erase_if(list, [&](const std::string& each) { return has(before, each) && !has(now, each); });
@@ -27,7 +27,7 @@ std::vector<std::string> mergeLists(std::vector<std::string> list, const std::ve
     return list;
 }
 
-/// How many of the first ones were opened since: the others are in the order of before.
+/// How many of the first ones were opened since: the others are in the old order.
 std::size_t countOfOpened(const std::vector<std::filesystem::path>& before,
                           const std::vector<std::filesystem::path>& now) {
     std::size_t opened = now.size();
@@ -45,7 +45,7 @@ std::size_t countOfOpened(const std::vector<std::filesystem::path>& before,
 } // namespace
 
 std::string mergeSettings(std::string_view file, const Settings& before, const Settings& now) {
-    std::vector<std::string> ignored; // what isn't known stays in the file
+    std::vector<std::string> ignored; // unknown values stay in the file
     const Result<Settings> there =
         file.empty() ? Result<Settings>(before) : parseKnownSettings(file, ignored);
     Settings mine = now;
@@ -70,7 +70,7 @@ std::vector<std::filesystem::path> mergeRecentFiles(const std::vector<std::files
     std::vector<std::filesystem::path> merged(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(opened));
     for (const std::filesystem::path& each : file) {
         const bool isForgotten = has(before, each) && !has(now, each);
-        if (!isForgotten && !has(merged, each) && merged.size() < mostRecentFiles)
+        if (!isForgotten && !has(merged, each) && merged.size() < maxRecentFiles)
             merged.push_back(each);
     }
     return merged;

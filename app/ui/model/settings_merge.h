@@ -9,15 +9,15 @@
 
 namespace texplorer::ui {
 
-// Several windows share the files: each writes only what it has changed, into what lies there by then.
+// Several windows share the files: each window merges only its own changes into the current files.
 
-/// The text of a settings' file with what changed between `before` and `now`. Everything else stays as the
-/// file has it, with keys that nobody knows; what it lacks gets the value of now. Of pinned parameters
-/// those that were added and taken away count. `file` is empty or one that parseSettings takes.
+/// Merges the changes between `before` and `now` into the text of a settings file. The rest of the file is
+/// kept, including unknown keys; missing values are taken from `now`. Pinned parameters are added and removed
+/// individually. `file` is empty or accepted by parseSettings.
 [[nodiscard]] std::string mergeSettings(std::string_view file, const Settings& before, const Settings& now);
 
-/// The recent files of both: first those that were opened between `before` and `now`, then the file's. What
-/// was forgotten in between goes.
+/// Merges recent files: first those that were opened between `before` and `now`, then the file's. Files that
+/// were removed in between are left out.
 [[nodiscard]] std::vector<std::filesystem::path>
 mergeRecentFiles(const std::vector<std::filesystem::path>& file,
                  const std::vector<std::filesystem::path>& before,

@@ -30,28 +30,26 @@ std::string namesOf(const Enums& values) {
 
 const std::array<SheetPair, 4>& sheetPairs() {
     static const std::array<SheetPair, 4> pairs{
-        SheetPair{"filters", "Filter laboratory",
-                  "How the texture is made smaller: six filters, with one to sixteen probes.",
+        SheetPair{"filters", "Filter laboratory", "Minification: six filters, with one to sixteen samples.",
                   [](const Session& session) {
                       return SheetAxes{
                           SheetAxis{boundTexturePath(session, keyOf<&Texture::maxAnisotropy>()),
                                     "1,2,4,8,16"},
                           SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
                   }},
-        SheetPair{"magnification", "Both filters",
-                  "The filters of texels that are larger than pixels, and of smaller ones.",
+        SheetPair{"magnification", "Both filters", "The magnification and the minification filter.",
                   [](const Session& session) {
                       return SheetAxes{
                           SheetAxis{boundTexturePath(session, keyOf<&Texture::magFilter>()), "*"},
                           SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
                   }},
-        SheetPair{"wraps", "Both wraps", "What there is beyond the image's edges, in both directions.",
+        SheetPair{"wraps", "Both wraps", "What is shown beyond the image's edges, in both directions.",
                   [](const Session& session) {
                       return SheetAxes{SheetAxis{boundTexturePath(session, keyOf<&Texture::wrapT>()), "*"},
                                        SheetAxis{boundTexturePath(session, keyOf<&Texture::wrapS>()), "*"}};
                   }},
         SheetPair{"environments", "Environments",
-                  "What the unit makes of fragment and texel, for each base format.",
+                  "How the unit combines fragment and texel, for each base format.",
                   [](const Session& session) {
                       return SheetAxes{SheetAxis{selectedUnitPath(session) + "." + keyOf<&Unit::envMode>(),
                                                  namesOf(reference::tableModes)},
@@ -83,7 +81,7 @@ Result<std::array<SweepAxis, 2>> sweptAxes(const Session& session) {
     }
     if (swept[0].path == swept[1].path)
         return fail(ErrorCode::Unsupported,
-                    "rows and columns are the same parameter: choose another one for one of them");
+                    "rows and columns are the same parameter: choose another one for either");
     return swept;
 }
 

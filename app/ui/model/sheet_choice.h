@@ -12,10 +12,10 @@ namespace texplorer::ui {
 
 struct Session; // see session.h
 
-/// What goes down the sheet of variations, or across it.
+/// The rows or the columns of the sheet of variations.
 struct SheetAxis {
     std::string path;
-    std::string values = "*"; ///< as sweepAxis reads them
+    std::string values = "*"; ///< in the format of sweepAxis
 
     bool operator==(const SheetAxis&) const = default;
 };
@@ -23,37 +23,37 @@ struct SheetAxis {
 /// Rows and columns.
 using SheetAxes = std::array<SheetAxis, 2>;
 
-/// Two parameters that belong together, of what is selected.
+/// A pair of related parameters of the selected objects.
 struct SheetPair {
-    const char* name; ///< what tests call it
+    const char* name; ///< its name in tests
     const char* label;
     const char* help;
     SheetAxes (*axes)(const Session& session);
 };
 [[nodiscard]] const std::array<SheetPair, 4>& sheetPairs();
 
-/// What the sheet is made of, and how it is written.
+/// The content of the sheet and the options of its file.
 struct SheetChoice {
-    std::size_t pair = 0;         ///< of sheetPairs
-    std::optional<SheetAxes> own; ///< the user's, in the place of the pair's
-    bool swapped = false;         ///< the pair's rows and columns
+    std::size_t pair = 0;         ///< index into sheetPairs
+    std::optional<SheetAxes> own; ///< chosen by the user instead of the pair
+    bool swapped = false;         ///< exchanges the pair's rows and columns
 
     int width = 320; ///< of each picture in the file, in pixels
     int height = 200;
     sheet::LabelKind labels = sheet::LabelKind::Names; ///< in the file
 };
 
-/// What the sheet shows now.
+/// The axes that the sheet shows.
 [[nodiscard]] SheetAxes axesOf(const Session& session);
 
-/// The same with every value. Errors: there is no such parameter or value, both are the same one.
+/// The same with all values. Errors: there is no such parameter or value, or both are the same parameter.
 [[nodiscard]] Result<std::array<SweepAxis, 2>> sweptAxes(const Session& session);
 
-/// A parameter goes down the sheet (`side` 0) or across it (1), with all its values, and the sheet comes to
-/// the front. Where it was the other side's, that one gets what was here.
+/// Puts a parameter with all its values on the rows (`side` 0) or the columns (1) of the sheet, and shows the
+/// sheet. If it was on the other side, the two are exchanged.
 void varyOnSheet(Session& session, std::string path, std::size_t side);
 
-/// The sheet comes to the front.
+/// Shows the sheet.
 void showSheet(Session& session);
 
 } // namespace texplorer::ui

@@ -31,7 +31,7 @@ std::vector<PictureText> textsOfSheet(const SheetOrder& order) {
     return view::textsOf(facts);
 }
 
-/// Where everything lies on a sheet, and what writes its words.
+/// The layout of a sheet, and the writer of its words.
 struct LetteredSheet {
     std::shared_ptr<const sheet::Lettering> pen;
     sheet::Layout layout;
@@ -94,7 +94,8 @@ Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const 
         return fail(bytes.error());
     MadeFile made{*std::move(bytes)};
     if (refused > 0)
-        made.remark = fmt::format("{} of {} can't be drawn, and say why.", refused, countOf(all, "picture"));
+        made.remark =
+            fmt::format("{} of {} can't be drawn. Each shows the reason.", refused, countOf(all, "picture"));
     return made;
 }
 

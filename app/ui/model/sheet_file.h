@@ -13,27 +13,27 @@ namespace texplorer::ui {
 struct Document; // see document.h
 struct Session;  // see session.h
 
-/// What a sheet of variations is made of. Its pictures are those of "texshot sweep --renderer reference".
+/// The inputs of a sheet of variations. Its pictures are those of "texshot sweep --renderer reference".
 struct SheetOrder {
-    reference::DrawRequest picture; ///< of one cell, with its size; the scene without the axes' values
+    reference::DrawRequest picture; ///< for one cell, with its size; the scene without the axes' values
     SweepAxis rows;
     SweepAxis columns;
     sheet::Content content;
 };
 
-/// The sheet that the window shows, with every value. Errors: those of sweptAxes, too many pictures.
+/// The shown sheet with all values. Errors: those of sweptAxes, too many pictures.
 [[nodiscard]] Result<SheetOrder> sheetOrder(const Session& session);
 
-/// The PNG file that it becomes. Errors: those of sheet::layoutOf, there are no fonts.
+/// The order for its PNG file. Errors: those of sheet::layoutOf, no fonts are available.
 [[nodiscard]] Result<FileOrder> fileOrder(SheetOrder sheet, std::filesystem::path file);
 
 /// "earth-sheet.png"
 [[nodiscard]] std::string sheetFileName(const Document& document);
 
-/// How large it would be as a file, in pixels. Errors: those of sheetOrder and fileOrder.
+/// The size of its file in pixels. Errors: those of sheetOrder and fileOrder.
 [[nodiscard]] Result<glm::ivec2> sheetExtent(const Session& session);
 
-/// Has it written. Errors: those, and a name that isn't a PNG's.
+/// Writes it. Errors: those, and a name that is not valid for a PNG.
 [[nodiscard]] Result<void> saveSheet(Session& session, const std::filesystem::path& file,
                                      const std::optional<FileFingerprint>& replaces = {});
 

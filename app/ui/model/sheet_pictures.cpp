@@ -10,14 +10,14 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr FailureWords sheetFailure{"there is no memory for the pictures", "the pictures can't be drawn"};
+constexpr FailureWords sheetFailure{"not enough memory for the pictures", "the pictures can't be drawn"};
 
-/// Whether pictures of one are, for the time being, good enough for the other.
+/// Whether pictures of one question can be shown for the other until its own are ready.
 bool sameCells(const SheetPictures::Question& a, const SheetPictures::Question& b) {
     return a.rows == b.rows && a.columns == b.columns;
 }
 
-/// Not all of them: the window has to go on.
+/// Not all of them: the window needs some.
 unsigned sheetThreads(bool atOnce) {
     return atOnce ? processorThreads() : std::max(1U, processorThreads() / 2);
 }
@@ -28,7 +28,7 @@ Result<Scene> sheetScene(const Scene& scene, const SweepAxis& rows, std::size_t 
                          std::size_t column) {
     Scene made = scene;
     for (const SweepAxis* axis : {&rows, &columns})
-        dropKeys(made.timeline, axis->path); // they would have the last word
+        dropKeys(made.timeline, axis->path); // they would override the value
     if (const Result<void> set = setParam(made, rows.path, rows.values.at(row)); !set)
         return fail(set.error());
     if (const Result<void> set = setParam(made, columns.path, columns.values.at(column)); !set)
@@ -49,7 +49,7 @@ struct SheetPictures::State {
 
     struct Job {
         std::uint64_t number = 0;
-        std::optional<Question> question; ///< nothing: give the renderer's memory back
+        std::optional<Question> question; ///< nothing: free the renderer's memory
     };
     struct Answer {
         std::uint64_t number = 0;
@@ -57,20 +57,20 @@ struct SheetPictures::State {
     };
     using Drawing = Worker<Job, Answer>;
 
-    // Of the thread that asks.
+    // Used by the requesting thread.
     std::optional<Question> wanted;
     std::uint64_t lastNumber = 0;
     std::uint64_t firstOfThese = 0; ///< the number of the first question about these cells
     Cells shown;
 
-    // Of the thread that draws.
+    // Used by the drawing thread.
     const LevelWork levels;
     reference::ReferenceRenderer renderer;
-    std::optional<Question> drawn; ///< what `made` is about
+    std::optional<Question> drawn; ///< the question of `made`
     Cells made;
-    std::size_t next = 0; ///< the cell whose turn it is
+    std::size_t next = 0; ///< the next cell to draw
 
-    Drawing worker; // last: it ends before the rest does
+    Drawing worker; // last member: it ends before the others
 
     std::optional<Answer> work(const Drawing::Task& task);
     Cell draw(const Question& question, std::size_t cell, const Drawing::Task& task);
@@ -108,7 +108,7 @@ std::optional<SheetPictures::State::Answer> SheetPictures::State::work(const Dra
         return std::nullopt;
     }
     if (!task.atOnce())
-        giveWay(); // the pictures may be late, the window may not
+        giveWay(); // the window has priority
     if (!drawn || !sameCells(*drawn, *question)) {
         made.assign(question->cells(), {});
         next = 0;
@@ -121,7 +121,7 @@ std::optional<SheetPictures::State::Answer> SheetPictures::State::work(const Dra
         made[next] = std::move(cell);
         next = (next + 1) % made.size();
         if (task.superseded().stop_requested())
-            break; // what is newer goes on from here
+            break; // the newer question continues from here
         if (count + 1 < made.size() && !task.atOnce())
             task.give({number, made});
     }

@@ -13,21 +13,21 @@
 
 namespace texplorer::ui {
 
-/// Draws a scene with every pair of values of two parameters, for a window that must not wait: one picture
-/// after the other, by the reference. A new question takes effect with the next picture, and goes on where
-/// the one before it was: so all of them follow a scene that moves, without any being left behind. All
-/// functions are to be called from one thread.
+/// Draws a scene with every pair of values of two parameters, without blocking the window: one picture after
+/// the other, by the reference. A new question takes effect with the next picture and continues at its
+/// position, so that all pictures follow a moving scene and none falls behind. Call all functions on one
+/// thread.
 class SheetPictures {
 public:
-    /// `wake` is called on the thread that works whenever there is a new picture. `levels`: how textures are
+    /// `wake` is called on the working thread when there is a new picture. `levels`: how textures are
     /// compressed at run time.
     explicit SheetPictures(When when, std::function<void()> wake = {}, LevelWork levels = {});
     SheetPictures(const SheetPictures&) = delete;
     SheetPictures& operator=(const SheetPictures&) = delete;
-    ~SheetPictures(); ///< ends what is being drawn, and waits for that
+    ~SheetPictures(); ///< cancels the current drawing and waits for it
 
     struct Question {
-        reference::DrawRequest picture; ///< of one cell, with its size; the scene without the axes' values
+        reference::DrawRequest picture; ///< for one cell, with its size; the scene without the axes' values
         SweepAxis rows;
         SweepAxis columns;
 
@@ -36,24 +36,24 @@ public:
         [[nodiscard]] std::size_t cells() const { return rows.values.size() * columns.values.size(); }
     };
     struct Cell {
-        std::shared_ptr<const Image>
-            image{};                ///< bottom row first; nullptr: not yet, or `problem` says why not
-        std::string problem{};      ///< a sentence without its full stop
-        std::uint64_t question = 0; ///< to which it is the answer, counted from 1
+        std::shared_ptr<const Image> image{}; ///< bottom row first; nullptr: not ready, or see `problem`
+        std::string problem{};                ///< a sentence without its full stop
+        std::uint64_t question = 0;           ///< the question that it answers, counted from 1
     };
-    /// Row by row. Each may be the answer to an earlier question about the same cells.
+    /// Row by row. A cell may be the answer to an earlier question about the same cells.
     using Cells = std::vector<Cell>;
 
-    /// The newest that there is of each.
+    /// The newest picture of each cell.
     [[nodiscard]] const Cells& cells(const Question& question);
 
-    /// Whether there is more to come.
+    /// Whether more pictures will follow.
     [[nodiscard]] bool isDrawing() const;
 
-    /// Nobody looks any more: ends what is being drawn, and forgets pictures and textures.
+    /// Call when the pictures are no longer shown: cancels the current drawing, and frees pictures and
+    /// textures.
     void rest();
 
-    /// Sleeps until everything is drawn.
+    /// Blocks until everything is drawn.
     void wait() const;
 
 private:
@@ -61,7 +61,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The scene with a value of each axis. Errors: those of setParam.
+/// The scene with one value for each axis. Errors: those of setParam.
 [[nodiscard]] Result<Scene> sheetScene(const Scene& scene, const SweepAxis& rows, std::size_t row,
                                        const SweepAxis& columns, std::size_t column);
 

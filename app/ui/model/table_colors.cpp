@@ -12,10 +12,10 @@
 namespace texplorer::ui {
 namespace {
 
-/// Where neither a pixel nor an image says one: a colour whose components differ.
+/// The colour if there is neither a pixel nor an image: its components differ.
 constexpr glm::vec4 exampleTexel{0.8F, 0.4F, 0.2F, 0.6F};
 
-/// The format with all components that means the same.
+/// The format of the same kind with all components.
 InternalFormat wholeFormat(InternalFormat format) {
     if (isDepth(format))
         return format;
@@ -34,7 +34,7 @@ const reference::EnvironmentInputs* inputsIn(const reference::Explanation& expla
     return nullptr;
 }
 
-/// Of the probed pixel; nothing: none is probed, it has no such fragment, or nothing is known yet.
+/// From the probed pixel; nothing: none is probed, it has no such fragment, or nothing is known yet.
 std::optional<reference::EnvironmentInputs> probedInputs(Session& session, view::Size picture) {
     const std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
     const bool isInside =

@@ -4,10 +4,10 @@
 
 namespace texplorer::ui {
 
-/// How far coordinates can be dragged; `step` is a drag of one pixel in the list.
+/// The range of dragged coordinates; `step` is a drag of one pixel in the list.
 inline constexpr Range coordRange{-1000, 1000, 0.005F, {}};
 
-// What the buttons over the vertex list do to every coordinate of a model. r and q stay.
+// The actions of the buttons above the vertex list, on all coordinates of a model. r and q stay unchanged.
 
 void scaleCoords(TexCoords& coords, float factor); ///< about (0, 0): 2 shows the image twice as often
 void flipS(TexCoords& coords);                     ///< s becomes 1 - s

@@ -20,7 +20,7 @@ struct Assignment {
     std::string value;
 };
 
-/// What has to be set in `base`, and what has to be said although it is the same.
+/// The values to set in `base`, and those to write even if they are equal.
 std::vector<Assignment> assignmentsTo(const Scene& base, const Scene& scene, std::string_view always) {
     std::map<std::string, Value> before;
     forEachParam(base, [&](const std::string& path, const ParamRow& /*row*/, const Value& value) {
@@ -35,8 +35,8 @@ std::vector<Assignment> assignmentsTo(const Scene& base, const Scene& scene, std
     return assignments;
 }
 
-/// In an order in which one after the other can be made: a unit can't be switched on before it has a texture.
-/// False where there is none, or they don't lead there.
+/// Finds an order in which they can be set one after the other: a unit cannot be enabled before it has a
+/// texture. Returns false if there is none, or if they do not lead to the scene.
 bool canBeMade(std::vector<Assignment>& assignments, Scene base, const Scene& scene) {
     std::vector<Assignment> ordered;
     while (!assignments.empty()) {
@@ -54,7 +54,7 @@ bool canBeMade(std::vector<Assignment>& assignments, Scene base, const Scene& sc
     return base == scene;
 }
 
-/// " earth.json --set …", with " --time …" where it isn't 0: what leads to the session's scene.
+/// " earth.json --set …", with " --time …" unless it is 0: the arguments for the session's scene.
 Result<std::string> sceneWords(const Session& session, double time) {
     const Document& document = session.document;
     const bool hasFile = !document.file.empty();
@@ -66,7 +66,7 @@ Result<std::string> sceneWords(const Session& session, double time) {
     if (!canBeMade(assignments, base, document.scene))
         return fail(
             ErrorCode::Unsupported,
-            "models, textures or passes were added or taken away, which --set can't say: save the scene "
+            "models, textures or passes were added or removed, which --set can't express: save the scene "
             "first");
     std::string words;
     if (hasFile)
@@ -78,7 +78,7 @@ Result<std::string> sceneWords(const Session& session, double time) {
     return words;
 }
 
-/// " --renderer reference", with what of it isn't as usual.
+/// " --renderer reference", with its settings that are not the default.
 std::string referenceWords(const ViewSettings& view) {
     std::string words = fmt::format(" --renderer {}", rowOf(RendererKind::Reference).name);
     if (view.anisotropy != reference::AnisotropyMethod::Probes)

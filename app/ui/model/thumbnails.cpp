@@ -41,7 +41,7 @@ bool Thumbnails::receive() {
 }
 
 void Thumbnails::makeRoom() {
-    while (slots_.size() > mostPictures) {
+    while (slots_.size() > maxPictures) {
         const auto oldest =
             std::ranges::min_element(slots_, {}, [](const auto& entry) { return entry.second.frame; });
         if (oldest->second.ticket != 0)

@@ -6,31 +6,31 @@
 
 namespace texplorer::ui {
 
-/// Small pictures of files, made on a thread of their own. Who draws a list asks for those that are in sight
-/// in every frame; what is no longer asked for is cancelled if it isn't there yet.
+/// Small pictures of files, made on a separate thread. A list requests its visible ones in every frame;
+/// pending ones that are no longer requested are cancelled.
 class Thumbnails {
 public:
-    static constexpr std::size_t mostPictures = 256;
+    static constexpr std::size_t maxPictures = 256;
 
     explicit Thumbnails(std::function<void()> wake)
         : loader_(std::move(wake)) {}
 
-    /// nullptr: not there yet, or the file has none. `modified` tells a changed file from what it was.
+    /// nullptr: not ready, or the file has none. `modified` distinguishes versions of a file.
     [[nodiscard]] std::shared_ptr<const Image> find(const std::filesystem::path& file,
                                                     std::filesystem::file_time_type modified);
 
-    /// To be called once before each frame. True where a picture has come.
+    /// Call once before each frame. Returns true if a picture has arrived.
     bool receive();
 
-    /// Sleeps until everything that was asked for can be received.
+    /// Blocks until all requested pictures can be received.
     void wait() const { loader_.wait(); }
 
 private:
     struct Slot {
         std::filesystem::file_time_type modified{};
-        ImageLoader::Ticket ticket = 0; ///< 0: nothing is waited for
+        ImageLoader::Ticket ticket = 0; ///< 0: nothing is pending
         std::shared_ptr<const Image> image;
-        std::uint64_t frame = 0; ///< in which it was asked for last
+        std::uint64_t frame = 0; ///< the last frame that requested it
     };
 
     void makeRoom();

@@ -25,7 +25,7 @@ void recordAlone(Session& session, std::string_view what, std::string_view path)
     sealEdit(session);
 }
 
-/// What has no keys any more stays what it is at the present time.
+/// A parameter without keys keeps its value at the present time.
 void stayAsNow(Session& session, const std::string& path, const Scene& before) {
     Scene& scene = session.document.scene;
     if (hasKeys(scene.timeline, path))
@@ -90,7 +90,7 @@ void addKey(Session& session, std::string_view path, float time) {
     const Result<std::size_t> added =
         value ? putKey(scene, path, time, *value) : Result<std::size_t>(fail(value.error()));
     if (!added)
-        return say(session, fmt::format("There can be no key frame: {}.", describe(added.error())));
+        return say(session, fmt::format("A key frame can't be added: {}.", describe(added.error())));
     recordAlone(session, "Add key frame", path);
 }
 
@@ -103,7 +103,7 @@ void turnView(Session& session) {
     Scene scene = session.document.scene;
     for (const auto& [time, value] : {std::pair{0.0F, now}, std::pair{seconds, then}}) {
         if (const Result<std::size_t> added = putKey(scene, path, time, formatNumber(value)); !added)
-            return say(session, fmt::format("There can be no key frame: {}.", describe(added.error())));
+            return say(session, fmt::format("A key frame can't be added: {}.", describe(added.error())));
     }
     session.document.scene = std::move(scene);
     recordAlone(session, "Turn the view", path);
@@ -125,7 +125,7 @@ void removeKey(Session& session, std::size_t key) {
 void removeKeys(Session& session, std::string_view path) {
     Scene& scene = session.document.scene;
     const Scene before = scene;
-    const std::string kept(path); // which may lie in one of the keys
+    const std::string kept(path); // it may be part of one of the keys
     dropKeys(scene.timeline, kept);
     stayAsNow(session, kept, before);
     recordAlone(session, "Remove key frames", kept);

@@ -7,7 +7,7 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// What keeps unsaved work beyond the end of a window. The host makes one and lends it to the session.
+/// Keeps unsaved work after a window ends. Owned by the host; must outlive the session.
 struct UnsavedWork {
     explicit UnsavedWork(const std::filesystem::path& folder, const std::function<void()>& wake = {},
                          std::chrono::milliseconds delay = Autosave::usualDelay,
@@ -15,16 +15,16 @@ struct UnsavedWork {
         : recovery(folder, wake)
         , autosave(folder, wake, delay, clock) {}
 
-    Recovery recovery; ///< of windows before this one
-    Autosave autosave; ///< of this one
+    Recovery recovery; ///< of earlier windows
+    Autosave autosave; ///< of this window
 };
 
-/// To be called at the end of a frame: what would be lost now is kept, what is saved or given up is not, and
-/// so are settings; what workers have to say of them is said.
+/// Call at the end of a frame: keeps unsaved changes, removes the draft of saved or discarded ones, keeps
+/// settings, and reports the workers' messages.
 void followEdits(Session& session);
 
-/// When that has to be called again even if no frame is drawn, on the clock of what is kept. Nothing: it
-/// need not.
+/// When it must be called again even if no frame is drawn, on the clock of Autosave and SettingsFile.
+/// Nothing: not needed.
 [[nodiscard]] std::optional<double> dueAt(const Session& session);
 
 } // namespace texplorer::ui

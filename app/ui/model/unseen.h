@@ -4,8 +4,7 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// To be called once a frame: what works for a tab or a figure that one doesn't see gives its
-/// memory back.
+/// Call once per frame: frees the memory of workers for tabs and figures that are not visible.
 void restUnseen(Session& session);
 
 } // namespace texplorer::ui

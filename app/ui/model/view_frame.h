@@ -12,22 +12,22 @@
 
 namespace texplorer::ui {
 
-/// What a renderer has drawn for the view.
+/// The result of a renderer for the view.
 struct ViewFrame {
     RendererKind renderer = RendererKind::Fixed;
     view::Frame frame;                  ///< its picture may be smaller than its size: a coarse picture
-    std::shared_ptr<const Image> image; ///< the pixels, where the views want them and the picture is whole
-    /// Nothing better is on its way: the picture is of the scene as it is now, and not a coarse one. Where
-    /// there is no picture, there will be none, and the frame's problems say why.
+    std::shared_ptr<const Image> image; ///< the pixels, if a view needs them and the picture is complete
+    /// The picture is final: of the current scene, and not a coarse one. Without a picture, there will be
+    /// none, and the frame's problems say why.
     bool whole = true;
     view::Side side = view::Side::Now;
 };
 
-/// How far the two pictures that are compared are apart.
+/// The difference of the two compared pictures.
 struct ViewDifference {
     Difference numbers;
     HeatScale scale;
-    view::PictureHandle heatMap = view::PictureHandle::None; ///< of the size of the pictures
+    view::PictureHandle heatMap = view::PictureHandle::None; ///< has the size of the pictures
 };
 
 } // namespace texplorer::ui

@@ -35,17 +35,17 @@ struct LessonRun; // see lesson_run.h
 struct WantedProbe {
     int x = 0;
     int y = 0;
-    std::optional<reference::PixelPlace> pixel{}; ///< which it is in the picture that is shown
+    std::optional<reference::PixelPlace> pixel{}; ///< in the shown picture
 };
 
 struct Playback {
-    bool playing = true; ///< time goes on while something in the scene depends on it
+    bool playing = true; ///< the clock runs if something in the scene depends on it
     double time = 0;     ///< seconds
-    float speed = 1;     ///< scene seconds a second
-    bool loops = true;   ///< where the last key frame has come, time begins anew
+    float speed = 1;     ///< scene seconds per second
+    bool loops = true;   ///< the clock restarts after the last key frame
 };
 
-/// What is written as a picture.
+/// What to write as a picture.
 enum class Capture { View, Window };
 
 enum class Dialog {
@@ -66,100 +66,99 @@ enum class Dialog {
     Picture
 };
 
-/// What waits until the user has decided about unsaved changes.
+/// The action that waits for the user's decision about unsaved changes.
 enum class Pending { None, NewScene, Example, Lesson, OpenScene, OpenFiles, OpenPicture, ShowScene, Quit };
 
 /// The visible part of the texture plane.
 struct Plane {
-    float s = 0.5F; ///< the coordinates at the centre of the panel
+    float s = 0.5F; ///< the coordinates in the middle of the panel
     float t = 0.5F;
-    float extent = 1.6F; ///< how much of the plane the panel's shorter side shows
+    float extent = 1.6F; ///< the part of the plane along the panel's shorter side
 };
 
-/// Dialog::Picture: an image that holds a scene, which the user may have meant.
+/// For Dialog::Picture: an image that contains a scene, which the user may want to open.
 struct AskedPicture {
     std::filesystem::path file;
-    bool begins = false; ///< the command line names it: to begin with it is no edit
+    bool begins = false; ///< named on the command line: opening it first is not an edit
 };
 
-/// A sentence for the user, in the status bar until it is dismissed.
+/// A message in the status bar until it is dismissed.
 struct Notice {
-    std::string text;           ///< empty: nothing to say
-    std::filesystem::path file; ///< one that it may help to look into; empty: none
-    bool isGood = false;        ///< something was done; else it says what went wrong
+    std::string text;           ///< empty: no message
+    std::filesystem::path file; ///< a file related to it; empty: none
+    bool isGood = false;        ///< reports success; else a problem
 };
 
-/// How one looks at the document that there is: another one is looked at anew.
+/// How the current document is shown; reset for another document.
 struct DocumentLook {
     Playback playback;
     Selection selection;
-    std::optional<PickedVertex> hoveredInView;  ///< the vertex that the pointer is on, kept by the view
-    std::optional<PickedVertex> hoveredInPlane; ///< the same of the texture space
+    std::optional<PickedVertex> hoveredInView;  ///< the vertex under the pointer, set by the view
+    std::optional<PickedVertex> hoveredInPlane; ///< the same in the texture space
     Plane plane;
-    std::string shownParam;         ///< the parameter that was scrolled to, framed until the next click
-    std::optional<Preview> preview; ///< the view shows it: see preview.h
-    /// A pixel that is explained, in thousandths from the upper left, until the user chooses another one.
+    std::string shownParam;         ///< the parameter that was scrolled to; has a frame until the next click
+    std::optional<Preview> preview; ///< shown by the view: see preview.h
+    /// A pixel to explain, in thousandths from the upper left, until the user selects another one.
     std::optional<WantedProbe> wantedProbe;
     Explaining explaining;
     LevelView levels;
     InspectedFile fileView;
     Notice notice;
-    std::optional<Fix> wantedFix; ///< is applied at the end of the frame, when nobody walks the scene
+    std::optional<Fix> wantedFix; ///< applied at the end of the frame, when the scene is not in use
 };
 
-/// What a lesson's step shows, and what it took the place of.
+/// The pictures of a lesson's step, and the settings that they replaced.
 struct LessonPictures {
     ShownPictures before{};
     ShownPictures chosen{};
 };
 
-/// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
-/// panel alone remembers is beside that panel.
+/// How any document is shown, and plain values that panels exchange. The state of a single panel is in its
+/// own struct.
 struct WindowState : DocumentLook {
-    Settings settings;                           ///< what outlives the window
-    Language systemLanguage = Language::English; ///< what "like the system" is
-    ViewSettings view; ///< which renderers draw the scene, and how one looks at their frames
+    Settings settings;                           ///< kept between windows
+    Language systemLanguage = Language::English; ///< the language of the system
+    ViewSettings view;                           ///< the renderers and how their frames are shown
     std::optional<LessonPictures> lessonPictures;
-    bool showsFrameTime = true; ///< off where two pictures of the window should be the same
-    bool movesVertices = false; ///< in texture space, just now: what would be an edit of its own waits
-    bool keyTaken = false;      ///< a panel did something with a key of this frame: it is no shortcut as well
+    bool showsFrameTime = true; ///< false for reproducible pictures of the window
+    bool movesVertices = false; ///< vertices are being moved in texture space: other edits wait
+    bool keyTaken = false;      ///< a panel has used a key of this frame: it is not a shortcut
     bool showRq = false;        ///< whether the vertex list shows r and q
 
-    std::optional<Tab> wantedTab; ///< is opened where it lies and comes to the front with the next frame
-    std::string wantedParam;      ///< the parameters are scrolled there with the next frame; empty: not
-    std::optional<Section> wantedSection; ///< is opened and scrolled to with the next frame
-    std::string
-        hoveredParam; ///< under the pointer in the last frame, in whichever panel: all panels light it
-    std::string hoveringParam; ///< the same of this frame, said by the panel that draws it
+    std::optional<Tab> wantedTab;         ///< opened and brought to the front in the next frame
+    std::string wantedParam;              ///< the parameter to scroll to in the next frame; empty: none
+    std::optional<Section> wantedSection; ///< opened and scrolled to in the next frame
+    std::string hoveredParam;  ///< under the pointer in the last frame, in any panel: all panels highlight it
+    std::string hoveringParam; ///< the same for this frame, set by the panel that draws it
 
     Dialog dialog = Dialog::None;
-    emit::Flavour flavour = emit::Flavour::Fixed; ///< of Dialog::SaveProgram
-    bool allCalls = false;  ///< programs set what OpenGL has anyway, too: as listed, copied and exported
-    std::string imageParam; ///< OpenImage: what shall name it; empty: the texture that is bound
+    emit::Flavour flavour = emit::Flavour::Fixed; ///< for Dialog::SaveProgram
+    bool allCalls = false;  ///< programs also set OpenGL's initial values: when listed, copied and exported
+    std::string imageParam; ///< for OpenImage: the parameter that will name it; empty: the bound texture
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;
     AskedPicture askedPicture;
-    std::string pendingExample;       ///< its file's name
-    std::string pendingLesson;        ///< its name, or its folder
-    std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
-    std::vector<Error> refused; ///< of several files: those that could not be opened, until one has read it
+    std::string pendingExample;       ///< the name of its file
+    std::string pendingLesson;        ///< its name or its folder
+    std::shared_ptr<Load> readyScene; ///< loaded, but unsaved changes must be decided first
+    std::vector<Error> refused;       ///< files that could not be opened, until the user has read the list
     bool quitConfirmed = false;
-    bool fillsScreen = false;             ///< the host shows the window without a frame, over everything
-    std::optional<int> tour;              ///< the step of the tour that is shown, from 0
-    std::optional<Capture> wantedCapture; ///< is read back and written with the next frame
+    bool fillsScreen = false;             ///< the host shows the window in full screen
+    std::optional<int> tour;              ///< the current step of the tour, from 0
+    std::optional<Capture> wantedCapture; ///< read back and written in the next frame
 
-    bool wantsSearch = false; ///< the keyboard goes to the search among the parameters with the next frame
+    bool wantsSearch = false; ///< the parameter search gets the keyboard in the next frame
 
-    int textureUnits = maxUnits;          ///< that the driver has, as far as is known
+    int textureUnits = maxUnits;          ///< of the driver, as far as known
     std::shared_ptr<LessonRun> lesson;    ///< nullptr: none is open
-    Figure figure = Figure::Environments; ///< of the tab of figures
+    Figure figure = Figure::Environments; ///< in the tab of figures
     SheetChoice sheet;
     RecordingChoice recording;
     ViewNotes notes;
-    bool spotlight = false; ///< all but a disc around the pointer is dim
+    bool spotlight = false; ///< everything except a disc around the pointer is dimmed
 
-    std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
-    ShapeOptions meshShape{};         ///< what it was made from
+    std::shared_ptr<const Mesh> mesh; ///< of the selected model, updated by `selectedMesh`
+    ShapeOptions meshShape{};         ///< the source of `mesh`
     MeshData meshData{};
 };
 

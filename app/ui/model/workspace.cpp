@@ -76,7 +76,7 @@ Workspace workspaceOf(const LayoutRow& row) {
     workspace.parameters = row.parameters;
     workspace.textureSpace = row.textureSpace;
     for (TabPlace& place : workspace.tabs)
-        place.open = place.open && row.docks; // no lesson is open at first
+        place.open = place.open && row.docks; // initially no lesson is open
     return workspace;
 }
 

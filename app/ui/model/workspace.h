@@ -10,35 +10,35 @@
 
 namespace texplorer::ui {
 
-/// What the seams between panels were dragged to; 0 leaves the choice to the layout.
+/// The positions of dragged seams between panels; 0: chosen by the layout.
 struct Seams {
     float parameters = 0; ///< width of the left column, in unscaled pixels
     float details = 0;    ///< width of the right column, in unscaled pixels
-    float split = 0;      ///< the share of the right column's height that the texture space takes, 0 to 1
-    float below = 0;      ///< the share of the window's height that the dock below takes, 0 to 1
+    float split = 0;      ///< the texture space's fraction of the right column's height, 0 to 1
+    float below = 0;      ///< the fraction of the window's height for the dock below, 0 to 1
 
     bool operator==(const Seams&) const = default;
 };
 
 struct TabPlace {
     Dock dock = Dock::Below;
-    bool open = true; ///< a closed tab opens where it was
+    bool open = true; ///< a closed tab remembers its place
 
     bool operator==(const TabPlace&) const = default;
 };
 
-/// What fills the window for a while: the view everything, the others all but the parameters.
+/// The maximised panel: the view fills the whole window, the others all except the parameters.
 enum class Maximised { None, View, TextureSpace, Right, Below };
 
-/// Which panels are open, where they are and how large: a value that outlives the window. A dock in which no
-/// tab is open isn't there, and takes no room.
+/// Which panels are open, their places and sizes: a value that is kept between windows. A dock without open
+/// tabs takes no room.
 struct Workspace {
     bool parameters = true;
     bool textureSpace = true;
     std::array<TabPlace, tabRows.size()> tabs = atHome();                ///< by Tab
     std::array<Tab, dockRows.size()> front{Tab::Vertices, Tab::Explain}; ///< by Dock; see frontOf
     Seams seams;
-    Maximised maximised = Maximised::None; ///< not remembered
+    Maximised maximised = Maximised::None; ///< not saved
 
     bool operator==(const Workspace&) const = default;
 
@@ -54,26 +54,26 @@ private:
 [[nodiscard]] bool isOpen(const Workspace& workspace, Tab tab);
 [[nodiscard]] Dock dockOf(const Workspace& workspace, Tab tab);
 
-/// The tab that one sees in a dock; none: nothing is open in it.
+/// The visible tab of a dock; none: no tab is open in it.
 [[nodiscard]] std::optional<Tab> frontOf(const Workspace& workspace, Dock dock);
 
-/// Whether one sees it: in front, and not behind something maximised.
+/// Whether a tab is visible: in front, and not hidden by something maximised.
 [[nodiscard]] bool isShown(const Workspace& workspace, Tab tab);
 
-/// What is maximised and there.
+/// The maximised panel, if it exists.
 [[nodiscard]] Maximised maximisedOf(const Workspace& workspace);
 [[nodiscard]] constexpr Maximised maximised(Dock dock) {
     return dock == Dock::Right ? Maximised::Right : Maximised::Below;
 }
 
-/// Opens the tab where it lies and brings it to the front, before whatever is maximised.
+/// Opens the tab in its dock and brings it to the front; restores a maximised panel that hides it.
 void showTab(Workspace& workspace, Tab tab);
 void closeTab(Workspace& workspace, Tab tab);
-/// Opens it in this dock, in front.
+/// Moves the tab to this dock, opens it and brings it to the front.
 void moveTab(Workspace& workspace, Tab tab, Dock dock);
 void toggleMaximised(Workspace& workspace, Maximised what);
 
-/// An arrangement that has a name. To choose one gives the seams back to the layout.
+/// A named arrangement. Choosing one resets the seams.
 struct LayoutRow {
     std::string_view name; ///< for texshot's --layout
     const char* label;
@@ -86,24 +86,23 @@ struct LayoutRow {
 inline constexpr std::array layoutRows{
     LayoutRow{"student", "Student", "Parameters, view and texture space, with Explain below", true, true,
               true},
-    LayoutRow{"teacher", "Teacher", "A large view beside parameters and texture space, for a projector", true,
-              true, false},
-    LayoutRow{"minimal", "Minimal", "The view alone", false, false, false},
+    LayoutRow{"teacher", "Teacher", "A large view next to parameters and texture space, for a projector",
+              true, true, false},
+    LayoutRow{"minimal", "Minimal", "Only the view", false, false, false},
 };
 
 [[nodiscard]] Workspace workspaceOf(const LayoutRow& row);
-/// The same, beside a lesson that is open.
+/// The same, with the tab of an open lesson.
 void chooseLayout(Workspace& workspace, const LayoutRow& row);
-/// The layout that it still is, wherever the seams are, whichever tab is in front, and whether there is a
-/// lesson; nullptr: none.
+/// The layout that the workspace has, regardless of seams, front tabs and an open lesson; nullptr: none.
 [[nodiscard]] const LayoutRow* layoutOf(const Workspace& workspace);
 
-/// As JSON, for the settings' file; parseWorkspace(writeWorkspace(w)) == w while nothing is maximised.
+/// As JSON, for the settings file; parseWorkspace(writeWorkspace(w)) == w if nothing is maximised.
 [[nodiscard]] std::string writeWorkspace(const Workspace& workspace);
 
-/// What the text leaves out, and tabs that it doesn't know, are as they are at the start; keys that nobody
-/// knows are left alone. Refused, with the JSON pointer in Error::where: what is no JSON, wrong types, docks
-/// and tabs that there aren't, sizes that aren't finite or are below 0.
+/// Missing values and tabs have their initial state; unknown keys are ignored. Fails, with the JSON pointer
+/// in Error::where, for invalid JSON, wrong types, unknown docks and tabs, and sizes that are not finite or
+/// below 0.
 [[nodiscard]] Result<Workspace> parseWorkspace(std::string_view json);
 
 } // namespace texplorer::ui

@@ -23,7 +23,7 @@ constexpr std::array shownRows{
 struct SeamRow {
     const char* key;
     float Seams::*member;
-    float largest;
+    float max;
 };
 constexpr std::array seamRows{
     SeamRow{"parameters", &Seams::parameters, 1e5F},
@@ -32,14 +32,14 @@ constexpr std::array seamRows{
     SeamRow{"below", &Seams::below, 1},
 };
 
-/// What stands there, for a message: hostile text may be deep or long.
+/// The value for a message: hostile text may be deep or long.
 std::string foundText(const WorkspaceJson& value) {
-    constexpr std::size_t longest = 40;
+    constexpr std::size_t maxShown = 40;
     const std::string text = value.is_primitive() ? value.dump() : std::string(value.type_name());
-    return text.size() > longest ? std::string(value.type_name()) : text;
+    return text.size() > maxShown ? std::string(value.type_name()) : text;
 }
 
-/// The row with this name, of those that a reader knows.
+/// The row with this name, among those that a reader knows.
 template<class Rows>
 const auto* rowNamed(const Rows& rows, const WorkspaceJson& name) {
     const auto found = std::ranges::find_if(rows, [&](const auto& row) {
@@ -56,7 +56,7 @@ std::string workspaceNames(const Rows& rows) {
     return names;
 }
 
-/// Whether there is such a member, and it is an object, which it must be.
+/// Whether there is such a member; it must be an object.
 Result<const WorkspaceJson*> objectIn(const WorkspaceJson& owner, const char* key) {
     const auto found = owner.find(key);
     if (found == owner.end())
@@ -112,7 +112,7 @@ Result<void> readTabs(const WorkspaceJson& json, Workspace& workspace) {
             return fail(ErrorCode::Malformed,
                         fmt::format("expected the name of a tab, found {}", foundText(name)),
                         fmt::format("/front/{}", row.name));
-        if (const TabRow* tab = rowNamed(tabRows, name)) // else one of another version
+        if (const TabRow* tab = rowNamed(tabRows, name)) // otherwise from another version
             workspace.front[static_cast<std::size_t>(row.dock)] = tab->tab;
     }
     return {};
@@ -127,11 +127,10 @@ Result<void> readSeams(const WorkspaceJson& json, Seams& seams) {
             continue;
         const WorkspaceJson& value = (*object)->at(row.key);
         const float number = value.is_number() ? value.get<float>() : -1;
-        if (!(number >= 0 && number <= row.largest))
-            return fail(
-                ErrorCode::OutOfRange,
-                fmt::format("expected a number from 0 to {}, found {}", row.largest, foundText(value)),
-                fmt::format("/seams/{}", row.key));
+        if (!(number >= 0 && number <= row.max))
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected a number from 0 to {}, found {}", row.max, foundText(value)),
+                        fmt::format("/seams/{}", row.key));
         seams.*row.member = number;
     }
     return {};

@@ -15,9 +15,9 @@ namespace texplorer::ui {
 namespace {
 
 constexpr std::array anisotropySteps{1, 2, 4, 8, 16};
-constexpr float narrowestSlider = 2.8F; ///< beside the buttons, in letters' heights
+constexpr float minSliderWidth = 2.8F; ///< next to the buttons, in letters' heights
 
-/// What a degree does, and what it would make of the picture.
+/// A button for a degree of anisotropy, with a preview of its picture.
 void offerAnisotropy(Session& session, const ParamRow& row, const std::string& path, int step,
                      bool isChosen) {
     const std::string assignment = fmt::format("{}={}", path, step);
@@ -53,7 +53,7 @@ void anisotropyButtons(Session& session, const Owner& owner, const ParamRow& row
 
 } // namespace
 
-float mostAnisotropy(float driver, const ParamRow& row) {
+float maxAnisotropyOf(float driver, const ParamRow& row) {
     return driver > row.range.min ? std::min(driver, row.range.max) : row.range.max;
 }
 
@@ -69,17 +69,18 @@ void anisotropyLine(Session& session, const Owner& texture, const ParamRow& row)
     std::vector<Segment> segments;
     for (const int step : anisotropySteps)
         segments.push_back({std::to_string(step)});
-    // The slider has half of the room, because one aims at places of it, or else what the buttons leave.
+    // The slider takes half of the room, because positions on it are hard to hit, or else the rest next to
+    // the buttons.
     const float room = ImGui::GetContentRegionAvail().x;
     std::optional<SegmentPlan> plan = planSegments(segments, room / 2 - gap, 1);
     if (!plan)
-        plan = planSegments(segments, room - ImGui::GetFontSize() * narrowestSlider - gap, 1);
+        plan = planSegments(segments, room - ImGui::GetFontSize() * minSliderWidth - gap, 1);
     if (plan) {
         anisotropyButtons(session, texture, row, segments, *plan, isIdle);
         ImGui::SameLine(0, gap);
     }
     paramSlider(session, texture, row, ImGui::GetContentRegionAvail().x,
-                mostAnisotropy(session.document.diagnosis.driver.maxAnisotropy, row));
+                maxAnisotropyOf(session.document.diagnosis.driver.maxAnisotropy, row));
 }
 
 } // namespace texplorer::ui

@@ -4,11 +4,11 @@
 
 namespace texplorer::ui {
 
-/// The usual degrees of anisotropy as buttons, and a slider that ends where the driver's do.
+/// Draws the usual degrees of anisotropy as buttons, and a slider up to the driver's limit.
 void anisotropyLine(Session& session, const Owner& texture, const ParamRow& row);
 
-/// Where the slider ends: at the largest that the driver has, or where it has none, at that of the reference
-/// renderer, which is the row's.
-[[nodiscard]] float mostAnisotropy(float driver, const ParamRow& row);
+/// The end of the slider: the driver's maximum, or, if it has none, that of the reference renderer, which is
+/// the row's.
+[[nodiscard]] float maxAnisotropyOf(float driver, const ParamRow& row);
 
 } // namespace texplorer::ui

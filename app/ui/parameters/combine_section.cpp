@@ -1,4 +1,4 @@
-// GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and an argument a line.
+// GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and one line per argument.
 
 #include "app/ui/parameters/combine_section.h"
 
@@ -19,7 +19,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// The keys of one half of the table; the arguments' keys have their number in the middle.
+/// The keys of one half of the table; those of arguments have a number in the middle.
 struct Half {
     std::string_view title;
     std::string_view function;
@@ -38,7 +38,7 @@ bool isPrevious(const EnumRow& choice) {
     return choice.value == static_cast<std::uint32_t>(CombineSource::Previous);
 }
 
-/// In the middle of a sentence, where English has no capital.
+/// In lower case, for the middle of a sentence in English.
 std::string sourceInWords(const Combine& combine, const std::string& key, bool isFirstUnit) {
     const ParamRow& row = rowNamed(key);
     const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(row.read(&combine)).number);
@@ -55,7 +55,7 @@ std::string argumentInWords(const Combine& combine, const Half& half, int number
     const std::string tail = fmt::format("{}{}", number, half.suffix);
     const std::string source = sourceInWords(combine, "source" + tail, isFirstUnit);
     const auto operand = std::get<EnumValue>(rowNamed("operand" + tail).read(&combine)).number;
-    switch (static_cast<OperandRgb>(operand)) { // whose numbers are those of the operands of alpha
+    switch (static_cast<OperandRgb>(operand)) { // same numbers as the operands of alpha
     case OperandRgb::SrcColor:
         return tr(fmt::format("colour of {}", source));
     case OperandRgb::OneMinusSrcColor:
@@ -68,7 +68,7 @@ std::string argumentInWords(const Combine& combine, const Half& half, int number
     return "?";
 }
 
-/// The equation with what its arguments stand for.
+/// The equation with the meaning of its arguments.
 std::string inWords(const Combine& combine, const Half& half, std::string_view equation, bool isFirstUnit) {
     std::string words(equation);
     for (int number = 0; number < 3; ++number) {
@@ -84,7 +84,8 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
 void drawEquation(Session& session, const Combine& combine, const Half& half) {
     const bool isAlpha = half.suffix == "Alpha";
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
-        wrappedText(fmt::format("= the colour's dot product: {} overrules what is below but the scale.",
+        wrappedText(fmt::format("= the dot product of the colours: {} overrides the rows below except the "
+                                "scale.",
                                 rowOf(combine.rgb).name));
         return;
     }
@@ -101,7 +102,7 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
     noteItem("combine:" + meaning);
 }
 
-/// Of a list that is as wide as its longest choice.
+/// The width of a list for its longest choice.
 float widestChoice(const ParamRow& row) {
     float widest = 0;
     for (const EnumRow& choice : row.choices)
@@ -129,7 +130,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     paramControl(session, owner, rowNamed(half.scale), scale);
     drawEquation(session, combine, half);
 
-    // The operands are short: what they leave is the sources', whose names must fit into a narrow panel.
+    // The operands are short: the sources get the rest, because their names must fit into a narrow panel.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {ImGui::GetFontSize() * 0.25F, ImGui::GetStyle().FramePadding.y});
     const float argument = ImGui::CalcTextSize("Arg0").x + gap;

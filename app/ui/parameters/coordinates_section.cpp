@@ -1,4 +1,4 @@
-// The coordinates that OpenGL makes itself (glTexGen): for each of s, t, r and q a line, and the plane that
+// The coordinates that OpenGL generates (glTexGen): one line for each of s, t, r and q, and the plane that
 // its mode reads while it is on.
 
 #include "app/ui/parameters/coordinates_section.h"
@@ -29,7 +29,7 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &U
                                                  {"r", keyOf<&Unit::texGenR>, &Unit::texGenR},
                                                  {"q", keyOf<&Unit::texGenQ>, &Unit::texGenQ}}};
 
-/// What takes several of these settings and more at once.
+/// Buttons that set several of these parameters and others at once.
 void lightButtons(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
@@ -39,20 +39,20 @@ void lightButtons(Session& session) {
             if (edit())
                 recordEdit(session, words);
             else
-                say(session, "There is no room for it: no more textures or matrix steps can be added.");
+                say(session, "Not possible: no more textures or matrix steps can be added.");
             sealEdit(session);
         }
         noteItem(words);
         helpTip(tip);
     };
     button("Slide projector",
-           "The light becomes a slide projector: s, t, r and q are generated in eye coordinates, and the "
-           "texture matrix ends with the projector.",
+           "Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
+           "projector to the texture matrix.",
            [&] { return projectFromLight(selectedUnit(session)); });
     ImGui::SameLine(0, gap);
     button("Shadow map",
-           "This unit multiplies by the light's shadows: a new texture of what the light sees, which r is "
-           "compared with, projected by the light.",
+           "Multiplies by the light's shadows: adds a depth texture of the light's view, which r is "
+           "compared with.",
            [&] {
                return castShadows(session.document.scene,
                                   static_cast<std::size_t>(session.window.selection.pass),
@@ -81,7 +81,7 @@ void coordinatesSection(Session& session) {
         ImGui::SameLine(0, gap);
         paramControl(session, owner, *findParam(table, keyOf<&TexGen::mode>()),
                      ImGui::GetContentRegionAvail().x);
-        RowOptions planes; // of which at most one is read
+        RowOptions planes; // at most one of which is read
         planes.leavesOut = [](const ParamRow& row) {
             return row.member == memberId<&TexGen::enabled> || row.member == memberId<&TexGen::mode>;
         };

@@ -23,7 +23,7 @@ namespace {
 using reference::EnvironmentEquations;
 using reference::EnvironmentInputs;
 
-/// What an environment was given and made of it.
+/// The inputs and the result of an environment.
 struct EnvironmentSample {
     BaseFormat format = BaseFormat::Rgba;
     EnvironmentInputs inputs;
@@ -139,9 +139,9 @@ void environmentLine(Session& session) {
     ImGui::EndGroup();
     const float gap = ImGui::GetFontSize() * 0.6F;
     const char* before = session.window.selection.unit == 0
-                             ? "Cp: the fragment's colour, of lighting or glColor"
-                             : "Cp: what the units before this one made";
-    const char* source = sample.probed ? "Cs: the texture's colour at the probed pixel"
+                             ? "Cp: the fragment's colour from lighting or glColor"
+                             : "Cp: the result of the units before this one";
+    const char* source = sample.probed ? "Cs: the texture's colour at the explained pixel"
                                        : "Cs: the texture's colour, here the mean of its image";
     swatch("Cp", sample.inputs.previous, hasSymbol(sample.equations, "Cp", "Ap"),
            fmt::format("{}\n{}", before, numbersOf(sample.inputs.previous)));
@@ -156,9 +156,9 @@ void environmentLine(Session& session) {
     ImGui::SameLine(0, gap);
     swatch("Cv", sample.result, true,
            fmt::format("{}\n{}",
-                       sample.probed ? "Cv: what this unit made of the probed pixel"
-                                     : "Cv: what this unit makes of glColor and the image's mean. Explain a "
-                                       "pixel, and it is that of the pixel.",
+                       sample.probed ? "Cv: the result of this unit at the explained pixel"
+                                     : "Cv: the result of this unit for glColor and the image's mean. "
+                                       "Explain a pixel to use that pixel.",
                        numbersOf(sample.result)));
     if (sample.probed)
         noteItem("environment:probed");

@@ -4,9 +4,8 @@
 
 namespace texplorer::ui {
 
-/// What the selected unit's environment computes, as an equation, and the colours that go into it and come
-/// out, of the probed pixel or of a reference colour: glColor and the mean of the image. What is previewed
-/// counts.
+/// Draws the equation of the selected unit's environment, and its input and output colours, for the probed
+/// pixel or for reference colours: glColor and the mean of the image. Uses the previewed scene, if any.
 void environmentLine(Session& session);
 
 } // namespace texplorer::ui

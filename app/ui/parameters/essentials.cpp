@@ -28,7 +28,7 @@ namespace texplorer::ui {
 namespace {
 
 const ParamRow& essentialRow(const StructTable& table, std::string_view key) {
-    return *findParam(table, key); // keys are those of rows
+    return *findParam(table, key); // keys of existing rows
 }
 
 void stepVertex(Session& session, bool forwards) {
@@ -39,12 +39,12 @@ void stepVertex(Session& session, bool forwards) {
     vertex = forwards ? next % count : previous;
 }
 
-/// s and t of the chosen vertex, each a number that one drags.
+/// s and t of the selected vertex as draggable numbers.
 void vertexNumbers(Session& session, float width) {
     Model& model = *selectedModel(session);
     const int unit = session.window.selection.unit;
     const std::size_t vertex = *session.window.selection.vertex;
-    const std::shared_ptr<const Mesh> kept = session.window.mesh; // while it is edited
+    const std::shared_ptr<const Mesh> kept = session.window.mesh; // used while it is edited
     glm::vec4 value = effectiveTexCoord(model, *kept, unit, vertex);
     constexpr std::array names{"vertex s", "vertex t"};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -62,9 +62,9 @@ void vertexNumbers(Session& session, float width) {
         }
         noteItem(names.at(static_cast<std::size_t>(i)));
         sealAfterItem(session);
-        helpTip(i == 0 ? "s of the vertex: 0 is the left edge of the image, 1 the right one. Drag it, or "
+        helpTip(i == 0 ? "The vertex's s: 0 is the left edge of the image, 1 the right edge. Drag it, or "
                          "double-click to type a number."
-                       : "t of the vertex: 0 is the lower edge of the image, 1 the upper one. Drag it, or "
+                       : "The vertex's t: 0 is the lower edge of the image, 1 the upper edge. Drag it, or "
                          "double-click to type a number.");
         ImGui::PopID();
         if (i == 0)
@@ -82,10 +82,10 @@ void vertexLine(Session& session) {
     text("Vertex");
     ImGui::PopStyleColor();
     if (model && count > 0)
-        helpTip(fmt::format("Of model {}, {}, which has the vertices 0 to {}", session.window.selection.model,
+        helpTip(fmt::format("A vertex of model {}, {}, from 0 to {}", session.window.selection.model,
                             nameOf(*model), count - 1));
     ImGui::SameLine(0, gap);
-    if (squareButton("◀", "previous vertex", "The vertex before this one", count > 0))
+    if (squareButton("◀", "previous vertex", "The previous vertex", count > 0))
         stepVertex(session, false);
     ImGui::SameLine(0, gap / 2);
     if (vertex) {
@@ -96,14 +96,14 @@ void vertexLine(Session& session) {
         noteItem("vertex number");
         ImGui::SameLine(0, gap / 2);
     }
-    if (squareButton("▶", "next vertex", "The vertex after this one", count > 0))
+    if (squareButton("▶", "next vertex", "The next vertex", count > 0))
         stepVertex(session, true);
     ImGui::SameLine(0, gap);
     if (!vertex || count == 0) {
-        constexpr const char* how = "Click one in either view.";
+        constexpr const char* how = "Click a vertex in either view.";
         const float room = ImGui::GetContentRegionAvail().x;
         if (wrappedSize(tr(how), room).y > ImGui::GetFontSize() * 2.5F)
-            ImGui::NewLine(); // rather than a word or a letter in each line
+            ImGui::NewLine(); // instead of a word or a letter in each line
         dimWrappedText(how);
         noteItem("no vertex");
         return;
@@ -111,7 +111,7 @@ void vertexLine(Session& session) {
     vertexNumbers(session, std::floor((ImGui::GetContentRegionAvail().x - gap) / 2));
 }
 
-/// "s [Repeat] [Mirror] …": the letter in its colour, and the choices beside it.
+/// "s [Repeat] [Mirror] …": the letter in its colour, and the choices to the right of it.
 void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axis) {
     constexpr std::array letters{"s", "t", "r"};
     ImGui::AlignTextToFramePadding();
@@ -124,14 +124,14 @@ void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axi
     paramControl(session, owner, row, ImGui::GetContentRegionAvail().x, 2);
 }
 
-/// A caption at the left and a colour at the right of one line.
+/// A line with a caption on the left and a colour on the right.
 void captionWithColor(Session& session, const char* words, const Owner& owner, const ParamRow& row) {
     ImGui::AlignTextToFramePadding();
     text(words);
     const std::string_view name = shownName(session.window.settings, row);
     const float width = ImGui::CalcTextSize(tr(name).c_str()).x;
     const float left = ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize();
-    for (const float swatch : {4.0F, 2.2F}) { // rather a small one than another line
+    for (const float swatch : {4.0F, 2.2F}) { // a small swatch is better than another line
         const float at = ImGui::GetContentRegionMax().x - swatch * ImGui::GetFontSize() - width -
                          ImGui::GetStyle().ItemInnerSpacing.x;
         if (at <= left)
@@ -165,7 +165,7 @@ void wrapBlock(Session& session, const Owner& owner) {
     }
 }
 
-/// A little room between what belongs together and the next.
+/// Space between groups.
 void blockEnds() {
     ImGui::Dummy({0, std::floor(ImGui::GetStyle().ItemSpacing.y * 0.5F)});
 }
@@ -220,7 +220,7 @@ void pinnedRows(Session& session) {
                 caption("Pinned");
             captioned = true;
             if (paramWidget(session, place.owner, row) && mayMoveLists(row))
-                return; // the rest is drawn at the next frame
+                return; // the rest is drawn in the next frame
         }
     }
 }
@@ -233,7 +233,7 @@ void essentials(Session& session, const Pictures& pictures) {
     if (boundTexture(session))
         textureBlock(session, pictures);
     else
-        wrappedText("No texture is bound to this unit: switch the unit on, and it gets one.");
+        wrappedText("No texture is bound to this unit. Switch the unit on to get one.");
     blockEnds();
     environmentBlock(session);
     paramWidget(session, materialOwner(session), essentialRow(materialTable(), keyOf<&Material::color>()));

@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-/// What one needs first, one click each, and below it the rows that the user has pinned.
+/// Draws the most important parameters, one click each, and below them the rows that the user has pinned.
 void essentials(Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -20,11 +20,11 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::size_t leastPerLine = 8;
+constexpr std::size_t minPerLine = 8;
 
-/// One picture of the choice. `edit` makes a texture show it.
+/// One picture of the choice. `edit` sets it on a texture.
 struct Choice {
-    std::string name; ///< what tests call it
+    std::string name; ///< its name in tests
     std::string label;
     std::string_view help;
     std::shared_ptr<const Image> image;
@@ -66,7 +66,7 @@ void drawChoice(Session& session, const Pictures& pictures, const Choice& choice
     sealEdit(session);
 }
 
-/// A file that is there, whether it is shown at present or not.
+/// An available file, whether it is shown at present or not.
 std::optional<Choice> fileChoice(Session& session, const std::string& path) {
     Texture texture = *boundTexture(session);
     if (texture.file.empty() || !session.document.images.holds(texture.file))
@@ -104,7 +104,7 @@ void imageChoice(Session& session, const Pictures& pictures) {
     if (ImGui::Button(label(open)))
         askOpenImage(session);
     noteItem("open image");
-    helpTip("An image file for this texture; or drop one onto the window (Ctrl+I)");
+    helpTip("Opens an image file for this texture. Or drop one onto the window (Ctrl+I)");
 
     std::vector<Choice> choices;
     for (const EnumRow& row : patternRows) {
@@ -125,10 +125,10 @@ void imageChoice(Session& session, const Pictures& pictures) {
     const auto count = static_cast<std::size_t>(
         std::clamp((ImGui::GetContentRegionAvail().x + gap) / (em * 2 + gap), 1.0F, 16.0F));
     const float extent = std::floor(
-        (ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(std::max(count, leastPerLine)) - gap);
+        (ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(std::max(count, minPerLine)) - gap);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
     for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i % std::max(count, leastPerLine) > 0)
+        if (i % std::max(count, minPerLine) > 0)
             ImGui::SameLine();
         drawChoice(session, pictures, choices[i], std::max(1.0F, extent));
     }

@@ -5,8 +5,8 @@
 
 namespace texplorer::ui {
 
-/// The built-in patterns as small pictures, beside them the image file that the texture had, and a button
-/// that opens one. Of the bound texture, which there must be.
+/// The built-in patterns as small pictures, next to them the texture's previous image file, and a button that
+/// opens one. For the bound texture, which must exist.
 void imageChoice(Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -19,7 +19,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// From core/preset, with the word on the button.
+/// Presets of core/preset, with the text of the button.
 struct Motion {
     std::string_view preset;
     const char* label;
@@ -84,7 +84,7 @@ void addStepButtons(Session& session, int perLine) {
             ImGui::SameLine(0, gap);
         if (ImGui::Button(fmt::format("+ {}###{}", tr(op.label), op.name).c_str(), {width, 0})) {
             addStep(session, static_cast<MatrixOp>(op.value));
-            ImGui::CloseCurrentPopup(); // where they are in one
+            ImGui::CloseCurrentPopup(); // if they are in a popup
         }
         noteItem(fmt::format("add:{}", op.name));
         helpTip(op.help);
@@ -106,7 +106,7 @@ void motionButtons(Session& session) {
         if (number < motions.size())
             return offerMotion(session, motions[number]);
         noteItem("add matrix step");
-        helpTip("One more step of the texture matrix, after those that there are");
+        helpTip("Adds a step at the end of the texture matrix");
     });
     if (pressed && *pressed < motions.size())
         applyMotion(session, motions[*pressed]);
@@ -124,14 +124,13 @@ void matrixSection(Session& session) {
     std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     static const MatrixStep initial;
     if (steps.empty())
-        wrappedText(
-            "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
+        wrappedText("The identity: coordinates are unchanged. Each step moves, turns or scales them.");
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string path = fmt::format("{}.{}", selectedUnitPath(session), elementOf<&Unit::matrix>(i));
         ImGui::AlignTextToFramePadding();
         dimText(fmt::format("Step {}", i + 1));
-        constexpr ListWords words{"matrix step", "", "Multiply this step earlier", "Multiply this step later",
+        constexpr ListWords words{"matrix step", "", "Move this step up", "Move this step down",
                                   "Remove this step"};
         const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
         Timeline& timeline = session.document.scene.timeline;
@@ -148,7 +147,7 @@ void matrixSection(Session& session) {
             stepsChanged(session,
                          pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps");
             ImGui::PopID();
-            break; // the rest is drawn at the next frame
+            break; // the rest is drawn in the next frame
         }
         paramRows(session, {&steps[i], &initial, path}, matrixStepTable(), {.captions = false});
         ImGui::Separator();

@@ -7,10 +7,10 @@ namespace texplorer::ui {
 /// The steps of the selected unit's texture matrix.
 void matrixSection(Session& session);
 
-/// A button for each operation, which adds a step: `perLine` of them side by side.
+/// A button for each operation, which adds a step: `perLine` buttons per line.
 void addStepButtons(Session& session, int perLine);
 
-/// The presets that make the texture move, one click each, and a button that adds a step.
+/// The presets that move the texture, one click each, and a button that adds a step.
 void motionButtons(Session& session);
 
 } // namespace texplorer::ui

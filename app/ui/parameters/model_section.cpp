@@ -24,11 +24,11 @@ void modelListChanged(Session& session, int chosen, std::string_view what) {
     sealEdit(session);
     recordEdit(session, what);
     sealEdit(session);
-    clearTexel(session); // what is asked about may be another model's
+    clearTexel(session); // its texel may belong to another model
 }
 
-/// After the one that is chosen and like it, beside it; the first one is a cube. Passes that name the chosen
-/// one draw it as well.
+/// Adds a copy of the selected model next to it; the first model is a cube. Passes that name the selected
+/// model draw the new one as well.
 void addModel(Session& session) {
     Scene& scene = session.document.scene;
     const auto chosen = static_cast<std::size_t>(session.window.selection.model);
@@ -71,7 +71,7 @@ void moveModel(Session& session, int by) {
     modelListChanged(session, chosen + by, "Reorder models");
 }
 
-/// Vertices of its own are shown as what there is of them: the Vertices tab edits them.
+/// A mesh is shown as a summary: the Vertices tab edits it.
 void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
     const std::size_t vertices = mesh.positions.size();
@@ -86,11 +86,11 @@ void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
     add(!mesh.texCoords.empty(), tr("coordinates"));
     add(indices > 0, indices == 1 ? tr("1 index") : tr(fmt::format("{} indices", indices)));
     dimText(lists);
-    helpTip("Vertices edits them one by one; Texture space moves their coordinates.");
+    helpTip("The Vertices tab edits them one by one. Texture space moves their coordinates.");
 }
 
 void editModels(Session& session, std::size_t count) {
-    constexpr ListWords words{"model", "Add a model after this one, and like it", "Draw this model earlier",
+    constexpr ListWords words{"model", "Add a copy of this model after it", "Draw this model earlier",
                               "Draw this model later", "Remove this model"};
     const auto pressed =
         listButtons(words, static_cast<std::size_t>(session.window.selection.model), count, 0, maxModels);

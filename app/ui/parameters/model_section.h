@@ -4,7 +4,7 @@
 
 namespace texplorer::ui {
 
-/// The chosen model: which one, how many there are and in which order, and what the tables have of it.
+/// The selected model: the choice, number and order of models, and its rows of the tables.
 void modelSection(Session& session);
 
 } // namespace texplorer::ui

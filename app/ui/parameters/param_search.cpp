@@ -28,13 +28,12 @@ void searchResults(Session& session, std::string_view words) {
                 }
                 ++found;
                 if (paramWidget(session, place.owner, row) && mayMoveLists(row))
-                    return; // the rest is drawn at the next frame
+                    return; // the rest is drawn in the next frame
             }
         }
     }
     if (found == 0)
-        wrappedText("No parameter has such a name: neither its label, nor OpenGL's name for it, nor its "
-                    "choices, nor its help.");
+        wrappedText("No parameter matches: the label, OpenGL's name, the choices and the help are searched.");
     noteItem(fmt::format("found:{}", found));
 }
 

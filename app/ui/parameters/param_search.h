@@ -6,7 +6,8 @@
 
 namespace texplorer::ui {
 
-/// Every parameter that is looked for, with its tab and as one edits it there: first those with such a name.
+/// Draws every parameter that matches the search, with its tab and its control: first those with a matching
+/// name.
 void searchResults(Session& session, std::string_view words);
 
 } // namespace texplorer::ui

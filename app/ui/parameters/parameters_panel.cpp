@@ -70,7 +70,7 @@ void drawMarks(const std::vector<Mark>& marks) {
     }
 }
 
-/// The title of a section, which shuts and opens it. What has no effect is shut and dim from the start.
+/// The title of a section, which closes and opens it. A section without effect is initially closed and dim.
 bool section(Session& session, Section which, const std::vector<Mark>& marks = {},
              const char* idle = nullptr) {
     const SectionRow& row = rowOf(which);
@@ -78,7 +78,7 @@ bool section(Session& session, Section which, const std::vector<Mark>& marks = {
     if (named || (!session.window.wantedParam.empty() && sectionOf(session.window.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
-    ImGui::PushID(idle ? "idle" : "in use"); // it opens when it comes to matter
+    ImGui::PushID(idle ? "idle" : "in use"); // it opens when it has an effect
     const bool shown = ImGui::CollapsingHeader(label(row.title), idle ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopID();
     ImGui::PopStyleColor();
@@ -93,7 +93,7 @@ bool section(Session& session, Section which, const std::vector<Mark>& marks = {
     return shown;
 }
 
-/// The coordinates that the unit makes itself.
+/// The coordinates that the unit generates.
 std::vector<Mark> generatedMarks(const Unit& unit) {
     std::vector<Mark> marks;
     constexpr std::array<const char*, 4> letters{"s", "t", "r", "q"};
@@ -173,7 +173,7 @@ void drawTab(Session& session, ParameterTab tab, const Pictures& pictures) {
     }
 }
 
-/// The field for what is looked for, and the switch to OpenGL's names.
+/// The search field, and the switch to OpenGL's names.
 void searchLine(Session& session, ParametersState& state) {
     constexpr const char* names = "GL";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -190,9 +190,8 @@ void searchLine(Session& session, ParametersState& state) {
     noteItem("search");
     if (ImGui::IsItemDeactivated() && isKeyPressed(key::escape, false))
         state.search.clear();
-    helpTip(
-        "By label, by OpenGL's name, by a choice or by what is said of it: \"aniso\", \"GL_TEXTURE_MIN\", "
-        "\"wrap\". Escape ends it.");
+    helpTip("Searches labels, OpenGL's names, choices and help: \"aniso\", \"GL_TEXTURE_MIN\", \"wrap\". "
+            "Escape ends the search.");
     ImGui::SameLine(0, gap);
     if (!state.search.empty()) {
         if (squareButton("✕", "clear search", "Ends the search", true))
@@ -206,8 +205,8 @@ void searchLine(Session& session, ParametersState& state) {
         glNames = !glNames;
     ImGui::PopStyleColor();
     noteItem("GL names");
-    helpTip(glNames ? "Back to plain words"
-                    : "Calls parameters and choices as OpenGL does: GL_TEXTURE_WRAP_S, GL_REPEAT");
+    helpTip(glNames ? "Shows plain words again"
+                    : "Shows OpenGL's names of parameters and choices: GL_TEXTURE_WRAP_S, GL_REPEAT");
 }
 
 void noteTab(std::size_t number) {
@@ -215,7 +214,7 @@ void noteTab(std::size_t number) {
     helpTip(parameterTabRows.at(number).help);
 }
 
-/// The tabs where their buttons would leave no height for what they show.
+/// A choice instead of the tabs, if their buttons would leave no height for the content.
 std::optional<std::size_t> tabList(const ParametersState& state) {
     const char* shown = state.search.empty() ? rowOf(state.tab).label : "Search";
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -235,11 +234,11 @@ std::optional<std::size_t> tabList(const ParametersState& state) {
 }
 
 std::optional<std::size_t> tabButtons(const ParametersState& state) {
-    constexpr std::size_t mostLines = 3;
+    constexpr std::size_t maxLines = 3;
     std::vector<Segment> tabs;
     for (const ParameterTabRow& row : parameterTabRows)
         tabs.push_back({row.label});
-    const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, mostLines);
+    const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, maxLines);
     if (!plan)
         return tabList(state);
     ImGui::PushID("tabs");
@@ -262,7 +261,7 @@ bool isEssentialsShown(const ParametersState& state) {
     return state.tab == ParameterTab::Essentials && state.search.empty();
 }
 
-/// What is asked for comes to the front.
+/// Brings the requested tab to the front.
 void bringForth(ParametersState& state, Section wanted) {
     state.tab = rowOf(wanted).tab;
     state.search.clear();
@@ -295,7 +294,7 @@ void drawParametersPanel(Session& session, ParametersState& state, const Picture
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, std::floor(em * 0.2F)});
     }
     const std::string id =
-        state.search.empty() ? rowOf(state.tab).label : "results"; // each scrolls for itself
+        state.search.empty() ? rowOf(state.tab).label : "results"; // each has its own scroll position
     const bool essential = isEssentialsShown(state);
     ImGui::BeginChild(id.c_str(), {0, 0}, false, essential ? 0 : ImGuiWindowFlags_AlwaysVerticalScrollbar);
     noteDrawn("parameters", ImGui::GetWindowPos(),
@@ -311,9 +310,9 @@ void drawParametersPanel(Session& session, ParametersState& state, const Picture
     if (window.wantedSection == asked) // else a button asked for another one
         window.wantedSection.reset();
     if (essential && !window.wantedParam.empty())
-        bringForth(state, sectionOf(window.wantedParam)); // it is shown with the next frame
+        bringForth(state, sectionOf(window.wantedParam)); // it is visible in the next frame
     else
-        window.wantedParam.clear(); // what has no control of its own is not waited for
+        window.wantedParam.clear(); // a parameter without its own control is not waited for
     ImGui::End();
 }
 

@@ -7,10 +7,10 @@
 
 namespace texplorer::ui {
 
-/// What the panel remembers.
+/// The state of the panel.
 struct ParametersState {
     ParameterTab tab = ParameterTab::Essentials; ///< in front
-    std::string search; ///< what is looked for; its results are shown in the place of the tab
+    std::string search; ///< the search text; its results are shown instead of the tab
 };
 
 void drawParametersPanel(Session& session, ParametersState& state, const Pictures& pictures,

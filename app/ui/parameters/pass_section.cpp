@@ -25,14 +25,14 @@ void passesChanged(Session& session, std::string_view what) {
     sealEdit(session);
     recordEdit(session, what);
     sealEdit(session);
-    clearTexel(session); // its pass has another number
+    clearTexel(session); // the number of its pass has changed
 }
 
-/// After the one that is chosen, and like it: most passes differ from the one before in a few things.
+/// Adds a copy after the selected pass: most passes differ from the previous one in a few parameters.
 void addPass(Session& session) {
     std::vector<Pass>& passes = session.document.scene.passes;
     Pass copy = selectedPass(session);
-    if (copy.depthFunc == CompareFunc::Less) // no depth is less than that of the pass before
+    if (copy.depthFunc == CompareFunc::Less) // no depth is less than that of the previous pass
         copy.depthFunc = CompareFunc::LessEqual;
     int& chosen = session.window.selection.pass;
     ++chosen;
@@ -63,7 +63,7 @@ void movePass(Session& session, int by) {
 }
 
 void editPasses(Session& session) {
-    constexpr ListWords words{"pass", "Add a pass after this one, and like it", "Draw this pass earlier",
+    constexpr ListWords words{"pass", "Add a copy of this pass after it", "Draw this pass earlier",
                               "Draw this pass later", "Remove this pass"};
     const auto pressed = listButtons(words, static_cast<std::size_t>(session.window.selection.pass),
                                      session.document.scene.passes.size(), 1, maxPasses);
@@ -85,13 +85,13 @@ void modelsChanged(Session& session) {
     sealEdit(session);
 }
 
-/// One model of the list: a tick, and where it is drawn, buttons that draw it earlier or later. Whether the
-/// list changed.
+/// One model of the list: a tick, and, if it is drawn, buttons that draw it earlier or later. Returns whether
+/// the list changed.
 bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const std::string& name) {
     const float button = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     bool draws = place < named.size();
-    ImGui::BeginDisabled(draws && named.size() == 1); // a pass that draws nothing is switched off instead
+    ImGui::BeginDisabled(draws && named.size() == 1); // disable the pass instead of drawing nothing
     const bool ticked = ImGui::Checkbox(fmt::format("{}  {}", index, name).c_str(), &draws);
     noteItem(fmt::format("pass models:{}", index));
     ImGui::EndDisabled();
@@ -115,23 +115,23 @@ bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const st
     return up || down;
 }
 
-/// All models, or those that are ticked.
+/// All models, or the ticked ones.
 void modelsOfPass(Session& session) {
     const std::vector<Model>& models = session.document.scene.models;
     std::vector<int>& named = selectedPass(session).models;
-    std::vector<int> order = named; // then those that it leaves out
+    std::vector<int> order = named; // followed by those that it leaves out
     for (int i = 0; i < static_cast<int>(models.size()); ++i) {
         if (std::ranges::find(named, i) == named.end())
             order.push_back(i);
     }
     caption("Models");
     bool all = named.empty();
-    if (ImGui::Checkbox(label("All of them"), &all)) {
+    if (ImGui::Checkbox(label("All models"), &all)) {
         named = all ? std::vector<int>{} : order;
         modelsChanged(session);
     }
     noteItem("pass models:all");
-    helpTip("Whether this pass draws every model, in their order, or only those that are ticked");
+    helpTip("Whether this pass draws all models in order, or only the selected ones");
     if (named.empty())
         return;
     for (std::size_t place = 0; place < order.size(); ++place) {
@@ -141,7 +141,7 @@ void modelsOfPass(Session& session) {
             modelOfPass(named, index, place, shownNameOf(models[static_cast<std::size_t>(index)]));
         ImGui::PopID();
         if (changed)
-            return modelsChanged(session); // the rest is drawn at the next frame
+            return modelsChanged(session); // the rest is drawn in the next frame
     }
 }
 
@@ -161,8 +161,7 @@ void passChoice(Session& session) {
     numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass);
     ImGui::Checkbox(label("Step: only up to this pass"), &session.window.view.stepsThroughPasses);
     noteItem("step through passes");
-    helpTip(
-        "Leaves out the passes after the chosen one: choose 0, 1, 2 … to see each come over what is there");
+    helpTip("Hides the passes after the selected one. Select 0, 1, 2 … to see them added one by one");
 }
 
 void passSection(Session& session) {
@@ -172,7 +171,7 @@ void passSection(Session& session) {
     editPasses(session);
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
     const Owner owner{&selectedPass(session), &initial, elementOf<&Scene::passes>(chosen)};
-    // The switch needs no caption, and the models come next to the name.
+    // The switch needs no caption, and the models are next to the name.
     const StructTable& table = passTable();
     const auto rest = std::ranges::find(table.params, memberId<&Pass::models>, &ParamRow::member) + 1;
     for (auto row = table.params.begin(); row != rest; ++row)

@@ -4,11 +4,11 @@
 
 namespace texplorer::ui {
 
-/// Buttons that choose the pass whose units and state are shown; a dot marks those that are drawn. Nothing
-/// where there is one pass.
+/// Buttons to select the pass whose units and state are shown; a dot marks those that are drawn. Does nothing
+/// if there is one pass.
 void passChoice(Session& session);
 
-/// The passes: added, removed, exchanged; and the state of the one that is chosen.
+/// The passes: add, remove, reorder; and the state of the selected one.
 void passSection(Session& session);
 
 } // namespace texplorer::ui

@@ -13,7 +13,7 @@ namespace {
 
 class Places {
 public:
-    /// `initial` must live on.
+    /// `initial` must outlive the result.
     template<class Struct>
     void add(Section section, std::string title, Struct& values, const Struct& initial, std::string path,
              const StructTable& table) {

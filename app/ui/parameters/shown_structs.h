@@ -11,18 +11,18 @@ namespace texplorer::ui {
 /// A struct whose rows the parameters show.
 struct ShownStruct {
     Section section;
-    std::string title; ///< "Generated s", where its section has several
+    std::string title; ///< "Generated s", if its section has several
     Owner owner;
     const StructTable* table;
 };
 
-/// All of what is selected, in the order of the tabs. They hold until the next edit of a list of the scene.
+/// All structs of the selection, in the order of the tabs. Valid until the next edit of a list in the scene.
 [[nodiscard]] std::vector<ShownStruct> shownStructs(Session& session);
 
-/// Whether an edit of the row may add elements to the scene's lists, so that the owners are no longer there.
+/// Whether an edit of the row may add elements to the scene's lists, which makes the owners invalid.
 [[nodiscard]] bool mayMoveLists(const ParamRow& row);
 
-/// The structs that panels edit by their rows, as one edits them.
+/// The structs that panels edit by their rows.
 [[nodiscard]] Owner textureOwner(Session& session); ///< of the bound one, which there must be
 [[nodiscard]] Owner unitOwner(Session& session);
 [[nodiscard]] Owner materialOwner(Session& session);

@@ -24,10 +24,10 @@ using SharedPicture = std::shared_ptr<const Image>;
 
 constexpr float pictureHeight = 2.6F; ///< of a small picture, in letters' heights
 
-/// Lines with a small picture at their left, as high as it at least.
+/// Lines with a small picture on their left, together at least as high as the picture.
 class PictureLines {
 public:
-    /// The picture's square stays empty where there is none yet.
+    /// The place of the picture stays empty until it is ready.
     PictureLines(const Pictures& pictures, const SharedPicture& image, const std::string& name)
         : low_(ImGui::GetCursorScreenPos())
         , extent_(ImGui::GetFontSize() * pictureHeight)
@@ -74,12 +74,12 @@ void listChanged(Session& session, std::string_view what) {
 
 struct ListTexts {
     ListWords words;
-    const char* reorder; ///< as Undo will show it
+    const char* reorder; ///< the name in Undo
     const char* remove;
 };
 
 constexpr ListTexts stepTexts{
-    {"image step", "", "Do this step earlier", "Do this step later", "Remove this step"},
+    {"image step", "", "Move this step up", "Move this step down", "Remove this step"},
     "Reorder image steps",
     "Remove image step"};
 constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
@@ -87,7 +87,7 @@ constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
                                "Reorder levels",
                                "Remove level"};
 
-/// The buttons of one element. True where the list has changed: the rest is drawn at the next frame.
+/// The buttons of one element. Returns true if the list has changed: the rest is drawn in the next frame.
 template<class Element>
 bool editElement(Session& session, std::vector<Element>& list, std::size_t index, const std::string& path,
                  const ListTexts& texts) {
@@ -108,7 +108,7 @@ bool editElement(Session& session, std::vector<Element>& list, std::size_t index
     return true;
 }
 
-/// The parameters of one element, beside its picture.
+/// The parameters of one element, next to its picture.
 template<class Element>
 void elementRows(Session& session, Element& element, const std::string& path, const StructTable& table) {
     static const Element initial;
@@ -128,7 +128,7 @@ std::string extentsText(const PlannedLevel& level, Target target) {
     return text;
 }
 
-/// The size that a level has, and the one that it ought to have where that is another.
+/// The size of a level, and the expected size if that differs.
 void levelExtents(const LevelPlan& plan, int number, Target target) {
     const auto found = std::ranges::find(plan.levels, number, &PlannedLevel::number);
     if (found == plan.levels.end()) {
@@ -145,11 +145,11 @@ void levelExtents(const LevelPlan& plan, int number, Target target) {
     ImGui::PopStyleColor();
     noteItem(fmt::format("level extents:{}", number));
     if (!fits)
-        helpTip("Each level has half the width and height of the one before it, rounded down, and at least "
+        helpTip("Each level has half the width and height of the level before, rounded down and at least "
                 "1. With another size the texture is incomplete.");
 }
 
-/// Of one level, where it is made.
+/// The picture of one level, once it is made.
 SharedPicture pictureOf(const LevelsSummary* summary, int level) {
     if (!summary)
         return nullptr;
@@ -158,7 +158,7 @@ SharedPicture pictureOf(const LevelsSummary* summary, int level) {
     return found == summary->pictures.end() ? nullptr : found->second;
 }
 
-/// How many levels a complete texture has above its base.
+/// The number of levels that a complete texture has above its base.
 std::size_t levelsWanted(const LevelPlan& plan) {
     if (plan.levels.empty())
         return 0;
@@ -179,7 +179,7 @@ void addLevels(Session& session, Texture& texture, std::size_t count) {
     listChanged(session, "Add levels");
 }
 
-/// A dim line above a list that has no effect, and why.
+/// A dim line above a list without effect, with the reason.
 void idleNote(const Session& session, const std::string& path) {
     if (const Finding* idle = idleReasonOf(session.document.findings, path)) {
         dimWrappedText(sentenceOf(*idle));
@@ -199,7 +199,7 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
     };
     if (!steps.empty()) {
         const PictureLines lines(pictures, pictureAfter(0), "picture:" + owner + "source");
-        dimText("The image as it is");
+        dimText("The unchanged image");
     }
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const std::string path = owner + elementOf<&Texture::preparation>(i);
@@ -231,7 +231,7 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
     }
     noteItem("add step");
     ImGui::EndDisabled();
-    helpTip("Something that is done to the image, and to all its levels, before they are uploaded");
+    helpTip("An operation on the image and all its levels before they are uploaded");
 }
 
 void levelList(Session& session, std::size_t index, const LevelsSummary* summary, const Pictures& pictures) {
@@ -273,24 +273,25 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
         addLevels(session, texture, texture.levels.size() + 1);
     noteItem("add level");
     ImGui::EndDisabled();
-    helpTip("One more level below these, of a built-in pattern or a file");
+    helpTip("Adds a smaller level from a built-in pattern or a file");
     ImGui::SameLine(0, gap);
     ImGui::BeginDisabled(texture.levels.size() >= wanted);
     if (ImGui::Button(label("+ Down to 1 × 1"), {width, 0}))
         addLevels(session, texture, wanted);
     noteItem("add all levels");
     ImGui::EndDisabled();
-    helpTip("All that are missing for a complete texture");
+    helpTip("Adds all levels that a complete texture needs");
 }
 
 bool acceptsFile(Session& session, const std::string& owner, const std::string& file, const ParamRow& row,
                  const Value& value) {
-    const std::string param = fmt::format("{}.{}", owner, keyOf<&Texture::file>()); // all have these keys
+    const std::string param =
+        fmt::format("{}.{}", owner, keyOf<&Texture::file>()); // all elements have these keys
     const bool choosesFile =
         row.key == keyOf<&Texture::source>() &&
         std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File);
     if (choosesFile && file.empty()) {
-        askOpenImage(session, param); // there is no file yet
+        askOpenImage(session, param); // it has no file yet
         return false;
     }
     if (row.key != keyOf<&Texture::file>() && !choosesFile)
@@ -298,7 +299,7 @@ bool acceptsFile(Session& session, const std::string& owner, const std::string& 
     const std::string& wanted = choosesFile ? file : std::get<std::string>(value);
     if (wanted.empty() || session.document.images.holds(wanted))
         return !wanted.empty();
-    // It is written when the file has turned out to be an image, which may take a while.
+    // The path is set when the file turns out to be an image, which may take a while.
     setFile(session, param, wanted);
     return false;
 }

@@ -1,4 +1,4 @@
-// The texture that is bound to the selected unit: which one, and its parameters.
+// The texture bound to the selected unit: the choice and its parameters.
 
 #include "app/ui/parameters/texture_section.h"
 
@@ -32,7 +32,7 @@ void addTexture(Session& session) {
     recordEdit(session, "Add texture");
 }
 
-/// Units that were bound to later textures go on showing the same ones.
+/// Units with later textures keep showing the same ones.
 void removeTexture(Session& session, int index) {
     Scene& scene = session.document.scene;
     scene.textures.erase(scene.textures.begin() + index);
@@ -41,14 +41,14 @@ void removeTexture(Session& session, int index) {
         for (Unit& unit : pass.units) {
             if (unit.texture > index || (unit.texture == index && index > 0))
                 --unit.texture;
-            unit.enabled = unit.enabled && !scene.textures.empty(); // there is nothing left to enable
+            unit.enabled = unit.enabled && !scene.textures.empty(); // nothing is left to enable
         }
     }
     sealEdit(session);
     recordEdit(session, "Remove texture");
 }
 
-/// Which texture is bound: choosing one here is glBindTexture, it is then both used by the unit and edited
+/// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited
 /// below.
 void textureChoice(Session& session) {
     Unit& unit = selectedUnit(session);
@@ -87,7 +87,7 @@ void textureChoice(Session& session) {
         removeTexture(session, unit.texture);
 }
 
-/// What belongs below the rows of a group.
+/// The parts below the rows of a group.
 void listsAfter(std::string_view group, Session& session, std::size_t texture, const LevelsSummary* summary,
                 const Pictures& pictures) {
     if (group == findParam(textureTable(), keyOf<&Texture::file>())->group)

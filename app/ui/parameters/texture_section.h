@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-/// The texture that is bound to the selected unit.
+/// The texture bound to the selected unit.
 void textureSection(Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

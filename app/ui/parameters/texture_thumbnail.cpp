@@ -23,7 +23,7 @@ std::string nameOfImage(const Texture& texture) {
         return std::string(rowOf(texture.pattern).label);
     return texture.source == SourceKind::File
                ? printable(std::filesystem::path(texture.file).filename().string())
-               : std::string(rowOf(texture.source).label); // of what the light sees
+               : std::string(rowOf(texture.source).label); // of the light's view
 }
 
 std::string shownNameOfImage(const Texture& texture) {

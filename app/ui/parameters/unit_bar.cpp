@@ -4,6 +4,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/overlap.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -24,7 +25,7 @@ void textureAdded(Session& session, std::string_view what, const std::string& pa
     sealEdit(session);
 }
 
-/// One that no texture of the scene has; brick, or else the first.
+/// A pattern that no texture of the scene has; brick, or else the first.
 Pattern freshPattern(const Scene& scene) {
     const auto isTaken = [&](Pattern pattern) {
         return std::ranges::any_of(scene.textures, [&](const Texture& each) {
@@ -37,7 +38,7 @@ Pattern freshPattern(const Scene& scene) {
     return found == liked.end() ? liked.front() : *found;
 }
 
-/// The same settings, from now on for this unit alone.
+/// Copies the settings to a texture for this unit alone.
 void ownTexture(Session& session) {
     const Texture copy = *boundTexture(session);
     session.document.scene.textures.push_back(copy);
@@ -69,15 +70,14 @@ std::string unitTip(const Session& session, int number) {
                            .units[static_cast<std::size_t>(number)];
     const std::string sharers = sharersText(session, number);
     if (!textureOf(session.document.scene, unit))
-        return fmt::format("Texture unit {} has no texture: it gets one when it is switched on.", number);
+        return fmt::format("Texture unit {} has no texture and gets one when switched on.", number);
     if (!sharers.empty() && unit == Unit{})
-        return fmt::format("Texture unit {} is off: it gets a texture of its own when it is switched on.",
-                           number);
+        return fmt::format("Texture unit {} is off and gets its own texture when switched on.", number);
     if (!sharers.empty() && unit.enabled)
         return fmt::format("Texture unit {} is on and shares texture {} with {}.", number, unit.texture,
                            sharers);
     if (!sharers.empty())
-        return fmt::format("Texture unit {} is off; once on, it shares texture {} with {}.", number,
+        return fmt::format("Texture unit {} is off. When on, it shares texture {} with {}.", number,
                            unit.texture, sharers);
     return unit.enabled ? fmt::format("Texture unit {} is on and has texture {}.", number, unit.texture)
                         : fmt::format("Texture unit {} is off; it has texture {}.", number, unit.texture);
@@ -95,9 +95,8 @@ void drawUnit(Session& session, const Pictures& pictures, int number, float widt
     ImGui::PushID(number);
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-    if (ImGui::Button("##unit", {width, height}))
+    if (overlappedItem([&] { return ImGui::Button("##unit", {width, height}); })) // by the switch
         session.window.selection.unit = number;
-    ImGui::SetItemAllowOverlap(); // the switch lies on it
     ImGui::PopStyleColor();
     noteItem(fmt::format("unit:{}", number));
     helpTip(unitTip(session, number));
@@ -128,19 +127,19 @@ void drawUnit(Session& session, const Pictures& pictures, int number, float widt
     ImGui::PopID();
 }
 
-/// What a change of the texture reaches, with a way to give the unit its own.
+/// What an edit of the texture affects, with a button to give the unit its own.
 void reachLine(Session& session) {
     const std::string sharers = sharersText(session, session.window.selection.unit);
     const Unit& unit = selectedUnit(session);
-    if (sharers.empty() || unit == Unit{}) // one that was never on gets its own
+    if (sharers.empty() || unit == Unit{}) // a unit that was never enabled gets its own
         return;
     dimWrappedText(unit.enabled
                        ? fmt::format("Texture {}: this unit and {}", unit.texture, sharers)
-                       : fmt::format("Texture {}: {}, and this unit once it is on", unit.texture, sharers));
+                       : fmt::format("Texture {}: {}, and this unit when on", unit.texture, sharers));
     noteItem("shares texture");
-    helpTip("What is set of the texture is set for all of them: image, filters, wrap modes and levels belong "
-            "to the texture object. Environment, matrix and generated coordinates belong to each unit.");
-    const char* give = "Give it its own";
+    helpTip("They share the texture's settings: image, filters, wrap modes and levels belong to the "
+            "texture object. Environment, matrix and generated coordinates belong to each unit.");
+    const char* give = "Make a copy";
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(give) <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();
@@ -149,7 +148,7 @@ void reachLine(Session& session) {
         ownTexture(session);
     noteItem("own texture");
     ImGui::EndDisabled();
-    helpTip("A copy of this texture, which belongs to this unit alone");
+    helpTip("Gives this unit its own copy of the texture");
 }
 
 } // namespace
@@ -160,7 +159,7 @@ void switchUnit(Session& session, int unit, bool on) {
     const bool neverOn = switched == Unit{} && !sharersText(session, unit).empty();
     const bool wantsTexture = on && (neverOn || !textureOf(scene, switched));
     if (wantsTexture && scene.textures.size() >= maxTextures && !textureOf(scene, switched))
-        return say(session, "There is no room for another texture, and a unit needs one.");
+        return say(session, "The scene can have no more textures, and a unit needs one.");
     if (wantsTexture && scene.textures.size() < maxTextures) {
         Texture texture;
         texture.pattern = freshPattern(scene);

@@ -9,7 +9,7 @@ namespace texplorer::ui {
 void unitSection(Session& session) {
     const std::string_view environment = findParam(unitTable(), keyOf<&Unit::envMode>())->group;
     RowOptions options;
-    // The texture is chosen by its name, where it is edited.
+    // The texture is chosen by its name, in the place where it is edited.
     options.leavesOut = [](const ParamRow& row) { return row.member == memberId<&Unit::texture>; };
     options.after = [&](std::string_view group) {
         if (group == environment)

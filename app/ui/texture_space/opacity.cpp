@@ -28,7 +28,7 @@ bool isOpaque(const Surface& surface) {
     }
 }
 
-/// What alpha says in the image, it says in the texture.
+/// The alpha of the image is that of the texture.
 bool keepsAlpha(const Texture& texture) {
     const BaseFormat base = baseFormat(texture.internalFormat);
     return texture.preparation.empty() &&

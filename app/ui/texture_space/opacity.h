@@ -7,11 +7,11 @@
 
 namespace texplorer::ui {
 
-/// Whether the picture of a texture's base level hides what is behind it. Remembers what it found in the last
-/// image, whose texels it walks once.
+/// Whether the picture of a texture's base level is opaque. Caches the result for the last image, whose
+/// texels it checks once.
 class Opacity {
 public:
-    /// Never of one that is made transparent after it was read, nor of one in compressed blocks.
+    /// Always false if transparency is added after reading, and for compressed blocks.
     [[nodiscard]] bool isOpaque(const Texture& texture, const std::shared_ptr<const TextureImage>& image);
 
 private:

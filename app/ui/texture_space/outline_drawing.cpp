@@ -17,25 +17,26 @@
 namespace texplorer::ui {
 namespace {
 
-// These keep the worst case below 65536 vertices: a line has 4, a round dot some 30, a letter 4.
-constexpr std::size_t mostFineEdges = 1000; // up to here each line has a shade below it
-constexpr std::size_t mostRoundDots = 300;
-constexpr std::size_t mostEdges = 3000;      // beyond, only the chosen faces are drawn, if they have no more
-constexpr std::size_t mostStrongEdges = 500; // of a chosen face
-constexpr std::size_t mostGivenEdges = 1000;
-constexpr std::size_t mostChosenDots = 2000;
-constexpr std::size_t mostNumbers = 200; // of vertices in sight
+// These limits keep the worst case below 65536 vertices: a line has 4, a round dot about 30, a letter 4.
+constexpr std::size_t maxFineEdges = 1000; // with more, lines have no shade
+constexpr std::size_t maxRoundDots = 300;
+constexpr std::size_t maxEdges = 3000; // with more, only the selected faces are drawn, if they have no more
+constexpr std::size_t maxStrongEdges = 500; // of a selected face
+constexpr std::size_t maxGivenEdges = 1000;
+constexpr std::size_t maxChosenDots = 2000;
+constexpr std::size_t maxNumbers = 200; // of visible vertices
 
 bool isPlace(glm::vec2 place) {
     return std::isfinite(place.x) && std::isfinite(place.y);
 }
 
-/// Of this many pixels at a content scale of 1; whole, since those are the lines that cost least.
+/// The width of a line of this many pixels at a content scale of 1; an integer, because such lines are
+/// cheapest.
 float strokeWidth(float pixels) {
     return std::max(1.0F, std::round(pixels * ImGui::GetFontSize() / 15));
 }
 
-/// A line on any picture: on a dark one, which lies on a bright one.
+/// A line that is visible on any picture: it has a dark and a bright border.
 struct Stroke {
     ImU32 tint;
     float width;
@@ -52,14 +53,14 @@ void drawEdge(ImDrawList& draw, ImVec2 from, ImVec2 to, const Stroke& stroke) {
     draw.AddLine(from, to, stroke.tint, stroke.width);
 }
 
-/// For an order.
+/// Ordered, for sorting.
 using Place = std::array<float, 2>;
 
 Place asPlace(glm::vec2 place) {
     return {place.x, place.y};
 }
 
-/// Those that are places.
+/// The finite places.
 std::vector<Place> placesOf(std::span<const glm::vec2> list) {
     std::vector<Place> places;
     for (const glm::vec2& each : list) {
@@ -75,8 +76,7 @@ void sortUnique(auto& list) {
     list.erase(rest, end);
 }
 
-/// Edges of many faces. Where several have the same one, as neighbours and the sides of a cube have, it is
-/// drawn once.
+/// Edges of many faces. An edge of several faces, as of neighbours and of the sides of a cube, is drawn once.
 class Edges {
 public:
     void add(glm::vec2 from, glm::vec2 to) {
@@ -100,13 +100,14 @@ void addOutline(Edges& edges, const Face& face, std::span<const glm::vec2> place
         edges.add(places[face.vertices[i]], places[face.vertices[(i + 1) % count]]);
 }
 
-/// Where the two triangles of a quadrilateral meet: see Mesh.
+/// The common edge of the two triangles of a quadrilateral: see Mesh.
 void addDiagonal(Edges& edges, const Face& face, std::span<const glm::vec2> places) {
     if (face.closed && face.vertices.size() == 4)
         edges.add(places[face.vertices[1]], places[face.vertices[3]]);
 }
 
-/// A diamond is a chosen vertex, so that it isn't known by its colour alone. Squares cost least.
+/// A diamond marks a selected vertex, so that it is not distinguished only by its colour. Squares are
+/// cheapest.
 enum class DotShape : std::uint8_t { Square, Round, Diamond };
 
 void drawDiamond(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint) {
@@ -123,14 +124,14 @@ void drawVertexDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, DotSha
         draw.AddCircleFilled(at, radius + halo, color::shade, 12);
         return draw.AddCircleFilled(at, radius, tint, 12);
     case DotShape::Diamond:
-        constexpr float larger = 1.4F; // of a circle's area
+        constexpr float larger = 1.4F; // to have a circle's area
         drawDiamond(draw, at, radius * larger + 2 * halo, color::shade);
         return drawDiamond(draw, at, radius * larger, tint);
     }
 }
 
-/// How far from each other the vertices of a mesh are, in pixels, if they lie evenly. Those of a cube, of
-/// which several share a place, count as one face.
+/// The distance between the vertices of an evenly divided mesh, in pixels. The vertices of a cube, several of
+/// which share a place, count as one face.
 float spacingOf(const Canvas& canvas, std::span<const glm::vec2> places) {
     constexpr std::size_t few = 30;
     glm::vec2 low(INFINITY);
@@ -147,7 +148,7 @@ float spacingOf(const Canvas& canvas, std::span<const glm::vec2> places) {
     return std::sqrt(std::max(extent.x, 1.0F) * std::max(extent.y, 1.0F) / static_cast<float>(places.size()));
 }
 
-/// The arrow's head is filled, its shaft thin.
+/// An arrow with a filled head and a thin shaft.
 void drawArrow(ImDrawList& draw, ImVec2 from, ImVec2 to, ImU32 tint) {
     const float em = ImGui::GetFontSize();
     const float length = std::hypot(to.x - from.x, to.y - from.y);
@@ -155,7 +156,7 @@ void drawArrow(ImDrawList& draw, ImVec2 from, ImVec2 to, ImU32 tint) {
     if (!(length > 2 * head))
         return;
     const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
-    const float room = em * 0.35F; // up to the dot
+    const float room = em * 0.35F; // space up to the dot
     const ImVec2 tip(to.x - way.x * room, to.y - way.y * room);
     const ImVec2 neck(tip.x - way.x * head, tip.y - way.y * head);
     drawEdge(draw, from, neck, {tint, strokeWidth(1), color::shade});
@@ -170,7 +171,7 @@ std::size_t edgeCount(const Mesh& mesh) {
     return edges;
 }
 
-/// Text on a dark ground, so that it can be read on any picture.
+/// The box of a text with a dark background, which is readable on any picture.
 Box chipBox(ImVec2 at, ImVec2 size) {
     const float pad = ImGui::GetFontSize() * 0.2F;
     return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}};
@@ -182,7 +183,7 @@ void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, cons
     draw.AddText(ImGui::GetFont(), size, {box.low.x + pad, box.low.y}, tint, text.c_str());
 }
 
-/// "2   (1.00, 0.50)", and where it ends.
+/// "2   (1.00, 0.50)", and its end point.
 std::string vertexText(const PlaneCoords& coords, std::size_t vertex) {
     const glm::vec4 given = coords.given()[vertex];
     const glm::vec2 end = coords.resultingPlaces()[vertex];
@@ -202,7 +203,7 @@ struct Spot {
     std::vector<std::size_t> vertices;
 };
 
-/// Those in sight; none where there are too many to be named.
+/// The visible ones; none if there are too many for names.
 std::vector<Spot> spotsInSight(const Canvas& canvas, std::span<const glm::vec2> places) {
     std::vector<Spot> spots;
     std::size_t count = 0;
@@ -212,7 +213,7 @@ std::vector<Spot> spotsInSight(const Canvas& canvas, std::span<const glm::vec2> 
         const ImVec2 at = canvas.toPixel(places[vertex].x, places[vertex].y);
         if (at.x < canvas.low.x || at.y < canvas.low.y || at.x > canvas.high.x || at.y > canvas.high.y)
             continue;
-        if (++count > mostNumbers)
+        if (++count > maxNumbers)
             return {};
         const auto same = std::ranges::find_if(spots, [at](const Spot& spot) {
             return std::abs(spot.at.x - at.x) < 2 && std::abs(spot.at.y - at.y) < 2;
@@ -225,7 +226,7 @@ std::vector<Spot> spotsInSight(const Canvas& canvas, std::span<const glm::vec2> 
     return spots;
 }
 
-/// The chosen one of them, or the first ones.
+/// The number of the selected vertex, or of the first ones.
 std::string numbersOf(const Spot& spot, const OutlineMarks& marks) {
     std::vector<std::size_t> named;
     for (const std::size_t vertex : spot.vertices) {
@@ -234,11 +235,11 @@ std::string numbersOf(const Spot& spot, const OutlineMarks& marks) {
     }
     if (named.empty())
         named = spot.vertices;
-    constexpr std::size_t most = 3;
+    constexpr std::size_t maxNames = 3;
     std::string text;
-    for (std::size_t i = 0; i < std::min(named.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(named.size(), maxNames); ++i)
         text += (i == 0 ? "" : " ") + std::to_string(named[i]);
-    return named.size() > most ? text + " …" : text;
+    return named.size() > maxNames ? text + " …" : text;
 }
 
 } // namespace
@@ -258,12 +259,12 @@ void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh,
     Edges chosenEdges;
     for (const Face& face : mesh.faces) {
         const bool isChosen = marks.vertex && contains(face, *marks.vertex);
-        if (isChosen ? face.vertices.size() <= mostGivenEdges : edges <= mostGivenEdges)
+        if (isChosen ? face.vertices.size() <= maxGivenEdges : edges <= maxGivenEdges)
             addOutline(isChosen ? chosenEdges : faintEdges, face, places);
     }
     faintEdges.draw(draw, canvas, faint);
     chosenEdges.draw(draw, canvas, chosen);
-    if (places.size() <= mostRoundDots) {
+    if (places.size() <= maxRoundDots) {
         for (const glm::vec2& each : places)
             draw.AddCircle(canvas.toPixel(each.x, each.y), dot, faint.tint, 12, strokeWidth(1));
     }
@@ -284,22 +285,22 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     const auto isChosen = [&](const Face& face) { return marks.vertex && contains(face, *marks.vertex); };
     const std::size_t edges = edgeCount(mesh);
     const float spacing = spacingOf(canvas, places);
-    const bool fine = edges <= mostFineEdges && spacing >= em * 0.7F;
-    const bool round = places.size() <= mostRoundDots;
+    const bool fine = edges <= maxFineEdges && spacing >= em * 0.7F;
+    const bool round = places.size() <= maxRoundDots;
     const Stroke line{faded(color::text, fine ? 0.95F : 0.7F), strokeWidth(1),
                       fine ? ImU32(color::shade) : 0U};
     const Stroke diagonal{faded(color::text, 0.4F), 1, fine ? faded(color::shade, 0.4F) : 0U};
     Edges lines;
     Edges diagonals;
-    Edges thinChosen; // of a face that has very many
+    Edges thinChosen; // of a face with very many edges
     Edges strongChosen;
     Edges chosenDiagonals;
     for (const Face& face : mesh.faces) {
         const std::size_t count = face.vertices.size();
-        if (isChosen(face) && count <= mostEdges) {
+        if (isChosen(face) && count <= maxEdges) {
             addDiagonal(chosenDiagonals, face, places);
-            addOutline(count <= mostStrongEdges ? strongChosen : thinChosen, face, places);
-        } else if (!isChosen(face) && edges <= mostEdges) {
+            addOutline(count <= maxStrongEdges ? strongChosen : thinChosen, face, places);
+        } else if (!isChosen(face) && edges <= maxEdges) {
             if (round)
                 addDiagonal(diagonals, face, places);
             addOutline(lines, face, places);
@@ -316,16 +317,16 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
             drawVertexDot(draw, canvas.toPixel(places[vertex].x, places[vertex].y), radius, tint, shape);
     };
     const float dot = em * (places.size() <= 100 ? 0.22F : 0.13F);
-    if (edges <= mostEdges && spacing >= 5 * dot) {
-        std::vector<Place> once = placesOf(places); // those of a cube's sides are the same
+    if (edges <= maxEdges && spacing >= 5 * dot) {
+        std::vector<Place> once = placesOf(places); // the sides of a cube have equal ones
         sortUnique(once);
         for (const Place& each : once)
             drawVertexDot(draw, canvas.toPixel(each[0], each[1]), dot, color::text,
                           round ? DotShape::Round : DotShape::Square);
     }
-    for (std::size_t i = 0; i < std::min(marks.chosen.size(), mostChosenDots); ++i)
+    for (std::size_t i = 0; i < std::min(marks.chosen.size(), maxChosenDots); ++i)
         dotOf(marks.chosen[i], em * (marks.chosen.size() <= 100 ? 0.24F : 0.16F), color::chosen,
-              marks.chosen.size() <= mostRoundDots ? DotShape::Diamond : DotShape::Square);
+              marks.chosen.size() <= maxRoundDots ? DotShape::Diamond : DotShape::Square);
     if (marks.vertex)
         dotOf(*marks.vertex, em * 0.3F, color::chosen, DotShape::Diamond);
     if (marks.hovered && *marks.hovered < places.size() && isPlace(places[*marks.hovered])) {
@@ -366,7 +367,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
         const std::string english = vertexText(coords, vertex);
         const std::string text = tr(english);
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        // Beside the vertex, inside of the panel: above it, or else below.
+        // Next to the vertex, inside of the panel: above it, or else below.
         const float x = std::clamp(at.x + em * 0.7F, canvas.low.x + em * 0.4F,
                                    std::max(canvas.low.x + em * 0.4F, canvas.high.x - size.x - em * 0.4F));
         std::optional<Box> found;

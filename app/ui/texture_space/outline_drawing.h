@@ -9,27 +9,27 @@
 
 namespace texplorer::ui {
 
-// The outlines of a mesh's faces in the plane. Of a mesh with very many faces only those of the chosen
+// The outlines of a mesh's faces in the plane. For a mesh with very many faces only those of the selected
 // vertex: Dear ImGui counts the vertices of a panel with 16 bits.
 
-/// What of a mesh stands out.
+/// The marked parts of a mesh.
 struct OutlineMarks {
-    std::optional<std::size_t> vertex;  ///< the chosen one
-    std::vector<std::size_t> chosen;    ///< it, and those that are chosen with it
-    std::optional<std::size_t> hovered; ///< the pointer is on it, here or in the view
+    std::optional<std::size_t> vertex;  ///< the selected one
+    std::vector<std::size_t> chosen;    ///< all selected vertices
+    std::optional<std::size_t> hovered; ///< under the pointer, here or in the view
 };
 
-/// Faint: where the coordinates are given, while they end elsewhere. From there an arrow leads to where the
-/// chosen vertex ends.
+/// Faint: the given coordinates, if the final ones differ. An arrow goes from there to the final position of
+/// the selected vertex.
 void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
                        const OutlineMarks& marks);
 
-/// Strong: where the coordinates end, with the diagonals of quadrilaterals.
+/// Strong: the final coordinates, with the diagonals of quadrilaterals.
 void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
                   const OutlineMarks& marks);
 
-/// What the coordinates are of vertices that stand out, and with `numbers` those of all vertices, where they
-/// have room. `taken`: where nothing else may be written.
+/// The coordinates of marked vertices, and with `numbers` the numbers of all vertices, if they have room.
+/// `taken`: areas without text.
 void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& coords,
                      const OutlineMarks& marks, std::vector<Box> taken, bool numbers);
 

@@ -64,7 +64,7 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
         relief_ = givenTexCoords(scene, pass, selection.unit, model, mesh, session.window.playback.time);
         std::ranges::transform(relief_, given, relief_.begin(), std::minus<>());
     }
-    // A picture that lies upside down in the texture is shown upright, and what is read in it with it.
+    // A picture that is upside down in the texture is shown upright, and its samples are moved with it.
     shown_ = key_.flip == LateFlip::None ? key_.matrix : reference::upsideDown() * key_.matrix;
     const reference::EyeSpace eye(key_.modelview);
     const std::size_t count = given.size();
@@ -78,7 +78,7 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
         const glm::vec4 end = shown_ * generated_[i];
         givenPlaces_[i] = glm::vec2(given[i]);
         resultingPlaces_[i] = glm::vec2(end) / end.q;
-        constexpr float alike = 1e-6F; // the rounding of a flip and its way back
+        constexpr float alike = 1e-6F; // the rounding of a flip and its inverse
         const auto isElsewhere = [](float a, float b) {
             return !(std::abs(a - b) <= alike * std::max(1.0F, std::abs(a)));
         };
@@ -108,7 +108,7 @@ Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) con
     const double scale = std::max({std::abs(s.x), std::abs(s.y), std::abs(t.x), std::abs(t.y)});
     if (!(std::abs(determinant) > 1e-9 * scale * scale))
         return fail(ErrorCode::Unsupported,
-                    "the texture matrix has no inverse: it takes many coordinates to one place");
+                    "the texture matrix has no inverse: it maps many coordinates to one place");
     glm::vec4 given = key_.given[vertex];
     given.s = static_cast<float>((rest.x * t.y - rest.y * t.x) / determinant);
     given.t = static_cast<float>((s.x * rest.y - s.y * rest.x) / determinant);
@@ -119,7 +119,7 @@ Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) con
         given.t -= relief_[vertex].t;
     }
     if (!std::isfinite(given.s) || !std::isfinite(given.t))
-        return fail(ErrorCode::OutOfRange, "no finite coordinate ends there");
+        return fail(ErrorCode::OutOfRange, "no finite coordinate maps there");
     return given;
 }
 

@@ -12,35 +12,35 @@
 
 namespace texplorer::ui {
 
-/// The coordinates of the selected model for the selected unit, as places of the plane: as they are given,
-/// and where they end after the unit's relief, generation and matrix, divided by q. Made anew only where
-/// something of that changed.
+/// The coordinates of the selected model for the selected unit, as positions in the plane: the given ones,
+/// and the final ones after the unit's relief, generation and matrix, divided by q. Computed again only after
+/// a change.
 class PlaneCoords {
 public:
-    /// To be called in every frame, and after an edit. Of a cube map, whose directions have no place in a
-    /// plane, and without a model there are none.
+    /// Call in every frame, and after an edit. Without a model there are none, nor for a cube map, whose
+    /// directions have no position in a plane.
     void follow(Session& session);
 
     [[nodiscard]] const TexCoords& given() const { return key_.given; }
     [[nodiscard]] const std::vector<glm::vec2>& givenPlaces() const { return givenPlaces_; }
-    /// A place that isn't finite is none.
+    /// The final positions; those that are not finite are left out.
     [[nodiscard]] const std::vector<glm::vec2>& resultingPlaces() const { return resultingPlaces_; }
-    /// Whether any coordinate ends elsewhere than it is given.
+    /// Whether any final position differs from the given one.
     [[nodiscard]] bool differ() const { return differ_; }
 
-    /// What has to be given for a vertex to end in this place. The error says why nothing does.
+    /// The coordinate with which a vertex has this final position. The error says why there is none.
     [[nodiscard]] Result<glm::vec4> givenFor(std::size_t vertex, glm::vec2 place) const;
 
 private:
-    /// What the places are made of.
+    /// The inputs of the positions.
     struct Key {
         std::shared_ptr<const Mesh> mesh;
         TexCoords given;
         Unit unit;
         LateFlip flip = LateFlip::None;
         glm::mat4 matrix{1};
-        glm::mat4 modelview{1}; ///< where it matters
-        glm::vec4 light{0};     ///< where it matters
+        glm::mat4 modelview{1}; ///< if it is used
+        glm::vec4 light{0};     ///< if it is used
 
         bool operator==(const Key&) const = default;
     };
@@ -49,7 +49,7 @@ private:
     Key key_;
     glm::mat4 shown_{1};  ///< from generated coordinates to the plane, before the division
     TexCoords generated_; ///< before the matrix
-    TexCoords relief_;    ///< what the unit's relief adds to those that are given; empty: nothing
+    TexCoords relief_;    ///< added to the given coordinates by the unit's relief; empty: nothing
     std::vector<glm::vec2> givenPlaces_;
     std::vector<glm::vec2> resultingPlaces_;
     bool differ_ = false;

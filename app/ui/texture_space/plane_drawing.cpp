@@ -13,8 +13,8 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr int mostTiles = 2048; // keeps the worst case below 65536 vertices
-constexpr int tilesAround = 2;  // copies of the image beyond the vertices
+constexpr int maxTiles = 2048; // keeps the worst case below 65536 vertices
+constexpr int tilesAround = 2; // copies of the image beyond the vertices
 
 } // namespace
 
@@ -45,8 +45,8 @@ Bounds boundsOf(const PlaneCoords& coords) {
     return bounds;
 }
 
-/// How much of a tile is the border: half of what GL_CLAMP makes of the surroundings under a linear filter,
-/// and three quarters of it where both coordinates leave the image.
+/// The share of the border in a tile: half of the surroundings with GL_CLAMP and a linear filter, and three
+/// quarters if both coordinates leave the image.
 float borderShare(const Texture& texture, int i, int j) {
     if (texture.magFilter != MagFilter::Linear)
         return 0;
@@ -67,7 +67,7 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const int right = tile(std::min(seenHigh.x, used.high.x + around));
     const int bottom = tile(std::max(seenLow.y, used.low.y - around));
     const int top = tile(std::min(seenHigh.y, used.high.y + around));
-    const bool many = static_cast<long long>(right - left + 1) * (top - bottom + 1) > mostTiles;
+    const bool many = static_cast<long long>(right - left + 1) * (top - bottom + 1) > maxTiles;
     const auto picture = textureId(shown.handle);
     const ImU32 border = ImGui::ColorConvertFloat4ToU32(
         {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
@@ -108,7 +108,7 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
                                    faded(opaqueBorder, share));
         }
     }
-    // What wrapping makes of the surroundings is a little darker than the image.
+    // The surroundings by wrapping are slightly darker than the image.
     const ImU32 dark = faded(color::ground, 0.41F);
     const ImVec2 low = canvas.toPixel(0, 1);
     const ImVec2 high = canvas.toPixel(1, 0);

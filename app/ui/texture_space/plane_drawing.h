@@ -14,20 +14,19 @@
 
 namespace texplorer::ui {
 
-// What the texture space shows below the outlines: the image, what wrapping makes of its surroundings, and
-// the axes. However far away the plane: Dear ImGui counts the vertices of a panel with 16 bits, and what is
-// drawn here stays below.
+// Draws the texture space below the outlines: the image, its surroundings by the wrap modes, and the axes.
+// Dear ImGui counts the vertices of a panel with 16 bits; these functions stay below that at any zoom.
 
-/// From texture coordinates to pixels and back. t grows upwards. The place in its middle lies between pixels:
-/// the middle of a picture is the edge of texels, and a pixel whose centre were on it would show either of
-/// them, as rounding has it.
+/// Converts texture coordinates to pixels and back. t increases upwards. The middle of the plane is between
+/// pixels: the middle of a picture is an edge of texels, and a pixel centre on it would show either of them,
+/// depending on rounding.
 struct Canvas {
     ImVec2 low, high;
     ImVec2 middle;
     Plane plane;
     float pixelsPerUnit;
-    Box legend{};                 ///< what names the things that are shown: small pictures leave it free
-    std::vector<ImVec2> chosen{}; ///< vertices, which they leave free, too
+    Box legend{};                 ///< names the shown things: small pictures do not cover it
+    std::vector<ImVec2> chosen{}; ///< vertices that they do not cover either
 
     Canvas(ImVec2 topLeft, ImVec2 size, const Plane& seen)
         : low(topLeft)
@@ -36,8 +35,8 @@ struct Canvas {
         , plane(seen)
         , pixelsPerUnit(std::min(size.x, size.y) / seen.extent) {}
 
-    /// What lies very far away is drawn at its border: a scene's coordinates go up to the largest float, and
-    /// Dear ImGui makes lines of no place from what is infinite.
+    /// Positions far away are clamped: a scene's coordinates go up to the largest float, and Dear ImGui draws
+    /// wrong lines for infinite positions.
     [[nodiscard]] ImVec2 toPixel(float s, float t) const {
         static constexpr float farthest = 1e7F;
         const auto within = [](float pixel) { return std::clamp(pixel, -farthest, farthest); };
@@ -50,7 +49,7 @@ struct Canvas {
     }
 };
 
-/// A colour with a share of its alpha.
+/// A colour with its alpha multiplied.
 [[nodiscard]] ImU32 faded(ImU32 tint, float share);
 
 /// A rectangle of the texture plane.
@@ -59,7 +58,7 @@ struct Bounds {
     glm::vec2 high{1};
 };
 
-/// The image and every vertex, as it is given and where it ends.
+/// Contains the image and every vertex, by its given and its final coordinates.
 [[nodiscard]] Bounds boundsOf(const PlaneCoords& coords);
 
 /// The picture of the image.
@@ -67,24 +66,24 @@ struct TilePicture {
     view::PictureHandle handle = view::PictureHandle::None;
     int width = 1; ///< texels
     int height = 1;
-    bool board = false;                   ///< what is transparent shows a checkerboard
-    bool opaque = false;                  ///< nothing is transparent
-    bool ignoresAlpha = false;            ///< what is transparent is shown as if it weren't
-    ImDrawCallback setBlending = nullptr; ///< see Pictures; nullptr: blending stays
+    bool board = false;                   ///< transparent parts show a checkerboard
+    bool opaque = false;                  ///< has no transparent parts
+    bool ignoresAlpha = false;            ///< transparent parts are drawn opaque
+    ImDrawCallback setBlending = nullptr; ///< see Pictures; nullptr: blending is not changed
 };
 
-/// Whether an image has texels that may be transparent.
+/// Whether an image may have transparent texels.
 [[nodiscard]] bool hasAlpha(const Surface& surface);
 
-/// The image, tiled as its wrap modes say, around `used`; and beyond it the ground.
+/// Draws the image, tiled by its wrap modes, around `used`; and the ground beyond it.
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& picture,
                const Bounds& used);
 
-/// The picture of a cube map with its faces side by side, as wide as the image is in drawTiles; `tall` times
-/// as high.
+/// Draws the picture of a cube map with its faces side by side, as wide as the image in drawTiles; `tall`
+/// times as high.
 void drawUnfolded(ImDrawList& draw, const Canvas& canvas, view::PictureHandle picture, float tall);
 
-/// Of the picture that the host has of a cube map's base level.
+/// The relative height of the host's picture of a cube map's base level.
 [[nodiscard]] float unfoldedHeight(const TextureImage& image);
 
 /// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.

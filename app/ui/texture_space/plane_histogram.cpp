@@ -22,14 +22,14 @@ const char* componentLetter(std::size_t component) {
     return channelRows[component + 1].brief;
 }
 
-/// Red, green and blue, or the one that is shown.
+/// Red, green and blue, or the shown component.
 std::vector<std::size_t> shownComponents(Channel channel) {
     if (channel == Channel::All)
         return {0, 1, 2};
     return {static_cast<std::size_t>(channel) - 1};
 }
 
-/// The bars of one component, and its letter before them.
+/// The bars of one component, with its letter in front.
 void drawBars(ImDrawList& draw, const reference::TexelStatistics& statistics, std::size_t component,
               ImVec2 low, ImVec2 high) {
     const auto& counts = statistics.components[component].counts;
@@ -44,7 +44,7 @@ void drawBars(ImDrawList& draw, const reference::TexelStatistics& statistics, st
         const std::uint32_t count = counts[static_cast<std::size_t>(value)];
         if (count == 0)
             continue;
-        // What is rare is seen, too.
+        // Rare values are visible, too.
         const float share = std::sqrt(static_cast<float>(count) / static_cast<float>(most));
         const float x = left + one * static_cast<float>(value);
         draw.AddRectFilled({x, high.y - (high.y - low.y) * share}, {x + std::max(1.0F, one), high.y}, tint);

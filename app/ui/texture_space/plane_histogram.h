@@ -4,8 +4,7 @@
 
 namespace texplorer::ui {
 
-/// How often each value occurs, of the components that are shown: each has a line of its own, with its
-/// letter.
+/// Draws how often each value occurs in the shown components: one line for each, with its letter.
 void drawHistogram(const LevelPicture& level, Channel channel, float width);
 
 /// min, max and mean of each component, in 255ths.

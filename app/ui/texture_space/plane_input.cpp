@@ -19,7 +19,7 @@ float reachOfMouse() {
     return ImGui::GetFontSize() * 0.55F;
 }
 
-/// Infinite where it is certainly out of `reach`: it is asked of each vertex in each frame.
+/// Infinite if it is certainly out of `reach`: called for each vertex in each frame.
 float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse, float reach) {
     if (!std::isfinite(place.x) || !std::isfinite(place.y))
         return INFINITY;
@@ -37,7 +37,7 @@ struct NearVertex {
 std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std::span<const glm::vec2> places,
                                     std::optional<std::size_t> chosen, ImVec2 mouse) {
     std::optional<NearVertex> best;
-    constexpr float alike = 1; // pixels: the same place
+    constexpr float alike = 1; // in pixels: the same place
     const float reach = reachOfMouse();
     const auto consider = [&](std::size_t vertex) {
         const float distance = distanceTo(canvas, places[vertex], mouse, reach);
@@ -62,7 +62,7 @@ bool isPressed(int code, bool repeat = false) {
     return isKeyPressed(code, repeat);
 }
 
-/// Whether the mouse has gone so far that it isn't a click.
+/// Whether the mouse has moved too far for a click.
 bool isDrag() {
     const ImGuiIO& io = ImGui::GetIO();
     return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= io.MouseDragThreshold * io.MouseDragThreshold;
@@ -96,14 +96,14 @@ void finishMove(Session& session, TextureSpaceState& state, bool keep) {
     state.coords.follow(session);
 }
 
-/// Another model or unit has been chosen, or a mesh became smaller: there is nothing left to move.
+/// The vertices no longer exist: another model or unit was selected, or a mesh became smaller.
 bool isStale(const Session& session, const TextureSpaceState& state) {
     const VertexMove& move = *state.move;
     return move.model != session.window.selection.model || move.unit != session.window.selection.unit ||
            move.vertices.back() >= state.coords.given().size();
 }
 
-/// The axis that a key names: X and S the first, Y and T the second.
+/// The axis of a key: X and S the first, Y and T the second.
 std::optional<int> axisKey() {
     if (isPressed('X') || isPressed('S'))
         return 0;
@@ -112,7 +112,7 @@ std::optional<int> axisKey() {
     return std::nullopt;
 }
 
-/// True where a click ended the move.
+/// Returns true if a click ended the move.
 bool continueKeyedMove(Session& session, TextureSpaceState& state, const Canvas& canvas) {
     session.window.keyTaken = true;
     const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
@@ -123,7 +123,7 @@ bool continueKeyedMove(Session& session, TextureSpaceState& state, const Canvas&
         finishMove(session, state, false);
         return true;
     }
-    if (ImGui::IsMousePosValid()) // outside of the window it stays where it was
+    if (ImGui::IsMousePosValid()) // outside of the window it keeps its position
         followWithMove(session, state, canvas);
     if (!clicked && !isPressed(key::enter) && !isPressed(key::keypadEnter))
         return false;
@@ -135,7 +135,7 @@ void beginKeyedMove(Session& session, TextureSpaceState& state, const Canvas& ca
     const std::optional<std::size_t>& vertex = session.window.selection.vertex;
     if (!vertex || *vertex >= state.coords.given().size())
         return;
-    // What one looks at is where coordinates end, unless no given one leads there.
+    // Final positions are moved, unless they cannot be computed back.
     const bool results = state.coords.differ() &&
                          state.coords.givenFor(*vertex, state.coords.resultingPlaces()[*vertex]).has_value();
     sealEdit(session);
@@ -200,7 +200,7 @@ void handleShortKeys(Session& session, TextureSpaceState& state, const Canvas& c
     for (const ArrowKey& each : arrowKeys) {
         if (!isPressed(each.code, true))
             continue;
-        if (isPressed(each.code)) // held, it goes on with its step of undo
+        if (isPressed(each.code)) // while held, it continues its undo step
             sealEdit(session);
         const glm::vec2 step = io.KeyShift ? glm::vec2(0.25F) : 1.0F / texelsOf(session, state);
         nudge(session, state.coords, each.way * step);
@@ -244,7 +244,7 @@ void chooseInBox(Session& session, const TextureSpaceState& state, const Canvas&
     const glm::vec2 to = canvas.toCoord(ImGui::GetIO().MousePos);
     const glm::vec2 low = glm::min(state.boxFrom, to);
     const glm::vec2 high = glm::max(state.boxFrom, to);
-    // With Shift, in a mode where that isn't what draws the box, those in it are added.
+    // In the selecting mode without Shift the box replaces the selection; otherwise it adds to it.
     std::vector<std::size_t> vertices = state.selects && !ImGui::GetIO().KeyShift
                                             ? std::vector<std::size_t>{}
                                             : chosenVertices(session.window.selection);
@@ -279,10 +279,9 @@ void movePlane(Plane& plane, const Canvas& canvas, bool hovered, bool pans) {
         plane.t += io.MouseDelta.y / canvas.pixelsPerUnit;
     }
     if (hovered && io.MouseWheel != 0) {
-        // What is under the mouse stays there.
+        // The point under the mouse stays there.
         const glm::vec2 fixed = canvas.toCoord(io.MousePos);
-        const float extent =
-            std::clamp(plane.extent * std::pow(0.9F, io.MouseWheel), smallestPlane, largestPlane);
+        const float extent = std::clamp(plane.extent * std::pow(0.9F, io.MouseWheel), minPlane, maxPlane);
         const float factor = extent / plane.extent;
         plane.s = fixed.x + (plane.s - fixed.x) * factor;
         plane.t = fixed.y + (plane.t - fixed.y) * factor;
@@ -306,14 +305,14 @@ bool handlePlaneKeys(Session& session, TextureSpaceState& state, const Canvas& c
                      const PlaneMouse& mouse) {
     if (state.move && isStale(session, state))
         state.move.reset();
-    // The mouse has other things to do in a dialog, and the wheel elsewhere is an edit of its own.
+    // In a dialog the mouse has other functions, and elsewhere the wheel edits something else.
     if (state.move && state.move->byKey && session.window.dialog != Dialog::None)
         finishMove(session, state, false);
     else if (state.move && state.move->byKey && ImGui::GetIO().MouseWheel != 0 && !mouse.hovered)
         finishMove(session, state, true);
     if (state.move && state.move->byKey)
         return continueKeyedMove(session, state, canvas);
-    if (state.move && isPressed(key::escape)) { // of a drag, which goes on without them
+    if (state.move && isPressed(key::escape)) { // of a drag, which continues without them
         finishMove(session, state, false);
         session.window.keyTaken = true;
     }

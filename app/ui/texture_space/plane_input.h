@@ -7,14 +7,14 @@
 
 namespace texplorer::ui {
 
-/// What of a vertex is under the mouse.
+/// The part of a vertex under the mouse.
 struct Grip {
     std::size_t vertex = 0;
-    bool result = false; ///< where it ends, which isn't where it is given
+    bool result = false; ///< its final position, which differs from the given one
 };
 
-/// What the mouse is nearest to and can take. Where several vertices share a place (the faces of a cube do),
-/// the chosen one comes first, then one of its face.
+/// The nearest thing that the mouse can drag. If several vertices share a place (as the faces of a cube do),
+/// the selected one comes first, then one of its face.
 [[nodiscard]] std::optional<Grip> gripUnder(const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
                                             std::optional<std::size_t> chosen, ImVec2 mouse);
 
@@ -22,21 +22,21 @@ struct Grip {
 struct PlaneMouse {
     bool hovered = false;
     bool active = false;
-    bool onPatch = false; ///< a small picture has its clicks
+    bool onPatch = false; ///< over a small picture, which gets the clicks
     std::optional<Grip> grip;
 };
 
-/// The keys of the panel, which count while the mouse is over it, and vertices that follow the mouse after
-/// one of them. True where a click ended that, and means nothing else.
+/// Handles the keys of the panel while the mouse is over it, and vertices that follow the mouse after one of
+/// them. Returns true if a click ended that and has no other meaning.
 bool handlePlaneKeys(Session& session, TextureSpaceState& state, const Canvas& canvas,
                      const PlaneMouse& mouse);
 
-/// The left button takes vertices, or draws a box around those to be chosen; else the plane is moved, and by
-/// the wheel scaled.
+/// The left button drags vertices, or draws a box to select some; otherwise it moves the plane. The wheel
+/// zooms.
 void handlePlaneMouse(Session& session, TextureSpaceState& state, const Canvas& canvas,
                       const PlaneMouse& mouse);
 
-/// The box that is drawn; nothing where none is.
+/// The box being drawn; nothing if there is none.
 [[nodiscard]] std::optional<Box> selectionBox(const TextureSpaceState& state, const Canvas& canvas);
 
 } // namespace texplorer::ui

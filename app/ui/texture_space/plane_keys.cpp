@@ -6,13 +6,13 @@ namespace texplorer::ui {
 namespace {
 
 constexpr std::array planeKeyRows{
-    PlaneKeyRow{"G, R, S", "move, rotate, scale the chosen vertices with the mouse"},
-    PlaneKeyRow{"S, T meanwhile, or X, Y", "one axis alone, or both again"},
-    PlaneKeyRow{"Enter or click, Escape", "keep what was moved, take it back"},
-    PlaneKeyRow{"Ctrl meanwhile", "come to rest on texels, quarters, or 0 and 1"},
-    PlaneKeyRow{"Arrow keys, with Shift", "move the chosen vertices by a texel, by 1/4"},
-    PlaneKeyRow{"A", "choose all vertices, or none"},
-    PlaneKeyRow{"Shift + click, Shift + drag", "choose one more, choose those in a box"},
+    PlaneKeyRow{"G, R, S", "move, rotate, scale the selected vertices with the mouse"},
+    PlaneKeyRow{"S, T (or X, Y) meanwhile", "one axis only, or both again"},
+    PlaneKeyRow{"Enter or click, Escape", "confirm, cancel"},
+    PlaneKeyRow{"Ctrl meanwhile", "snap to texels, quarters, or 0 and 1"},
+    PlaneKeyRow{"Arrow keys, with Shift", "move the selected vertices by a texel, by 1/4"},
+    PlaneKeyRow{"A", "select all vertices, or none"},
+    PlaneKeyRow{"Shift + click, Shift + drag", "add one to the selection, select those in a box"},
     PlaneKeyRow{"Ctrl + C, Ctrl + V", "copy the coordinates as text, paste them"},
     PlaneKeyRow{"F, double click", "show the image and every vertex"},
 };

@@ -4,7 +4,7 @@
 
 namespace texplorer::ui {
 
-/// Keys that count while the pointer is over the texture space, and what they do: for lists of keys.
+/// The keys of the texture space, active while the pointer is over it, and their effects: for lists of keys.
 struct PlaneKeyRow {
     const char* keys;
     const char* effect;

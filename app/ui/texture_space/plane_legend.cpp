@@ -32,7 +32,7 @@ float lineGap() {
     return ImGui::GetFontSize();
 }
 
-/// Of all beside each other.
+/// The width of all entries in one row.
 float rowWidth(const PlaneLegend& legend) {
     float width = -lineGap();
     for (const Line& line : legend.lines)
@@ -40,8 +40,8 @@ float rowWidth(const PlaneLegend& legend) {
     return width;
 }
 
-/// "64 × 64", "64 × 1", "32 × 32 × 32", "6 faces of 128 × 128": what OpenGL has, whatever the image was.
-/// Empty: that isn't known yet.
+/// The texture's size in OpenGL, which may differ from the image's: "64 × 64", "64 × 1", "32 × 32 × 32", "6
+/// faces of 128 × 128". Empty: not known yet.
 std::string extentsOf(const Session& session, Target target) {
     const std::optional<glm::ivec3> texels = firstExtentOfBound(session);
     if (!texels)
@@ -59,7 +59,7 @@ std::string extentsOf(const Session& session, Target target) {
     return extents;
 }
 
-/// What is shown of the texels, where that isn't all of the base level.
+/// The shown part of the texels, unless it is the whole base level.
 std::string lookText(const PlaneLook& look) {
     const std::string channel = tr(channelRows[static_cast<std::size_t>(look.channel)].label);
     if (look.exposure != 0 || look.low != 0 || look.high != 1)
@@ -74,9 +74,9 @@ struct MoveHintRow {
 };
 
 constexpr std::array moveHints{
-    MoveHintRow{MoveKind::Move, "Moving {} · S, T: one axis · Enter keeps, Escape takes back"},
-    MoveHintRow{MoveKind::Rotate, "Rotating {} · Enter keeps, Escape takes back"},
-    MoveHintRow{MoveKind::Scale, "Scaling {} · S, T: one axis · Enter keeps, Escape takes back"},
+    MoveHintRow{MoveKind::Move, "Moving {} · S, T: one axis · Enter confirms, Escape cancels"},
+    MoveHintRow{MoveKind::Rotate, "Rotating {} · Enter confirms, Escape cancels"},
+    MoveHintRow{MoveKind::Scale, "Scaling {} · S, T: one axis · Enter confirms, Escape cancels"},
 };
 
 void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std::vector<Line>& lines,

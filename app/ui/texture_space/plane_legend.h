@@ -8,28 +8,28 @@
 
 namespace texplorer::ui {
 
-/// What names the things that are shown, at the upper edge of the plane.
+/// Names the things that are shown, at the upper edge of the plane.
 struct PlaneLegend {
-    /// A line of it, with what a stroke looks like where it names one.
+    /// A line of the legend, with a sample of the stroke that it names.
     struct Line {
         std::string text;
         enum class Stroke : std::uint8_t { None, Faint, Strong } stroke = Stroke::None;
-        std::string shown{}; ///< what of the text has room, in the window's language
+        std::string shown{}; ///< the part of the text that fits, in the window's language
     };
     std::vector<Line> lines;
-    bool inOneRow = false; ///< beside each other, not one above the other
+    bool inOneRow = false; ///< in one row, not one above the other
     std::string extents;   ///< of the texture: "64 × 1", "6 faces of 32 × 32", "no texture"; empty: unknown
 };
 
-/// As much as has room beside each other in the plane.
+/// As many entries as fit in one row of the plane.
 [[nodiscard]] PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, float room);
 
-/// Where it is drawn.
+/// The rectangle of the legend.
 [[nodiscard]] Box boxOf(const PlaneLegend& legend, ImVec2 corner);
 
 void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend, const Box& box);
 
-/// What is going on while vertices follow the mouse, at the lower edge, or why they don't, at the mouse.
+/// Draws the state of a move at the lower edge, or, at the mouse, why vertices do not move.
 void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move);
 
 } // namespace texplorer::ui

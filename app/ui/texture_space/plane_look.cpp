@@ -29,7 +29,7 @@ void LevelPicture::follow(Session& session, const PlaneLook& look, bool needed) 
     const LevelPictureRequest request{*std::move(levels), look.level, look};
     answer_ = session.services.levelPictures.answer(request, session.services.levels);
     computing_ = !answer_ || answer_->request != request;
-    // Another image has nothing in common with it: then the host's picture is nearer.
+    // After a change of the image the host's picture is closer than the old one.
     if (answer_ && answer_->request.levels.pictures.base != request.levels.pictures.base)
         answer_.reset();
 }
@@ -54,7 +54,7 @@ std::optional<glm::ivec3> firstExtentOfBound(const Session& session) {
     if (!summary || summary->report.levels.empty())
         return std::nullopt;
     const LevelReport& first = summary->report.levels.front();
-    const int border = boundTexture(session)->border != 0 ? 2 : 0; // counted as part of the level
+    const int border = boundTexture(session)->border != 0 ? 2 : 0; // it belongs to the level
     const Target target = request->target;
     return glm::ivec3(first.width - border, target == Target::Texture1D ? 1 : first.height - border,
                       target == Target::Texture3D ? first.depth - border : 1);

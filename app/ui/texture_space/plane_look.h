@@ -22,44 +22,44 @@ struct ChannelRow {
 };
 
 inline constexpr std::array channelRows{
-    ChannelRow{Channel::All, "RGBA", "Colour", "The texels as they are"},
-    ChannelRow{Channel::Red, "R", "Red", "Red alone, as grey"},
-    ChannelRow{Channel::Green, "G", "Green", "Green alone, as grey"},
-    ChannelRow{Channel::Blue, "B", "Blue", "Blue alone, as grey"},
-    ChannelRow{Channel::Alpha, "A", "Alpha", "Alpha alone: black is transparent, white opaque"},
+    ChannelRow{Channel::All, "RGBA", "Colour", "The unchanged texels"},
+    ChannelRow{Channel::Red, "R", "Red", "Red only, as grey"},
+    ChannelRow{Channel::Green, "G", "Green", "Green only, as grey"},
+    ChannelRow{Channel::Blue, "B", "Blue", "Blue only, as grey"},
+    ChannelRow{Channel::Alpha, "A", "Alpha", "Alpha only: black is transparent, white is opaque"},
     ChannelRow{Channel::Luminance, "L", "Luminance",
-               "How bright the texels are: 0.2126 R + 0.7152 G + 0.0722 B"},
+               "The luminance of the texels: 0.2126 R + 0.7152 G + 0.0722 B"},
 };
 
-/// How the panel shows the texture's picture. Changes nothing of the scene.
+/// How the panel shows the texture's picture. Does not change the scene.
 struct PlaneLook : TexelLook {
     int level = 0;     ///< of the mip levels
-    bool board = true; ///< what is transparent shows a checkerboard; else its colour
+    bool board = true; ///< transparent parts show a checkerboard; else their colour
 
-    static constexpr float mostExposure = 8;
+    static constexpr float maxExposure = 8;
 
-    /// Whether texels are shown as they are.
+    /// Whether texels are shown unchanged.
     [[nodiscard]] bool isPlain() const { return static_cast<const TexelLook&>(*this) == TexelLook{}; }
 };
 
-/// The picture of a level of the bound texture, with its numbers, for a look that needs more than the host's
-/// picture of the base level.
+/// The picture of a level of the bound texture, with its statistics, for looks that the host's picture of the
+/// base level does not support.
 class LevelPicture {
 public:
-    /// To be called in every frame; has nothing made unless it is `needed`.
+    /// Call in every frame; makes nothing unless it is `needed`.
     void follow(Session& session, const PlaneLook& look, bool needed);
 
-    /// As the look shows it, or as the one before did while the new picture is being made; nullptr: not
-    /// needed, or not there yet.
+    /// The picture with the look, or with the previous one while the new picture is being made; nullptr: not
+    /// needed, or not ready.
     [[nodiscard]] std::shared_ptr<const Image> picture() const {
         return answer_ ? answer_->picture : nullptr;
     }
     [[nodiscard]] const reference::TexelStatistics* statistics() const {
         return answer_ && answer_->statistics ? &*answer_->statistics : nullptr;
     }
-    /// Why there is no picture, as a sentence without its full stop; empty: there is, or will be.
+    /// Why there is no picture, as a sentence without its full stop; empty: there is one, or it is pending.
     [[nodiscard]] const std::string& problem() const;
-    /// Whether what is shown isn't yet what was asked for.
+    /// Whether the shown picture is not the requested one yet.
     [[nodiscard]] bool isComputing() const { return computing_; }
 
 private:
@@ -67,11 +67,11 @@ private:
     bool computing_ = false;
 };
 
-/// The numbers of the levels that the bound texture has; empty where that isn't known yet.
+/// The numbers of the bound texture's levels; empty if not known yet.
 [[nodiscard]] std::vector<int> levelsOfBound(Session& session);
 
-/// The texels of the bound texture's first level as OpenGL is given it, without a border: width, height and
-/// depth. None: that isn't known yet, or there are none.
+/// The extent of the bound texture's first level as passed to OpenGL, without a border: width, height and
+/// depth. None: not known yet, or there are no levels.
 [[nodiscard]] std::optional<glm::ivec3> firstExtentOfBound(const Session& session);
 
 } // namespace texplorer::ui

@@ -19,13 +19,12 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr const char* fitHelp = "Shows the image and every vertex (F, or a double click)";
-constexpr const char* snapHelp =
-    "Moved vertices come to rest on texels, quarters, or 0 and 1 (hold Ctrl to invert it)";
+constexpr const char* fitHelp = "Shows the image and every vertex (F or double click)";
+constexpr const char* snapHelp = "Moved vertices snap to texels, quarters, or 0 and 1 (hold Ctrl to invert)";
 constexpr const char* selectHelp =
-    "A drag beside the vertices chooses those in its box, instead of moving the plane (also with Shift)";
+    "Dragging selects the vertices in a box instead of moving the plane (also with Shift)";
 
-/// A button that is lit while it is on.
+/// A button that is highlighted while it is on.
 bool toolButton(const char* words, std::string_view name, const char* help, bool on) {
     ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
                                               : ImGui::GetColorU32(ImGuiCol_Button));
@@ -40,7 +39,7 @@ bool hasVertices(const TextureSpaceState& state) {
     return !state.coords.given().empty();
 }
 
-/// Something that has a button where there is room.
+/// A tool that has a button if there is room.
 struct Tool {
     const char* label;
     const char* name;
@@ -59,7 +58,7 @@ bool showsChannel(const TextureSpaceState& state) {
     return state.look.channel == channel;
 }
 
-/// A second press shows the colours again.
+/// Pressing the button again shows all channels.
 template<Channel channel>
 void toggleChannel(Session& /*session*/, TextureSpaceState& state) {
     state.look.channel = state.look.channel == channel ? Channel::All : channel;
@@ -71,7 +70,7 @@ constexpr Tool channelTool(const char* name) {
     return {row.brief, name, row.help, showsChannel<channel>, toggleChannel<channel>};
 }
 
-// In the order of the line.
+// In the order of the toolbar.
 constexpr std::array channelTools{
     channelTool<Channel::Red>("channel:R"),       channelTool<Channel::Green>("channel:G"),
     channelTool<Channel::Blue>("channel:B"),      channelTool<Channel::Alpha>("channel:A"),
@@ -83,9 +82,9 @@ constexpr std::array vertexTools{
          [](Session&, TextureSpaceState& state) { state.snapping.on = !state.snapping.on; }, true},
     Tool{"▭", "box select", selectHelp, [](const TextureSpaceState& state) { return state.selects; },
          [](Session&, TextureSpaceState& state) { state.selects = !state.selects; }, true},
-    Tool{"↔", "mirror s", "Mirrors the chosen vertices, or all, from left to right", isNeverOn,
+    Tool{"↔", "mirror s", "Mirrors the selected vertices, or all, from left to right", isNeverOn,
          [](Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 0); }, true},
-    Tool{"↕", "mirror t", "Mirrors the chosen vertices, or all, upside down", isNeverOn,
+    Tool{"↕", "mirror t", "Mirrors the selected vertices, or all, upside down", isNeverOn,
          [](Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 1); }, true},
 };
 
@@ -104,18 +103,18 @@ void levelSlider(Session& session, TextureSpaceState& state, float width) {
                      levels.empty() ? 0 : levels.back(), "%d", ImGuiSliderFlags_AlwaysClamp);
     noteItem("shown level");
     ImGui::EndDisabled();
-    helpTip(levels.size() < 2 ? "The texture has one level: its mipmaps are off"
-                              : "The mip level that is shown; it changes nothing of the scene");
+    helpTip(levels.size() < 2 ? "The texture has only one level"
+                              : "The mip level that is shown here. It does not change the scene");
 }
 
 void exposureSlider(PlaneLook& look, float width) {
-    // The number is drawn over the grab: only so strong that it can be read there, too.
+    // The number is drawn over the grab, which is faint enough to keep the number readable.
     ImVec4 grab = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
     grab.w *= 0.4F;
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, grab);
     ImGui::SetNextItemWidth(width);
-    ImGui::SliderFloat(label("Exposure"), &look.exposure, -PlaneLook::mostExposure, PlaneLook::mostExposure,
+    ImGui::SliderFloat(label("Exposure"), &look.exposure, -PlaneLook::maxExposure, PlaneLook::maxExposure,
                        "× 2^%.1f", ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopStyleColor(2);
     noteItem("exposure");
@@ -140,28 +139,28 @@ void pictureTools(Session& session, TextureSpaceState& state) {
     }
     levelSlider(session, state, width);
     exposureSlider(look, width);
-    helpTip("Values are shown times 2 to this: dark ones become visible");
+    helpTip("Multiplies the shown values by 2 to this power, to see dark ones");
     ImGui::SetNextItemWidth(width);
-    constexpr float smallestRange = 0.01F;
+    constexpr float minRange = 0.01F;
     if (ImGui::DragFloatRange2(label("Range"), &look.low, &look.high, 0.005F, 0, 1, "%.2f", nullptr,
                                ImGuiSliderFlags_AlwaysClamp) &&
-        look.high - look.low < smallestRange) {
-        look.low = std::min(look.low, 1 - smallestRange);
-        look.high = look.low + smallestRange;
+        look.high - look.low < minRange) {
+        look.low = std::min(look.low, 1 - minRange);
+        look.high = look.low + minRange;
     }
     noteItem("range");
-    helpTip("The values that are shown as 0 and as 1");
+    helpTip("The values that are shown as 0 and 1");
     const bool isInitial = look.isPlain() && look.level == 0;
     ImGui::BeginDisabled(isInitial);
-    if (ImGui::Button(label("As it is")))
+    if (ImGui::Button(label("Reset")))
         look = plainLook(look.board);
     noteItem("plain look");
     ImGui::EndDisabled();
-    helpTip("All channels of level 0, exposure and range as at the start");
+    helpTip("Shows all channels of level 0 with the initial exposure and range");
     ImGui::SameLine();
     ImGui::Checkbox(label("Checker behind alpha"), &look.board);
     noteItem("board");
-    helpTip("What is transparent shows a checkerboard; else the colour that it has");
+    helpTip("Transparent texels show a checkerboard instead of their colour");
     drawHistogram(state.level, look.channel, width + em * 5);
     drawStatistics(state.level);
 }
@@ -191,7 +190,7 @@ void vertexMenu(Session& session, TextureSpaceState& state) {
     const std::size_t count = editedVertices(session).size();
     caption("Vertices");
     if (!hasVertices(state)) {
-        dimText("Directions have no place in this plane");
+        dimText("Directions can't be shown in this plane");
         return;
     }
     snapChoice(state);
@@ -201,14 +200,14 @@ void vertexMenu(Session& session, TextureSpaceState& state) {
     ImGui::SameLine();
     ImGui::Checkbox(label("Numbers"), &state.numbers);
     noteItem("vertex numbers");
-    helpTip("The numbers of the vertices, where they have room");
+    helpTip("Shows the numbers of the vertices where they fit");
     ImGui::SameLine();
     ImGui::Checkbox(label("Legend"), &state.legend);
     noteItem("legend on");
-    helpTip("Names what is shown, at the upper edge");
+    helpTip("Describes the picture at the upper edge");
     ImGui::AlignTextToFramePadding();
     dimText(fmt::format("Of {} vertices:", count));
-    helpTip("The chosen ones where there are two or more, else all");
+    helpTip("The selected vertices if two or more, else all");
     for (const auto& [words, name, help, axis] :
          {std::tuple{"Mirror s", "menu mirror s", vertexTools[2].help, 0},
           std::tuple{"Mirror t", "menu mirror t", vertexTools[3].help, 1}}) {
@@ -224,14 +223,15 @@ void vertexMenu(Session& session, TextureSpaceState& state) {
                        false))
             project(session, state, static_cast<CoordProjection>(row.value));
     }
-    if (toolButton("Copy", "copy coordinates", "Their s and t as text, a line for each (Ctrl + C)", false))
+    if (toolButton("Copy", "copy coordinates", "Copies s and t as text, one line for each vertex (Ctrl + C)",
+                   false))
         copyCoords(session, state.coords);
     ImGui::SameLine();
     if (toolButton("Paste", "paste coordinates",
-                   "A line \"s t\" or \"s t r q\" for each vertex becomes its coordinates (Ctrl + V)", false))
+                   "Pastes coordinates, a line \"s t\" or \"s t r q\" for each vertex (Ctrl + V)", false))
         pasteCoords(session, state.coords);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 18);
-    dimText("Keys over the plane do all of this, and move by texels: F1 lists them.");
+    dimText("Keys over the plane do all of this and move by texels. F1 lists them.");
     ImGui::PopTextWrapPos();
 }
 
@@ -241,7 +241,7 @@ void fitPlane(Plane& plane, const PlaneCoords& coords) {
     const auto [low, high] = boundsOf(coords);
     plane.s = (low.x + high.x) / 2;
     plane.t = (low.y + high.y) / 2;
-    plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, smallestPlane, largestPlane);
+    plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, minPlane, maxPlane);
 }
 
 void copyCoords(Session& session, const PlaneCoords& coords) {
@@ -262,10 +262,10 @@ void pasteCoords(Session& session, const PlaneCoords& coords) {
                    fmt::format("The clipboard has no texture coordinates: {}.", pasted.error().message));
     TexCoords list = coords.given();
     if (list.empty())
-        return say(session, "Directions have no place in this plane: there is nothing to paste onto.");
+        return say(session, "Directions can't be shown in this plane, so nothing can be pasted.");
     const std::vector<std::size_t> edited = editedVertices(session);
     if (pasted->size() != edited.size() && pasted->size() != list.size())
-        return say(session, fmt::format("Expected coordinates of {} vertices, the clipboard has those of {}.",
+        return say(session, fmt::format("Expected coordinates of {} vertices, but the clipboard has {}.",
                                         edited.size(), pasted->size()));
     if (pasted->size() == edited.size()) {
         for (std::size_t i = 0; i < edited.size(); ++i)
@@ -284,7 +284,7 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
     textureSpaceTitle(session, end - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x);
     ImGui::SameLine();
     const float begin = ImGui::GetCursorPosX();
-    // What has room: first the channels, all of them or none, then the others one by one.
+    // The tools that fit: first the channels, all of them or none, then the others one by one.
     const auto widthOf = [gap](const Tool& tool) { return buttonWidth(tool.label) + gap; };
     float channels = 0;
     for (const Tool& tool : channelTools)
@@ -308,7 +308,7 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
         ImGui::SameLine(0, gap);
     }
     ImGui::SetCursorPosX(std::max(begin, end));
-    if (toolButton(more, "plane tools", "Channels, exposure, histogram, snapping, projections and all else",
+    if (toolButton(more, "plane tools", "Channels, exposure, histogram, snapping, projections and more",
                    !state.look.isPlain() || state.look.level != 0))
         ImGui::OpenPopup("plane tools");
     ImGui::SameLine(0, gap);
@@ -317,7 +317,7 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
     noteItem("fit plane");
     helpTip(fitHelp);
     bool open = false;
-    // Beside the panel, so that one sees what the tools do.
+    // Next to the panel, so that the effect of the tools is visible.
     const ImVec2 corner = ImGui::GetWindowPos();
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
     if (ImGui::BeginPopup("plane tools")) {
@@ -327,7 +327,7 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
         vertexMenu(session, state);
         ImGui::EndPopup();
     }
-    if (state.look.level != 0) { // another texture may have fewer
+    if (state.look.level != 0) { // another texture may have fewer levels
         if (const std::vector<int> levels = levelsOfBound(session); !levels.empty())
             state.look.level = std::clamp(state.look.level, levels.front(), levels.back());
     }

@@ -4,21 +4,21 @@
 
 namespace texplorer::ui {
 
-/// The line over the plane: what has room of its tools, and all of them behind "…".
+/// The toolbar above the plane: the tools that fit, and all of them behind "…".
 void drawPlaneTools(Session& session, TextureSpaceState& state);
 
-// How much of the plane the panel's shorter side can show.
-inline constexpr float smallestPlane = 0.02F;
-inline constexpr float largestPlane = 200;
+// The smallest part of the plane along the panel's shorter side.
+inline constexpr float minPlane = 0.02F;
+inline constexpr float maxPlane = 200;
 
-/// The visible part of the plane becomes that with the image and every vertex.
+/// Makes the image and every vertex visible.
 void fitPlane(Plane& plane, const PlaneCoords& coords);
 
-/// The edited vertices' coordinates to the clipboard, a line each.
+/// Copies the edited vertices' coordinates to the clipboard, one line each.
 void copyCoords(Session& session, const PlaneCoords& coords);
 
-/// Lines of the clipboard become the coordinates of as many vertices: the edited ones, or all. Where they
-/// don't fit, a sentence says why, and nothing changes.
+/// Pastes lines of the clipboard as the coordinates of that many vertices: the edited ones, or all. If they
+/// do not fit, a sentence says why, and nothing changes.
 void pasteCoords(Session& session, const PlaneCoords& coords);
 
 } // namespace texplorer::ui

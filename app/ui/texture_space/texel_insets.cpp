@@ -15,7 +15,7 @@ namespace {
 using reference::LevelPatch;
 using reference::PlacedTap;
 
-constexpr float largestShare = 0.3F; // of texture space, that small pictures may cover
+constexpr float maxShare = 0.3F; // of texture space that small pictures may cover
 
 float shareOf(const reference::UnitExplanation& unit, int level) {
     for (const reference::LevelShare& share : unit.sample.levels) {
@@ -100,11 +100,11 @@ Box aroundVertex(ImVec2 at) {
     return {{at.x - margin, at.y - margin}, {at.x + margin, at.y + margin}};
 }
 
-/// What the small pictures should not cover: first what they explain, then the chosen vertices, the names of
-/// the axes and the image.
+/// Areas that small pictures should not cover: first the explained ones, then the selected vertices, the
+/// names of the axes and the image.
 std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
     constexpr float mark = 100;
-    constexpr float words = 60; ///< the legend, which would be drawn over an inset's title
+    constexpr float words = 60; ///< worth of the legend, which would be drawn over an inset's title
     constexpr float vertex = 30;
     constexpr float name = 3;
     constexpr float image = 1;
@@ -114,7 +114,7 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
     std::vector<Uncovered> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
     kept.push_back({canvas.legend, words});
     if (unit.target == Target::CubeMap)
-        return kept; // its texels are marked in the small pictures alone
+        return kept; // its texels are marked only in the small pictures
     for (const ImVec2& place : canvas.chosen)
         kept.push_back({aroundVertex(place), vertex});
     kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
@@ -127,7 +127,7 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
     return kept;
 }
 
-/// What a title says, beginning with what matters most.
+/// The texts of a title, the most important first.
 std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, bool whole) {
     const float share = shareOf(unit, patch.level);
     std::string title = fmt::format("level {}", patch.level);
@@ -139,13 +139,13 @@ std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& pa
                      : fmt::format("{} · {} × {}", title, patch.extent.x, patch.extent.y);
 }
 
-/// The title as long as there is room for it.
+/// The longest title that fits.
 std::string titleThatFits(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
     std::string title = titleOf(unit, patch, true);
     return ImGui::CalcTextSize(tr(title).c_str()).x <= room ? title : titleOf(unit, patch, false);
 }
 
-/// With the texels of each as large as `side` has room for.
+/// The texels are as large as `side` allows.
 std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, std::span<const LevelPatch> patches,
                             const Canvas& canvas, float side) {
     std::vector<Inset> insets;
@@ -156,9 +156,9 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, std::span<co
     for (const LevelPatch& each : patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
-        const float most = (width - em * 2) / 2;
-        const std::string title = titleThatFits(*unit, each, most);
-        const std::string shown = fitted(title, most);
+        const float maxWidth = (width - em * 2) / 2;
+        const std::string title = titleThatFits(*unit, each, maxWidth);
+        const std::string shown = fitted(title, maxWidth);
         insets.push_back({&each,
                           {},
                           side / static_cast<float>(each.size.x),
@@ -172,7 +172,7 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, std::span<co
         return insets;
     Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
              {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
-    // The legend is drawn over everything: beside it there is hardly room for two titles.
+    // The legend is drawn over everything: next to it there is hardly any room for two titles.
     if (const float below = canvas.legend.high.y + em * 0.3F;
         (room.high.y - below) * 4 > (room.high.y - room.low.y) * 3)
         room.low.y = std::max(room.low.y, below);
@@ -188,13 +188,13 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     const float em = ImGui::GetFontSize();
     const float width = canvas.high.x - canvas.low.x;
     const float height = canvas.high.y - canvas.low.y;
-    const float largest = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
-    const float smallest = em * 2;
-    if (!unit || largest < smallest)
+    const float maxSize = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
+    const float minSize = em * 2;
+    if (!unit || maxSize < minSize)
         return {};
     if (unit->patches.empty())
         return {};
-    const bool isCube = unit->target == Target::CubeMap; // its texels are marked in the small pictures alone
+    const bool isCube = unit->target == Target::CubeMap; // its texels are marked only in the small pictures
     const Box marks = marksOf(*unit, canvas);
     struct MayHide {
         bool legend, vertices;
@@ -212,24 +212,24 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
                 return true;
             area += (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
         }
-        return area > largestShare * width * height;
+        return area > maxShare * width * height;
     };
-    // The smaller, the better one sees what is around; where two have no room, that of the greater share is
-    // shown alone, and where it has none, either, the texels marked in the image are all. Only where there is
-    // no other place do they hide a chosen vertex, and only then the legend.
+    // Small pictures hide less. If two do not fit, only the one with the greater share is shown; if that does
+    // not fit either, only the marks in the image are. A picture hides a selected vertex only if there is no
+    // other place, and only then the legend.
     const std::span<const LevelPatch> all(unit->patches);
     const std::span<const LevelPatch> heaviest(&heaviestPatch(*unit), 1);
     for (const MayHide may : {MayHide{false, false}, MayHide{false, true}, MayHide{true, true}}) {
         for (const std::span<const LevelPatch> patches : {all, heaviest}) {
             for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
                 std::vector<Inset> insets =
-                    insetsOf(unit, patches, canvas, std::max(largest * share, smallest));
+                    insetsOf(unit, patches, canvas, std::max(maxSize * share, minSize));
                 if (!hides(insets, may))
                     return insets;
             }
         }
     }
-    return isCube ? insetsOf(unit, heaviest, canvas, smallest) : std::vector<Inset>{};
+    return isCube ? insetsOf(unit, heaviest, canvas, minSize) : std::vector<Inset>{};
 }
 
 } // namespace texplorer::ui

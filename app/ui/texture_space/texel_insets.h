@@ -10,34 +10,34 @@
 
 namespace texplorer::ui {
 
-/// A small picture of a piece of a level, at an edge of the canvas.
+/// A small picture of a part of a level, at an edge of the canvas.
 struct Inset {
     const reference::LevelPatch* patch;
     ImVec2 low; ///< upper left, of the texels
     float cell; ///< the extent of a texel
     std::string title;
-    std::string shown; ///< what of it has room, in the window's language
-    float width;       ///< of the frame, which the title may make wider than the texels
+    std::string shown; ///< the part that fits, in the window's language
+    float width;       ///< of the frame; the title may make it wider than the texels
 
     [[nodiscard]] ImVec2 size() const {
         return {cell * static_cast<float>(patch->size.x), cell * static_cast<float>(patch->size.y)};
     }
-    /// From texels to the window; row 0 is the lowest.
+    /// Converts texels to window positions; row 0 is the lowest.
     [[nodiscard]] ImVec2 toWindow(glm::vec2 texel) const {
         return {low.x + (texel.x - static_cast<float>(patch->low.x)) * cell,
                 low.y + size().y - (texel.y - static_cast<float>(patch->low.y)) * cell};
     }
-    /// With its title.
+    /// Including its title.
     [[nodiscard]] Box frame() const;
     [[nodiscard]] bool holds(ImVec2 at) const {
         return at.x >= low.x && at.y >= low.y && at.x < low.x + size().x && at.y < low.y + size().y;
     }
 };
 
-/// Of what stands above an inset.
+/// The height of the title above an inset.
 [[nodiscard]] float insetTitleHeight();
 
-/// The patch of the level that has the greatest share.
+/// The patch of the level with the greatest share.
 [[nodiscard]] const reference::LevelPatch& heaviestPatch(const reference::UnitExplanation& unit);
 
 /// A texel of a level, in the plane of the image.
@@ -46,15 +46,15 @@ struct Inset {
 /// Of a footprint, one after the other.
 using Corners = std::array<ImVec2, 4>;
 
-/// The parallelogram that one pixel covers around a place; the second one in the plane of the image.
+/// The parallelogram that a pixel covers around a position; the second one in the plane of the image.
 [[nodiscard]] Corners footprintOf(ImVec2 middle, ImVec2 dx, ImVec2 dy);
 [[nodiscard]] Corners footprintIn(const Canvas& canvas, const reference::UnitExplanation& unit);
 [[nodiscard]] bool isFinite(const Corners& corners);
 
-/// Around the texels, the footprint and the place of the sample.
+/// The box around the texels, the footprint and the position of the sample.
 [[nodiscard]] Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas);
 
-/// As large as they can be without hiding what they explain. None: nothing is explained, or there is no room.
+/// As large as possible without hiding what they explain. None: nothing is explained, or there is no room.
 [[nodiscard]] std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas);
 
 } // namespace texplorer::ui

@@ -19,7 +19,7 @@ namespace {
 using reference::LevelPatch;
 using reference::PlacedTap;
 
-/// As the image around it looks: over a board, or as if it were opaque.
+/// Like the image around it: over a board, or opaque.
 void drawTexelColor(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 color, bool board) {
     drawCheckered(draw, low, high, board ? color : glm::vec4(glm::vec3(color), 1));
 }
@@ -68,7 +68,7 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
                 draw.AddRect(a, b, IM_COL32(128, 128, 128, 70));
         }
     }
-    // The edge of the level: beyond it, wrapping decides.
+    // The edge of the level: outside of it, wrapping decides.
     const ImVec2 levelLow = inset.toWindow(glm::vec2(0, patch.extent.y));
     const ImVec2 levelHigh = inset.toWindow(glm::vec2(patch.extent.x, 0));
     draw.AddRect(levelLow, levelHigh, color::text, 0, 0, em * 0.12F);
@@ -110,7 +110,7 @@ void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2
     draw.AddRect(box.low, box.high, tint, 0, 0, em * 0.1F);
 }
 
-/// The corner of a texel that is asked for, so that it isn't known by its colour alone.
+/// A marked corner of the selected texel, so that it is not distinguished only by its colour.
 void drawFlag(ImDrawList& draw, const Box& box) {
     const float em = ImGui::GetFontSize();
     const float side = std::min(box.high.x - box.low.x, em * 0.7F);
@@ -121,15 +121,15 @@ void drawFlag(ImDrawList& draw, const Box& box) {
     noteDrawn("texel flag", box.low, {box.low.x + side, box.low.y + side});
 }
 
-/// What wrapping makes of a texel that is counted on beyond its level. A line has one row alone.
+/// Wraps a texel that is outside of its level. A line has only one row.
 reference::TexelPlace texelAt(const Texture& texture, Target target, int level, glm::ivec2 extent,
                               glm::ivec2 at, int layer) {
     const int row = target == Target::Texture1D ? 0 : reference::wrappedTexel(texture.wrapT, at.y, extent.y);
     return {level, {reference::wrappedTexel(texture.wrapS, at.x, extent.x), row, layer}};
 }
 
-/// The texel of a cell. Beyond a corner of a seamless cube map there is none: that at the corner stands for
-/// it.
+/// The texel of a cell. Outside of a corner of a seamless cube map there is none: the texel at the corner is
+/// used.
 reference::TexelPlace texelOf(const Texture& texture, Target target, const LevelPatch& patch, glm::ivec2 at) {
     if (!patch.seamless)
         return texelAt(texture, target, patch.level, patch.extent, at, patch.layer);
@@ -140,7 +140,7 @@ reference::TexelPlace texelOf(const Texture& texture, Target target, const Level
     return {patch.level, {index.x, index.y, face}};
 }
 
-/// Of a level that the bound texture has.
+/// The extent of a level of the bound texture.
 std::optional<glm::ivec2> extentOf(Session& session, int level) {
     const Texture* texture = boundTexture(std::as_const(session));
     const std::shared_ptr<const TextureImage> image =
@@ -154,13 +154,13 @@ std::optional<glm::ivec2> extentOf(Session& session, int level) {
     const auto found = std::ranges::find(summary->report.levels, level, &LevelReport::number);
     if (found == summary->report.levels.end())
         return std::nullopt;
-    // The report counts a border as part of the level, the indices of texels begin after it.
+    // The report includes a border in the level, the indices of texels begin after it.
     const int border = texture->border != 0 ? 2 : 0;
     const bool flat = selectedUnit(session).target == Target::Texture1D;
     return glm::ivec2(found->width - border, flat ? 1 : found->height - border);
 }
 
-/// The texel that is asked for, if it is one of the selected unit.
+/// The selected texel, if it belongs to the selected unit.
 std::optional<reference::TexelPlace> askedTexel(const Session& session) {
     const std::optional<reference::TexelQuestion>& asked = session.window.explaining.texel;
     if (!asked || asked->pass != session.window.selection.pass ||
@@ -169,7 +169,7 @@ std::optional<reference::TexelPlace> askedTexel(const Session& session) {
     return asked->texel;
 }
 
-/// In the plane of the image: the texels, the footprint and the place of the sample.
+/// In the plane of the image: the texels, the footprint and the position of the sample.
 void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExplanation& unit) {
     for (const LevelPatch& patch : unit.patches) {
         for (const PlacedTap& tap : patch.taps)
@@ -181,7 +181,7 @@ void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExpl
     drawPlace(draw, canvas.toPixel(place.x, place.y));
 }
 
-/// What is asked for and what is below the mouse, which a click asks for.
+/// The selected texel, and the one under the mouse, which a click selects.
 void markCells(Session& session, ImDrawList& draw, const Texture& texture, const Inset& inset, bool clicked) {
     const LevelPatch& patch = *inset.patch;
     const auto frame = [&](glm::ivec2 at, ImU32 tint) {
@@ -214,8 +214,8 @@ void markCells(Session& session, ImDrawList& draw, const Texture& texture, const
         chooseTexel(session, texel(at));
 }
 
-/// A click on the image asks for the texel there, of the level that is read most at the probed pixel; of the
-/// base level where none is probed.
+/// A click on the image selects its texel, on the level with the greatest share at the probed pixel; on the
+/// base level if no pixel is probed.
 void chooseInPlane(Session& session, const Canvas& canvas, const Texture& texture,
                    const reference::UnitExplanation* unit) {
     const int level = unit ? heaviestPatch(*unit).level : texture.baseLevel;
@@ -241,7 +241,7 @@ void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bo
         unit = nullptr;
     if (!texture)
         return;
-    // The faces of a cube map lie in this plane otherwise than their coordinates.
+    // The faces of a cube map in this plane are not arranged by their coordinates.
     const bool isCube = selectedUnit(session).target == Target::CubeMap;
     if (clicked && session.window.explaining.isOpen && !isCube &&
         !isOnPatch(session, canvas, ImGui::GetIO().MousePos))

@@ -17,7 +17,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// What the image looks like: as the host has it, or as it was made for the look.
+/// The picture of the image: the host's, or the one made for the look.
 TilePicture tilePicture(TextureSpaceState& state, const Pictures& pictures, const Texture& texture,
                         const std::shared_ptr<const TextureImage>& image) {
     const Surface& first = image->surfaces.front();
@@ -63,12 +63,12 @@ OutlineMarks marksNow(const Session& session, const std::optional<Grip>& grip) {
     return marks;
 }
 
-/// Where the chosen vertices are; of very many the first.
+/// The positions of the selected vertices; only the first of very many.
 std::vector<ImVec2> chosenPlaces(const Session& session, const PlaneCoords& coords, const Canvas& canvas) {
-    constexpr std::size_t most = 64;
+    constexpr std::size_t maxPlaces = 64;
     std::vector<ImVec2> places;
     for (const std::size_t vertex : chosenVertices(session.window.selection)) {
-        if (places.size() < most && vertex < coords.resultingPlaces().size()) {
+        if (places.size() < maxPlaces && vertex < coords.resultingPlaces().size()) {
             const glm::vec2 place = coords.resultingPlaces()[vertex];
             places.push_back(canvas.toPixel(place.x, place.y));
         }
@@ -120,7 +120,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     if (!ended)
         handlePlaneMouse(session, state, canvas, mouse);
     session.window.movesVertices = state.move.has_value();
-    const Mesh& mesh = selectedMesh(session); // an undo may have chosen another model
+    const Mesh& mesh = selectedMesh(session); // an undo may have selected another model
     if (mouse.grip && mouse.grip->vertex >= state.coords.given().size())
         mouse.grip.reset();
     if (mouse.grip)

@@ -6,24 +6,25 @@
 
 namespace texplorer::ui {
 
-/// What a drag on the plane does.
+/// The action of a drag on the plane.
 enum class PlaneDrag : std::uint8_t { None, Pan, Vertices, Box };
 
-/// What the panel remembers.
+/// The state of the panel.
 struct TextureSpaceState {
     PlaneCoords coords;
     PlaneLook look;
     LevelPicture level;
     Opacity opacity;
-    bool legend = true;   ///< what is shown is named at the upper edge
-    bool numbers = true;  ///< of the vertices, where they have room
-    bool selects = false; ///< a drag beside the vertices draws a box around those to be chosen; else it pans
+    bool legend = true;   ///< shows the legend at the upper edge
+    bool numbers = true;  ///< shows the numbers of vertices if there is room
+    bool selects = false; ///< a drag outside the vertices selects by a box; else it pans
     Snapping snapping;
 
     PlaneDrag drag = PlaneDrag::None;
-    std::optional<std::size_t> pressed; ///< of several chosen ones: chosen alone by a click, not by a drag
-    glm::vec2 boxFrom{0};               ///< a corner of the box, in the plane
-    std::optional<VertexMove> move;     ///< of a drag, or after a key
+    std::optional<std::size_t>
+        pressed;          ///< one of several selected vertices: a click selects it alone, a drag does not
+    glm::vec2 boxFrom{0}; ///< a corner of the box, in the plane
+    std::optional<VertexMove> move; ///< by a drag, or after a key
 };
 
 } // namespace texplorer::ui

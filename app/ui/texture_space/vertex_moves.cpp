@@ -20,8 +20,8 @@ constexpr float factorStep = 0.25F;
 
 struct MoveRow {
     MoveKind kind;
-    const char* one;  ///< what Undo calls it, with the vertex's number
-    const char* many; ///< with their count
+    const char* one;  ///< the name in Undo, with the vertex's number
+    const char* many; ///< with the number of vertices
 };
 
 constexpr std::array moveRows{
@@ -41,7 +41,7 @@ std::string coordsKey(const Session& session) {
                        session.window.selection.unit);
 }
 
-/// The middle of the rectangle around these.
+/// The middle of their bounding rectangle.
 glm::vec2 middleOf(std::span<const glm::vec2> places) {
     glm::vec2 low = places.front();
     glm::vec2 high = low;
@@ -52,12 +52,12 @@ glm::vec2 middleOf(std::span<const glm::vec2> places) {
     return (low + high) / 2.0F;
 }
 
-/// Only the coordinate that is free to change.
+/// Changes only the coordinate that is not locked.
 glm::vec2 constrained(glm::vec2 way, std::optional<int> axis) {
     return {axis == 1 ? 0 : way.x, axis == 0 ? 0 : way.y};
 }
 
-/// Where the vertices go.
+/// The target positions of the vertices.
 class Motion {
 public:
     Motion(const VertexMove& move, glm::vec2 mouse, std::optional<Snap> snap, TexelCounts texels,
@@ -119,11 +119,12 @@ private:
 
 glm::vec4 withinRange(glm::vec4 coord) {
     for (int i = 0; i < 4; ++i)
-        coord[i] = std::isnan(coord[i]) ? 0.0F : coord[i]; // of what lies at no place
+        coord[i] = std::isnan(coord[i]) ? 0.0F : coord[i]; // for vertices without a position
     return glm::clamp(coord, coordRange.min, coordRange.max);
 }
 
-/// The list with some vertices at other places: given, or ending there. The error says why that can't be.
+/// The list with new positions of some vertices, given or final ones. The error says why that is not
+/// possible.
 Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<const std::size_t> vertices,
                          const auto& placeOf) {
     TexCoords list = coords.given();
@@ -142,7 +143,7 @@ Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<cons
     return list;
 }
 
-/// Those that the list of coordinates has.
+/// The vertices that the list of coordinates has.
 std::vector<std::size_t> chosenOf(const Session& session, const PlaneCoords& coords) {
     std::vector<std::size_t> vertices = chosenVertices(session.window.selection);
     std::erase_if(vertices, [&](std::size_t vertex) { return vertex >= coords.given().size(); });

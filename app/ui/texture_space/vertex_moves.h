@@ -11,7 +11,7 @@
 
 namespace texplorer::ui {
 
-/// Where moved vertices come to rest.
+/// The grid that moved vertices snap to.
 enum class Snap : std::uint8_t { Texel, Quarter, Whole };
 
 struct SnapRow {
@@ -21,67 +21,67 @@ struct SnapRow {
 };
 
 inline constexpr std::array snapRows{
-    SnapRow{Snap::Texel, "Texels", "Vertices come to rest on the edges of texels"},
-    SnapRow{Snap::Quarter, "Quarters", "Vertices come to rest on multiples of 1/4"},
-    SnapRow{Snap::Whole, "0 and 1", "0 and 1 attract vertices that come near"},
+    SnapRow{Snap::Texel, "Texels", "Vertices snap to the edges of texels"},
+    SnapRow{Snap::Quarter, "Quarters", "Vertices snap to multiples of 1/4"},
+    SnapRow{Snap::Whole, "0 and 1", "Vertices snap to 0 and 1"},
 };
 
-/// Whether vertices snap, and to what. Ctrl inverts it while it is held.
+/// Whether vertices snap, and to which grid. Holding Ctrl inverts it.
 struct Snapping {
     bool on = false;
     Snap to = Snap::Texel;
 };
 
-/// What is done to the chosen vertices.
+/// The kind of move.
 enum class MoveKind : std::uint8_t { Move, Rotate, Scale };
 
-/// The chosen vertices while they are moved: by a drag, or by the mouse alone after a key.
+/// The selected vertices while they are moved: by a drag, or by the mouse alone after a key.
 struct VertexMove {
     MoveKind kind = MoveKind::Move;
     bool byKey = false;
-    bool results = false;                ///< what is moved is where the coordinates end
+    bool results = false;                ///< moves their final positions
     std::vector<std::size_t> vertices{}; ///< ascending
-    std::vector<glm::vec2> places{};     ///< of those, as they were
+    std::vector<glm::vec2> places{};     ///< their original places
     std::size_t held = 0;                ///< the one that snaps
-    glm::vec2 heldPlace{0};              ///< as it was
-    glm::vec2 from{0};                   ///< where the mouse was, in the plane
-    glm::vec2 centre{0};                 ///< of turning and scaling
-    std::optional<int> axis{};           ///< 0: s alone changes, 1: t alone
+    glm::vec2 heldPlace{0};              ///< its original place
+    glm::vec2 from{0};                   ///< the mouse at the start, in the plane
+    glm::vec2 centre{0};                 ///< for rotation and scaling
+    std::optional<int> axis{};           ///< 0: only s changes, 1: only t
     int model = 0;
     int unit = 0;
-    bool recorded = false; ///< there is a step to take back
+    bool recorded = false; ///< there is an undo step to remove
     std::string refusal{}; ///< why nothing moves; empty: it does
 };
 
-/// How many texels an axis of the plane's picture has.
+/// The number of texels along each axis of the plane's picture.
 using TexelCounts = glm::vec2;
 
-/// Begins to move the chosen vertices; nothing where none is chosen. `mouse` in the plane.
+/// Starts a move of the selected vertices; nothing if none is selected. `mouse` is in the plane.
 [[nodiscard]] std::optional<VertexMove> beginMove(const Session& session, const PlaneCoords& coords,
                                                   MoveKind kind, bool results, std::size_t held,
                                                   glm::vec2 mouse);
 
-/// Moves them to where the mouse is, as one step of undo. `magnet`: how near 0 and 1 attract.
+/// Moves them to the mouse, as one undo step. `magnet`: the distance at which 0 and 1 attract.
 void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, glm::vec2 mouse,
                  const Snapping& snapping, TexelCounts texels, float magnet);
 
-/// Keeps what the move did, or takes it back.
+/// Keeps the move or undoes it.
 void endMove(Session& session, const VertexMove& move, bool keep);
 
-/// A place that vertices come to rest at.
+/// The nearest place on the grid.
 [[nodiscard]] glm::vec2 snapped(glm::vec2 place, Snap snap, TexelCounts texels, float magnet);
 
-/// What buttons and menus are about: the chosen vertices where there are two or more, else all.
+/// The vertices that buttons and menus edit: the selected ones if there are two or more, else all.
 [[nodiscard]] std::vector<std::size_t> editedVertices(Session& session);
 
-/// Moves the chosen vertices by a way in the plane.
+/// Moves the selected vertices by an offset in the plane.
 void nudge(Session& session, const PlaneCoords& coords, glm::vec2 way);
 
-/// Mirrors the edited vertices about their middle: `axis` 0 takes s from left to right, 1 turns t upside
+/// Mirrors the edited vertices about their middle: `axis` 0 exchanges left and right in s, 1 turns t upside
 /// down.
 void mirrorVertices(Session& session, const PlaneCoords& coords, int axis);
 
-/// Gives vertices other coordinates, as one step of undo.
+/// Sets the coordinates of vertices, as one undo step.
 void replaceCoords(Session& session, TexCoords coords, std::string_view what);
 
 } // namespace texplorer::ui

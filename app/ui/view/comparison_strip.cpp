@@ -15,7 +15,7 @@ namespace texplorer::ui {
 
 namespace {
 
-constexpr int worstFactor = 16; // so large that one sees the pixel and its neighbours
+constexpr int worstFactor = 16; // large enough to see the pixel and its neighbours
 
 struct ArrangementRow {
     Arrangement arrangement;
@@ -23,30 +23,29 @@ struct ArrangementRow {
     const char* help;
 };
 constexpr std::array arrangementRows{
-    ArrangementRow{Arrangement::Split, "Split", "Two renderers across one picture. Drag the seam."},
+    ArrangementRow{Arrangement::Split, "Split", "Two renderers in one picture. Drag the seam."},
     ArrangementRow{Arrangement::Grid, "Side by side",
-                   "Every renderer, and the difference of the two that are chosen."},
+                   "All renderers, and the difference of the two selected ones."},
 };
 
-/// What is compared: two renderers, or one renderer's pictures of both sides.
+/// The compared renderers, or the renderer that draws both sides.
 std::span<const RendererKind> comparedOf(const ViewSettings& settings) {
     if (comparesRenderers(settings))
         return settings.compared;
     return {&settings.renderer, 1};
 }
 
-/// "0.05", "12.3", "100": three digits at most before the hundredths, and never nothing where there is
-/// something.
+/// "0.05", "12.3", "100": at most three digits before the decimal point, and never 0 for a positive value.
 std::string rounded(double value, int decimals) {
-    const double least = std::pow(10.0, -decimals);
-    if (value > 0 && value < least)
-        return fmt::format("< {:.{}f}", least, decimals);
+    const double min = std::pow(10.0, -decimals);
+    if (value > 0 && value < min)
+        return fmt::format("< {:.{}f}", min, decimals);
     for (double limit = 10; value >= limit && decimals > 0; limit *= 10)
         --decimals;
     return value > 0 ? fmt::format("{:.{}f}", value, decimals) : "0";
 }
 
-/// Puts widgets in a row, and begins another one where the next has no room.
+/// Puts widgets in a row and starts another row if the next widget does not fit.
 class Flow {
 public:
     explicit Flow(const Rect& rect)
@@ -66,12 +65,12 @@ public:
         x_ += width;
     }
     [[nodiscard]] int lines() const { return lines_; }
-    /// The same, and the next widget stands there.
+    /// The same, then moves the cursor to the next widget's place.
     void put(float width, float gap) {
         place(width, gap);
         ImGui::SetCursorScreenPos({x_ - width, y_});
     }
-    /// A label, as high as a widget.
+    /// A label with the height of a widget.
     void text(const std::string& words, ImU32 tint, float gap) {
         const std::string shown = tr(words);
         put(ImGui::CalcTextSize(shown.c_str()).x, gap);
@@ -89,7 +88,7 @@ private:
     int lines_ = 1;
 };
 
-/// The part of the pictures around a pixel.
+/// Shows the part of the pictures around a pixel.
 void showPixel(ViewSettings& settings, glm::ivec2 pixel, view::Size picture) {
     settings.zoom.factor = worstFactor;
     settings.zoom.centre = (glm::vec2(pixel) + 0.5F) /
@@ -98,7 +97,7 @@ void showPixel(ViewSettings& settings, glm::ivec2 pixel, view::Size picture) {
 
 constexpr const char* perByte = "/255";
 
-/// "0.17 % over [2]/255": how much differs by more than the tolerance, which one can drag.
+/// "0.17 % over [2]/255": the share of pixels that differ by more than the tolerance, which can be dragged.
 void toleranceField(Session& session, Flow& flow, const Difference* difference, float gap) {
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -112,19 +111,19 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     ImGui::PopStyleColor();
     if (hasShare) {
         noteItem("share over");
-        helpTip("The pixels that differ by more than this tolerance in red, green or blue");
+        helpTip("The share of pixels that differ by more than this tolerance in red, green or blue");
     }
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
-    ImGui::DragInt("##tolerance", &session.window.view.tolerance, 0.1F, 0, ViewSettings::largestTolerance,
-                   "%d", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::DragInt("##tolerance", &session.window.view.tolerance, 0.1F, 0, ViewSettings::maxTolerance, "%d",
+                   ImGuiSliderFlags_AlwaysClamp);
     noteItem("tolerance");
-    helpTip("Differences up to here don't count. Drag, or double click to type.");
+    helpTip("Differences up to this value are ignored. Drag it, or double-click to type a number.");
     ImGui::SameLine(0, narrow);
     ImGui::TextUnformatted(perByte);
 }
 
-/// Leads to the worst pixel; with the ring that it has in the pictures, where it has one.
+/// A button that goes to the worst pixel, with the ring that marks it in the pictures.
 void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
@@ -137,11 +136,11 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
         showPixel(session.window.view, difference.worst, picture);
     noteItem("worst");
     const int fromTop = picture.height - 1 - difference.worst.y;
-    helpTip(ringed ? fmt::format("The largest difference, at the pixel {},{} (from the upper left), which is "
-                                 "ringed. Click: enlarge it; Ctrl + wheel leads back.",
+    helpTip(ringed ? fmt::format("The largest difference, at pixel {},{} from the upper left (ringed). "
+                                 "Click to enlarge it; Ctrl + wheel zooms out.",
                                  difference.worst.x, fromTop)
-                   : fmt::format("The largest difference, at the pixel {},{} (from the upper left), within "
-                                 "the tolerance. Click: enlarge it; Ctrl + wheel leads back.",
+                   : fmt::format("The largest difference, at pixel {},{} from the upper left, is within "
+                                 "the tolerance. Click to enlarge it; Ctrl + wheel zooms out.",
                                  difference.worst.x, fromTop));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -161,18 +160,18 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
     }
     flow.text(fmt::format("mean {}/255", rounded(difference.mean, 3)), color::text, gap);
     noteItem("mean difference");
-    helpTip("Of all components of all pixels");
+    helpTip("The mean over all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
 }
 
-/// How many lines the longest numbers would take, so that the strip keeps its height, and the pictures
-/// theirs, whatever they come to.
+/// The number of lines for the longest possible numbers, so that the strip and the pictures keep their
+/// heights.
 int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, float narrow) {
     const auto widthOf = [](const std::string& words) { return ImGui::CalcTextSize(tr(words).c_str()).x; };
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     Flow flow(strip);
     if (!comparesRenderers(settings))
-        flow.place(widthOf("A against now"), narrow);
+        flow.place(widthOf("A and now"), narrow);
     for (const ArrangementRow& row : arrangementRows) {
         if (comparesRenderers(settings))
             flow.place(buttonWidth(row.label), narrow);
@@ -196,10 +195,10 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
     settings.stripLines = linesNeeded(settings, layout.strip, gap, narrow);
     Flow flow(layout.strip);
     if (!comparesRenderers(settings)) {
-        flow.text("A against now", color::dim, narrow);
-        noteItem("A against now");
-        helpTip("Drag the seam: A, as it was kept, on its left, what is now on its right, drawn by one "
-                "renderer and seen by one camera.");
+        flow.text("A and now", color::dim, narrow);
+        noteItem("A and now");
+        helpTip("Drag the seam. A is on the left, the present scene on the right, with the same renderer "
+                "and camera.");
     }
     for (const ArrangementRow& row : arrangementRows) {
         if (!comparesRenderers(settings))
@@ -218,7 +217,9 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
     if (pictures.difference)
         numbers(session, flow, pictures.difference->numbers, pictures.frames.front().frame.size, gap);
     else
-        flow.text(isDrawing(pictures, comparedOf(settings)) ? "Drawing…" : "no numbers: a picture is missing",
+        flow.text(isDrawing(pictures, comparedOf(settings)) ? "Drawing…"
+                                                            : "no numbers: a picture is "
+                                                              "missing",
                   color::dim, gap);
 }
 

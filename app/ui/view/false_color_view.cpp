@@ -23,20 +23,20 @@ std::string shownLabel(const ViewSettings& settings) {
     return fmt::format("{} ▾", tr(texplorer::rowOf(settings.shown).label));
 }
 
-/// A number on a scale, and where it is: 0 at its left end, 1 at its right one.
+/// A number on a scale and its position: 0 at its left end, 1 at its right one.
 struct ScaleMark {
     float place;
     std::string text;
 };
 
-/// What the colours of a legend mean.
+/// The meaning of a legend's colours.
 struct FalseColorScale {
     std::string title;
-    std::string shortTitle; ///< where that has no room
+    std::string shortTitle; ///< used if there is less room
     std::array<std::uint8_t, 4> (*colorAt)(float place, int steps);
-    int steps = 1; ///< levels above the base; of λ alone
+    int steps = 1; ///< levels above the base; only for λ
     std::vector<ScaleMark> marks;
-    bool hasMagnified = false; ///< a field for what is magnified stands before it
+    bool hasMagnified = false; ///< a field for magnification is in front of it
 };
 
 FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
@@ -57,16 +57,16 @@ FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
     scale.title = fmt::format("Footprint of unit {}: longer side by shorter", unit);
     scale.shortTitle = fmt::format("Footprint of unit {}", unit);
     scale.colorAt = [](float place, int) {
-        return reference::ratioColor(std::pow(reference::largestShownRatio, place));
+        return reference::ratioColor(std::pow(reference::maxShownRatio, place));
     };
-    for (float ratio = 1; ratio <= reference::largestShownRatio; ratio *= 2)
-        scale.marks.push_back({std::log2(ratio) / std::log2(reference::largestShownRatio),
-                               ratio < reference::largestShownRatio ? fmt::format("{:.0f}", ratio)
-                                                                    : fmt::format("{:.0f}+", ratio)});
+    for (float ratio = 1; ratio <= reference::maxShownRatio; ratio *= 2)
+        scale.marks.push_back({std::log2(ratio) / std::log2(reference::maxShownRatio),
+                               ratio < reference::maxShownRatio ? fmt::format("{:.0f}", ratio)
+                                                                : fmt::format("{:.0f}+", ratio)});
     return scale;
 }
 
-/// Numbers below a bar, those that don't overlap; the last one is there in any case.
+/// Numbers below a bar, those that do not overlap; the last one is always shown.
 void drawMarks(ImDrawList& draw, const std::vector<ScaleMark>& marks, float left, float width, float y) {
     const float gap = ImGui::GetFontSize() * 0.35F;
     const auto widthOf = [](const ScaleMark& mark) { return ImGui::CalcTextSize(mark.text.c_str()).x; };
@@ -106,8 +106,8 @@ void shownItems(ViewSettings& settings) {
         settings.opacity = percent / 100;
     ImGui::EndDisabled();
     noteItem("false color opacity");
-    helpTip(isIdle ? "How much of the picture the false colours leave to be seen: there are none at present"
-                   : "How much of the picture the false colours leave to be seen");
+    helpTip(isIdle ? "The opacity of the false colours. None are shown at present"
+                   : "The opacity of the false colours over the picture");
     ImGui::SameLine();
     ImGui::TextUnformatted(tr("Opacity"));
 }
@@ -119,8 +119,8 @@ void drawShownChoice(ViewSettings& settings) {
     const bool pressed = ImGui::Button(fmt::format("{}###shown", shownLabel(settings)).c_str());
     ImGui::PopStyleColor();
     noteItem("shown");
-    helpTip("Shows the picture, or in false colours the level of detail of each pixel (λ) or how long its "
-            "footprint in the texture is (anisotropy)");
+    helpTip("Shows the picture, or false colours for the level of detail (λ) or the elongation of each "
+            "pixel's footprint (anisotropy)");
     if (pressed)
         ImGui::OpenPopup("shown choices");
     if (ImGui::BeginPopup("shown choices")) {
@@ -160,13 +160,13 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
         return;
     const reference::LevelMap* map = levelMapOf(session);
     const auto& answer = session.window.levels.answer;
-    // At the right, because the number of the passes stands at the left.
+    // On the right, because the number of the passes is on the left.
     const float right = static_cast<float>(pane.frame.right()) - em;
     const ImVec2 low(right - width, static_cast<float>(pane.frame.bottom()) - 2.6F * line - 2 * pad);
     if (!map) {
         const std::string words = answer && !answer->map
                                       ? fmt::format("No false colours: {}", answer->map.error().message)
-                                      : "The levels of the pixels are being worked out…";
+                                      : "Computing the levels of the pixels…";
         const std::string text = fitted(words, width);
         const float y = static_cast<float>(pane.frame.bottom()) - line - 2 * pad;
         const float x = right - ImGui::CalcTextSize(text.c_str()).x;

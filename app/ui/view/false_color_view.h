@@ -6,21 +6,21 @@
 
 namespace texplorer::ui {
 
-/// What the view shows, as a button in its tool row that opens a list; `width` is the one it has.
+/// The choice of the shown values, as a button in the tool row that opens a list; `width` is its width.
 [[nodiscard]] float shownChoiceWidth(const ViewSettings& settings);
 void drawShownChoice(ViewSettings& settings);
 
-/// The list itself, for a menu: the picture or false colours, and how opaque they are.
+/// The list for a menu: the picture or false colours, and their opacity.
 void shownItems(ViewSettings& settings);
 
-/// The false colours over a pane, where they are wanted.
+/// Draws the false colours over a pane, if they are switched on.
 void drawFalseColors(ImDrawList& draw, const Session& session, const Pictures& pictures, const Panes& panes,
                      const Pane& pane);
 
-/// What they mean, at the bottom of a pane, or why there are none.
+/// Draws their legend at the bottom of a pane, or the reason why there are none.
 void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& pane);
 
-/// The number of the pixel under the pointer, beside it.
+/// Shows the value of the pixel under the pointer in a tooltip.
 void drawFalseColorTip(const Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

@@ -5,11 +5,11 @@
 
 namespace texplorer::ui {
 
-// What aims the camera, each a step of undo. Until somebody moves it, it follows the shape of the view.
+// Move the camera, each as an undo step. Until the user moves the camera, it follows the shape of the view.
 
-/// The camera as it was at the start, fitted to the view.
+/// Restores the initial camera, fitted to the view.
 void resetCamera(Session& session, const Layout& layout);
 void frameAll(Session& session, const Layout& layout);
-void show(Session& session, const ShowRow& row, const Layout& layout); ///< selects what is shown, too
+void show(Session& session, const ShowRow& row, const Layout& layout); ///< also selects the shown object
 
 } // namespace texplorer::ui

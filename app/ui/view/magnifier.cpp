@@ -18,7 +18,7 @@ namespace texplorer::ui {
 
 namespace {
 
-constexpr int around = 5; // pixels to each side of the one under the mouse
+constexpr int around = 5; // pixels on each side of the one under the mouse
 constexpr int across = 2 * around + 1;
 
 /// One picture under the glass.
@@ -35,7 +35,7 @@ ImU32 colorOf(const Image& image, glm::ivec2 pixel) {
                     std::to_integer<int>(bytes[2]), 255);
 }
 
-/// "28 33 41 · 255": red, green, blue, and what the framebuffer has as alpha.
+/// "28 33 41 · 255": red, green, blue, and the framebuffer's alpha.
 std::string textOf(const Image& image, glm::ivec2 pixel) {
     const ByteView bytes = image.at(pixel.x, pixel.y);
     const auto number = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
@@ -46,7 +46,7 @@ bool holds(const Image& image, glm::ivec2 pixel) {
     return pixel.x < image.width && pixel.y < image.height;
 }
 
-/// By how much the two that are compared differ there, component by component.
+/// The difference of the two compared pictures at that pixel, for each component.
 std::string differenceText(const ViewSettings& settings, const Pictures& pictures, glm::ivec2 pixel) {
     std::array<const Image*, 2> images{};
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -87,7 +87,7 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
     return lenses;
 }
 
-/// The pixels around one, each as a square of `cell`; what is beyond the picture stays dark.
+/// The pixels around one, each as a square of `cell`; outside of the picture it stays dark.
 void drawPixels(ImDrawList& draw, ImVec2 low, float cell, view::PictureHandle handle, glm::ivec2 pixel,
                 view::Size picture, ImDrawCallback setBlending) {
     const float extent = cell * across;
@@ -95,7 +95,7 @@ void drawPixels(ImDrawList& draw, ImVec2 low, float cell, view::PictureHandle ha
     const glm::ivec2 first = glm::max(pixel - around, glm::ivec2(0));
     const glm::ivec2 end = glm::min(pixel + around + 1, glm::ivec2(picture.width, picture.height));
     if (handle != view::PictureHandle::None && first.x < end.x && first.y < end.y) {
-        const auto place = [&](int x, int y) { // of a pixel's lower left corner
+        const auto place = [&](int x, int y) { // the lower left corner of a pixel
             return ImVec2(low.x + static_cast<float>(x - pixel.x + around) * cell,
                           low.y + static_cast<float>(pixel.y + around + 1 - y) * cell);
         };
@@ -133,16 +133,18 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
     for (const Lens& lens : lenses)
         widest = std::max(widest, ImGui::CalcTextSize(tr(lens.name).c_str()).x);
     const ImVec2 size(widest, cell * across + 2.6F * em);
-    const std::string where = tr(fmt::format("Pixel {},{} from the upper left", pixel->x,
-                                             picture.height - 1 - pixel->y)); // as texshot probe --at counts
+    const std::string where =
+        tr(fmt::format("Pixel {},{} from the upper left", pixel->x,
+                       picture.height - 1 - pixel->y)); // counted like texshot probe --at
     const Rect& window = layout.window;
-    const int most = std::max(1, static_cast<int>((static_cast<float>(window.width) - pad) / (size.x + pad)));
-    const int columns = std::min(most, static_cast<int>(lenses.size()));
+    const int maxColumns =
+        std::max(1, static_cast<int>((static_cast<float>(window.width) - pad) / (size.x + pad)));
+    const int columns = std::min(maxColumns, static_cast<int>(lenses.size()));
     const int rows = (static_cast<int>(lenses.size()) + columns - 1) / columns;
     const ImVec2 whole(std::max(static_cast<float>(columns) * (size.x + pad) + pad,
                                 ImGui::CalcTextSize(where.c_str()).x + 2 * pad),
                        static_cast<float>(rows) * (size.y + pad) + pad + em * 1.2F);
-    // Beside the mouse, and inside of the window.
+    // Next to the mouse, and inside of the window.
     const float away = em * 1.4F;
     ImVec2 low(mouse.x + away, mouse.y + away);
     if (low.x + whole.x > static_cast<float>(window.right()))

@@ -6,8 +6,8 @@
 
 namespace texplorer::ui {
 
-/// The pixels around the mouse, enlarged, with the place and the colour of the one under it: of every picture
-/// that is shown, side by side. Does nothing where it is switched off; to be called while the mouse is on the
+/// Draws the pixels around the mouse enlarged, with the position and the colour of the one under it, for
+/// every shown picture side by side. Does nothing if it is switched off. Call it while the mouse is on the
 /// pictures.
 void drawMagnifier(Session& session, const Panes& panes, const Pictures& pictures, const Layout& layout);
 

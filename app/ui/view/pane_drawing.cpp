@@ -28,13 +28,13 @@ std::string labelOf(RendererKind renderer) {
     return tr(rowOf(renderer).label);
 }
 
-/// The label, or where that has no room its first word.
+/// The label, or its first word if there is no room.
 std::string labelWithin(RendererKind renderer, float width) {
     const std::string words = labelOf(renderer);
     return ImGui::CalcTextSize(words.c_str()).x <= width ? words : words.substr(0, words.find(' '));
 }
 
-/// Text on a dark ground, so that it can be read on any picture.
+/// Text with a dark background, readable on any picture.
 void drawChip(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 tint) {
     const float pad = ImGui::GetFontSize() * 0.3F;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -48,7 +48,7 @@ float comboWidth(RendererKind renderer) {
            2 * ImGui::GetStyle().FramePadding.x;
 }
 
-/// A list of the renderers on the picture, as wide as its text, at most `width`.
+/// A list of the renderers over the picture, as wide as its text, at most `width`.
 void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) {
     RendererKind& compared = session.window.view.compared[which];
     const std::string id = fmt::format("##compared{}", which);
@@ -75,7 +75,7 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
     ImGui::EndCombo();
 }
 
-/// "A" at the left of the view, "Now" at its right; while the view shows A alone, that it does.
+/// "A" on the left of the view, "Now" on its right; or a note that the view shows only A.
 void sideLabels(const Session& session, const Panes& panes) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float gap = ImGui::GetFontSize() * 0.8F;
@@ -87,7 +87,7 @@ void sideLabels(const Session& session, const Panes& panes) {
         noteDrawn(name, {x, y}, {x + size.x, y + size.y});
     };
     if (isKeptShown(session))
-        chip(static_cast<float>(frame.x) + gap, "side:A", tr("A, as it was kept"));
+        chip(static_cast<float>(frame.x) + gap, "side:A", tr("Only A"));
     if (!isKeptBeside(session))
         return;
     const char* now = tr("Now");
@@ -132,7 +132,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     } else if (pictures.setBlending) {
         const bool comes = pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1})
                                          : isDrawing(pictures, settings.compared);
-        const char* text = tr(comes ? "Drawing…" : "No picture: the status bar says why");
+        const char* text = tr(comes ? "Drawing…" : "No picture: see the status bar");
         const ImVec2 size = ImGui::CalcTextSize(text);
         draw.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, color::dim, text);
     }
@@ -149,7 +149,7 @@ void paneLabels(Session& session, const Panes& panes) {
         const auto width = static_cast<float>(frame.width) - 2 * gap;
         const ImVec2 at(static_cast<float>(frame.x) + gap, static_cast<float>(frame.y) + gap);
         rendererCombo(session, 0, at, width);
-        // In a narrow view the second one goes below the first one.
+        // In a narrow view the second one is below the first one.
         const float y = left + right + gap <= width ? at.y : at.y + ImGui::GetFrameHeight() + gap;
         const float x = apart ? at.x + std::max(0.0F, width - right) : y > at.y ? at.x : at.x + left + gap;
         rendererCombo(session, 1, {x, y}, width);
@@ -178,7 +178,7 @@ void paneSeam(Session& session, const Layout& layout) {
     const float reach = ImGui::GetFontSize() * 0.4F;
     const float x =
         static_cast<float>(whole.x) + std::round(session.window.view.split * static_cast<float>(whole.width));
-    // At the picture's edge, where the panel's padding takes no mouse, the grip stays inside.
+    // At the picture's edge, where the panel's padding gets no mouse, the grip stays inside.
     const float grip = std::clamp(
         x - reach, static_cast<float>(whole.x) + reach,
         std::max(static_cast<float>(whole.x) + reach, static_cast<float>(whole.right()) - 3 * reach));
@@ -219,7 +219,7 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {
                        color::shade, pad);
     if (hasWords)
         draw.AddText({low.x, low.y - pad * 0.4F - above}, color::dim, words);
-    // The places of the numbers: equal steps from one to the next.
+    // The positions of the numbers: equal steps.
     std::vector<int> marks{0, scale.tolerance};
     for (int next = scale.tolerance + 1; next < scale.top; next *= 4)
         marks.push_back(next);

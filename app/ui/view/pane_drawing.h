@@ -6,26 +6,26 @@
 
 namespace texplorer::ui {
 
-/// The part of a pane's picture that the zoom shows; without a picture a sentence that says what is missing.
+/// Draws the zoomed part of a pane's picture; without a picture, a sentence that says what is missing.
 void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures,
               const ViewSettings& settings);
 
-/// What a pane shows.
+/// The picture of a pane.
 [[nodiscard]] view::PictureHandle pictureOf(const Pane& pane, const Pictures& pictures);
 
-/// Whether the pictures of these renderers will still become better, or be there at all.
+/// Whether pictures of these renderers are not final yet.
 [[nodiscard]] bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers);
 
-/// What a pane is: its renderer, which one can change where two are compared, or its side.
+/// The label of a pane: its renderer, which can be changed if two are compared, or its side.
 void paneLabels(Session& session, const Panes& panes);
 
-/// The seam of Arrangement::Split and Kept, which one drags. Does nothing in another arrangement.
+/// The draggable seam of Arrangement::Split and Kept. Does nothing in another arrangement.
 void paneSeam(Session& session, const Layout& layout);
 
-/// What the colours of the difference mean, at the bottom of its pane.
+/// The legend of the difference's colours, at the bottom of its pane.
 void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale);
 
-/// Whether the worst pixel has a ring around it: only where it is over the tolerance.
+/// Whether the worst pixel has a ring around it: only if it is above the tolerance.
 [[nodiscard]] inline bool isRinged(const Difference& difference) {
     return difference.over > 0;
 }
@@ -33,7 +33,7 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale);
 /// A ring around a pixel, in every pane.
 void markPixel(ImDrawList& draw, const Panes& panes, glm::ivec2 pixel, ImU32 tint);
 
-/// What a comparison says, below the pictures, and how it is made.
+/// Draws the results and the controls of a comparison below the pictures.
 void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout);
 
 } // namespace texplorer::ui

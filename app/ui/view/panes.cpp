@@ -9,7 +9,7 @@ namespace texplorer::ui {
 
 namespace {
 
-/// Every pane has the size of Layout::picture, which is the first of them.
+/// Every pane has the size of Layout::picture, which is the first one.
 Rect cellOf(const Layout& layout, int column, int row) {
     Rect cell = layout.picture;
     if (column > 0)
@@ -60,7 +60,7 @@ glm::vec2 sizeOf(const Rect& rect) {
     return {static_cast<float>(rect.width), static_cast<float>(rect.height)};
 }
 
-/// The centre that is nearest to the wanted one and shows nothing beyond the picture.
+/// The centre nearest to the wanted one at which only the picture is visible.
 glm::vec2 withinPicture(glm::vec2 centre, int factor) {
     const float half = 0.5F / static_cast<float>(factor);
     return glm::clamp(centre, glm::vec2(half), glm::vec2(1 - half));
@@ -69,7 +69,7 @@ glm::vec2 withinPicture(glm::vec2 centre, int factor) {
 } // namespace
 
 PaneGrid gridOf(const ViewSettings& settings) {
-    static_assert(rendererKindRows.size() == 3, "with the difference they make a square of four");
+    static_assert(rendererKindRows.size() == 3, "with the difference they form a square of four");
     const int extent = settings.arrangement == Arrangement::Grid ? 2 : 1;
     return {extent, extent, isComparing(settings), settings.stripLines};
 }
@@ -77,7 +77,7 @@ PaneGrid gridOf(const ViewSettings& settings) {
 Panes::Panes(const Layout& layout, const ViewSettings& settings, view::Size picture)
     : panes_(arrange(layout, settings))
     , size_(static_cast<float>(picture.width), static_cast<float>(picture.height)) {
-    const int factor = std::clamp(settings.zoom.factor, 1, PictureZoom::largest);
+    const int factor = std::clamp(settings.zoom.factor, 1, PictureZoom::maxFactor);
     const glm::vec2 centre = withinPicture(settings.zoom.centre, factor);
     const glm::vec2 half(0.5F / static_cast<float>(factor));
     low_ = centre - half;
@@ -105,7 +105,7 @@ std::optional<glm::ivec2> Panes::pixelAt(ImVec2 place) const {
     const Pane* pane = under(place);
     if (!pane || size_.x < 1 || size_.y < 1)
         return std::nullopt;
-    // A mouse at a whole number is on the pixel to the right of it and below, whatever rounding makes of it.
+    // A mouse at an integer position is on the pixel to the right of it and below, regardless of rounding.
     constexpr float inside = 0.01F;
     const glm::ivec2 pixel(glm::floor(toPicture(*pane, {place.x + inside, place.y + inside})));
     return glm::clamp(pixel, glm::ivec2(0), glm::ivec2(size_) - 1);
@@ -120,10 +120,10 @@ void zoomPictures(ViewSettings& settings, const Layout& layout, ImVec2 place, in
     const Pane* pane = before.under(place);
     if (!pane)
         return;
-    const glm::vec2 fixed = before.toPicture(*pane, place); // a share: the picture has one pixel here
+    const glm::vec2 fixed = before.toPicture(*pane, place); // a fraction: the picture has one pixel here
     int& factor = settings.zoom.factor;
     const int old = factor;
-    for (; notches > 0 && factor < PictureZoom::largest; --notches)
+    for (; notches > 0 && factor < PictureZoom::maxFactor; --notches)
         factor *= 2;
     for (; notches < 0 && factor > 1; ++notches)
         factor /= 2;

@@ -15,16 +15,16 @@ namespace texplorer::ui {
 
 /// A place where a picture is shown.
 struct Pane {
-    std::optional<RendererKind> renderer; ///< whose picture; none: the difference of the compared ones
-    Rect frame;                           ///< where the picture is, or the part of it that the zoom shows
-    Rect visible;                         ///< what one sees of the frame: a seam cuts it in two
+    std::optional<RendererKind> renderer; ///< its renderer; none: the difference of the compared ones
+    Rect frame;                           ///< the picture, or its zoomed part
+    Rect visible;                         ///< the visible part of the frame: a seam cuts it in two
     view::Side side = view::Side::Now;
 };
 
-/// Where the view shows which pixel of the pictures. All pictures have the same size, and every pane shows
-/// the same part of them. Places in the window are Dear ImGui's: from the top left. Places in a picture are
-/// GL's window coordinates, as of glReadPixels and Image::at: from the lower left, the middle of the first
-/// pixel at 0.5, 0.5.
+/// Maps pixels of the pictures to the window. All pictures have the same size, and every pane shows the same
+/// part of them. Window positions are Dear ImGui's, from the top left. Positions in a picture are GL's window
+/// coordinates, as in glReadPixels and Image::at: from the lower left, the middle of the first pixel at 0.5,
+/// 0.5.
 class Panes {
 public:
     Panes(const Layout& layout, const ViewSettings& settings, view::Size picture);
@@ -35,13 +35,13 @@ public:
     [[nodiscard]] glm::vec2 toPicture(const Pane& pane, ImVec2 place) const;
     [[nodiscard]] ImVec2 toWindow(const Pane& pane, glm::vec2 at) const;
 
-    /// The pixel that is shown there; none: no pane is there, or its picture is none.
+    /// The pixel at a position; none: there is no pane, or it has no picture.
     [[nodiscard]] std::optional<glm::ivec2> pixelAt(ImVec2 place) const;
 
-    /// How large one pixel of a picture is in the window.
+    /// The size of a picture's pixel in the window.
     [[nodiscard]] glm::vec2 pixelExtent() const;
 
-    /// The part of the pictures that is shown, as shares of them: lower left and upper right.
+    /// The visible part of the pictures as fractions: lower left and upper right.
     [[nodiscard]] glm::vec2 partLow() const { return low_; }
     [[nodiscard]] glm::vec2 partHigh() const { return high_; }
 
@@ -52,13 +52,13 @@ private:
     glm::vec2 high_;
 };
 
-/// The grid that the panes of these settings make, which decides how large the pictures are.
+/// The grid of panes for these settings, which determines the size of the pictures.
 [[nodiscard]] PaneGrid gridOf(const ViewSettings& settings);
 
-/// Zooms by a power of two and keeps the place in the picture that lies under `place` where it is.
+/// Zooms by a power of two; the point of the picture under `place` stays there.
 void zoomPictures(ViewSettings& settings, const Layout& layout, ImVec2 place, int notches);
 
-/// Moves the part that is shown by a way in the window.
+/// Moves the visible part by an offset in the window.
 void movePictures(ViewSettings& settings, const Layout& layout, ImVec2 way);
 
 } // namespace texplorer::ui

@@ -6,10 +6,11 @@
 
 namespace texplorer::ui {
 
-/// The mouse over the pictures: E held explains the pixel below it, a click does where the tab is open.
+/// Handles the mouse over the pictures: holding E explains the pixel below it, and so does a click if the tab
+/// is open.
 void probeWithMouse(Session& session, const Panes& panes, bool hovered, bool clicked);
 
-/// The pixels that the chosen texel has a share in, and the sign of the probed one.
+/// Draws the pixels that use the selected texel, and the mark of the probed one.
 void drawProbedPixel(const Session& session, const Pictures& pictures, const Panes& panes, const Pane& pane);
 
 } // namespace texplorer::ui

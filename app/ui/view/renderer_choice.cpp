@@ -11,8 +11,8 @@ namespace texplorer::ui {
 
 namespace {
 
-constexpr const char* compareHelp = "Two renderers across one picture, or all of them with the difference.";
-constexpr const char* nothingToCompare = "There is one renderer here, and nothing to compare it with.";
+constexpr const char* compareHelp = "Two renderers in one picture, or all of them with the difference.";
+constexpr const char* nothingToCompare = "Only one renderer is available.";
 
 bool choice(const std::string& name, const std::string& words, bool chosen, bool offered,
             std::string_view help) {
@@ -33,7 +33,7 @@ std::string wordsOf(const EnumRow& renderer, RendererForm form) {
     return std::string(form == RendererForm::Buttons ? renderer.label : briefOf(renderer));
 }
 
-/// What is chosen now.
+/// The current choice.
 std::string chosenWords(const ViewSettings& settings) {
     return comparesRenderers(settings) ? compareWords : wordsOf(rowOf(settings.renderer), RendererForm::List);
 }
@@ -92,15 +92,15 @@ bool listItem(const std::string& name, int key, bool chosen, bool offered, std::
     return pressed;
 }
 
-void drawList(ViewSettings& settings, float most) {
-    const float room =
-        most - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x - ImGui::CalcTextSize(listSign).x;
+void drawList(ViewSettings& settings, float maxWidth) {
+    const float room = maxWidth - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x -
+                       ImGui::CalcTextSize(listSign).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
     const std::string words = fitted(chosenWords(settings), room + 1) + listSign;
     const bool open = ImGui::BeginMenu((words + "###renderers").c_str());
     noteItem("renderers");
     if (!open)
-        return helpTip("Who draws the picture");
+        return helpTip("The renderer of the picture");
     int key = 0;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
@@ -117,9 +117,9 @@ void drawList(ViewSettings& settings, float most) {
 
 } // namespace
 
-void drawRendererChoice(ViewSettings& settings, RendererForm form, float most) {
+void drawRendererChoice(ViewSettings& settings, RendererForm form, float maxWidth) {
     if (form == RendererForm::List)
-        drawList(settings, most);
+        drawList(settings, maxWidth);
     else
         drawButtons(settings, form);
 }

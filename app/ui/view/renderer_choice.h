@@ -7,21 +7,21 @@
 
 namespace texplorer::ui {
 
-/// What a row of RendererKind says in this window: what it is, and where it isn't offered why.
+/// The help of a renderer in this window: what it is, and, if it is not offered, why.
 [[nodiscard]] std::string helpOf(const ViewSettings& settings, const EnumRow& renderer);
 
-/// How much room the choice has in the menu bar.
+/// The size of the choice in the menu bar.
 enum class RendererForm {
-    Buttons, ///< one for each, and one to compare
+    Buttons, ///< one button for each, and one to compare
     Brief,   ///< the same with short words
-    List,    ///< a menu that is called like what is chosen
+    List,    ///< a menu with the name of the current choice
 };
-constexpr std::array rendererForms{RendererForm::Buttons, RendererForm::Brief, RendererForm::List};
+inline constexpr std::array rendererForms{RendererForm::Buttons, RendererForm::Brief, RendererForm::List};
 
-/// In pixels, with the gap before it.
+/// In pixels, including the gap before it.
 [[nodiscard]] float rendererChoiceWidth(const ViewSettings& settings, RendererForm form);
 
-/// Who draws the picture, in the menu bar. The name of a list is cut where it is wider than `most`.
-void drawRendererChoice(ViewSettings& settings, RendererForm form, float most);
+/// The choice of the renderer in the menu bar. The name of a list is cut if it is wider than `maxWidth`.
+void drawRendererChoice(ViewSettings& settings, RendererForm form, float maxWidth);
 
 } // namespace texplorer::ui

@@ -10,7 +10,8 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float beside = 1.45F; // how far the cube and the sphere of the default scene are from the middle
+constexpr float beside =
+    1.45F; // the distance of the cube and the sphere of the default scene from the middle
 
 Model* firstOf(Scene& scene, Shape shape) {
     const auto found = std::ranges::find(scene.models, shape, &Model::shape);
@@ -48,7 +49,7 @@ void showOnly(Scene& scene, Show show, double time, float aspect) {
         return lookAlongFloor(view);
     if (show == Show::Quad)
         view.azimuth = view.elevation = 0;
-    else if (view.azimuth == 0) { // a solid that is seen from straight ahead looks flat
+    else if (view.azimuth == 0) { // a solid seen from straight ahead looks flat
         view.azimuth = defaultScene().view.azimuth;
         view.elevation = defaultScene().view.elevation;
     }

@@ -20,11 +20,11 @@ inline constexpr std::array showRows{
     ShowRow{Show::Quad, "Square"},        ShowRow{Show::Floor, "Floor"},
 };
 
-/// Makes the first model of the shape visible and every other one invisible; adds the model where the scene
-/// has none. Aims the camera at it. `aspect` is the view's width / height.
+/// Shows only the first model of the shape; adds it if the scene has none. Aims the camera at it. `aspect` is
+/// the view's width / height.
 void showOnly(Scene& scene, Show show, double time, float aspect);
 
-/// What is shown now; nothing where it is none of the choices.
+/// The current choice; nothing if it is none of them.
 [[nodiscard]] std::optional<Show> shownNow(const Scene& scene);
 
 } // namespace texplorer::ui

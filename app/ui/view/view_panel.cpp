@@ -30,13 +30,13 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr const char* cameraEdit = "Move camera"; // never sealed: looking around is one step of undo
+constexpr const char* cameraEdit = "Move camera"; // never sealed: moving the camera is one undo step
 
 constexpr const char* frameLabel = "Frame";
-constexpr const char* frameHelp = "Aims the camera so that every model is whole (F, or a double click)";
+constexpr const char* frameHelp = "Moves the camera so that all models are in view (F or double click)";
 constexpr const char* moreLabel = "…";
 
-/// The choices of the tool row from this one on, and Frame.
+/// The choices of the tool row that do not fit, and Frame.
 void moreMenu(Session& session, const Layout& layout, std::size_t first) {
     if (!ImGui::BeginPopup("more"))
         return;
@@ -56,7 +56,7 @@ void moreMenu(Session& session, const Layout& layout, std::size_t first) {
     ImGui::EndPopup();
 }
 
-/// What the view shows. Choices that have no room are in a menu at the end.
+/// The choices of what the view shows. Those that do not fit are in a menu at the end.
 void toolRow(Session& session, const Layout& layout) {
     ImGui::SetCursorPos(
         {ImGui::GetStyle().WindowPadding.x,
@@ -70,7 +70,7 @@ void toolRow(Session& session, const Layout& layout) {
         all += buttonWidth(row.label) + gap;
     const bool fits = left + all <= right;
     const float end = fits ? right : right - buttonWidth(moreLabel) - gap - choice;
-    std::size_t count = 0; // of the choices that have room
+    std::size_t count = 0; // the number of choices that fit
     for (float x = left; count < showRows.size(); ++count) {
         x += buttonWidth(showRows[count].label);
         if (x > end)
@@ -95,7 +95,7 @@ void toolRow(Session& session, const Layout& layout) {
     ImGui::SameLine(0, gap);
     const bool pressed = ImGui::Button(label(last));
     noteItem(fits ? "frame" : "more choices");
-    helpTip(fits ? frameHelp : "What has no room here");
+    helpTip(fits ? frameHelp : "More controls");
     if (pressed && fits)
         frameAll(session, layout);
     else if (pressed)
@@ -103,7 +103,8 @@ void toolRow(Session& session, const Layout& layout) {
     moreMenu(session, layout, count);
 }
 
-/// With Ctrl the mouse moves and enlarges the pictures, as if with a magnifying glass; else the camera.
+/// With Ctrl the mouse moves and enlarges the pictures like a magnifying glass; otherwise it moves the
+/// camera.
 void moveView(Session& session, bool hovered, bool active, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.window.view.zoom.factor),
@@ -133,13 +134,13 @@ void moveView(Session& session, bool hovered, bool active, const Layout& layout)
         recordEdit(session, cameraEdit);
 }
 
-/// A place as shares of the picture from its upper left, as projectVertex and pickVertex have it, in pixels.
+/// Converts a fraction of the picture from its upper left, as in projectVertex and pickVertex, to pixels.
 glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
     return glm::vec2(share.x, 1 - share.y) *
            glm::vec2(static_cast<float>(size.width), static_cast<float>(size.height));
 }
 
-/// As projectVertex, which makes the mesh anew.
+/// Like projectVertex, but without making the mesh again.
 std::optional<glm::vec2> placeOf(Session& session, const PickedVertex& picked, float aspect) {
     const double time = session.window.playback.time;
     const StandingScene standing(session.document.scene, time);
@@ -175,7 +176,7 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     const glm::vec4 coord = effectiveTexCoord(*model, mesh, session.window.selection.unit, vertex);
     const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coord.x, coord.y);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    // Beside the vertex, inside of the picture.
+    // Next to the vertex, inside of the picture.
     ImVec2 chip(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
     chip.x = std::min(chip.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
     chip.y = std::max(chip.y, static_cast<float>(pane.visible.y) + em * 0.4F);
@@ -185,13 +186,13 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     draw.AddText(chip, color::chosen, text.c_str());
 }
 
-/// The vertices that are chosen with the one that has the marker.
+/// The other selected vertices, without the one that has the marker.
 void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                     view::Size picture) {
     const std::vector<std::size_t> chosen = chosenVertices(session.window.selection);
     const Model* model = selectedModel(session);
-    constexpr std::size_t most = 500; // Dear ImGui counts the vertices of a panel with 16 bits
-    if (!model || !model->visible || chosen.size() < 2 || chosen.size() > most)
+    constexpr std::size_t maxChosen = 500; // Dear ImGui counts the vertices of a panel with 16 bits
+    if (!model || !model->visible || chosen.size() < 2 || chosen.size() > maxChosen)
         return;
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -208,7 +209,7 @@ void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, 
     }
 }
 
-/// A ring around the vertex that the pointer is on, here or in the texture space.
+/// A ring around the vertex under the pointer, here or in the texture space.
 void drawHoverRing(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                    view::Size picture) {
     const std::optional<PickedVertex>& hovered =
@@ -227,7 +228,7 @@ void drawHoverRing(Session& session, const Layout& layout, const Panes& panes, c
     draw.AddCircle(at, em * 0.5F, color::chosen, 24, em * 0.13F);
 }
 
-/// The vertex under the mouse, or none.
+/// The vertex under the mouse, if any.
 std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layout& layout, const Panes& panes,
                                              view::Size picture) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -242,7 +243,7 @@ std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layou
     return pickVertex(*standing, time, aspectOf(layout), {at.x, 1 - at.y});
 }
 
-/// Picks it; with Shift it is added to those that are chosen, or taken away.
+/// Selects it; with Shift it is added to the selection or removed from it.
 void pick(Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
     if (!panes.under(ImGui::GetIO().MousePos))
         return;
@@ -257,17 +258,17 @@ void pick(Session& session, const Layout& layout, const Panes& panes, view::Size
         chooseVertices(selection, picked ? std::vector{picked->vertex} : std::vector<std::size_t>{});
 }
 
-/// What the mouse does, first what one would not find alone: as much of it as fits.
+/// What the mouse does, the least obvious first; as many hints as fit.
 struct ViewHint {
     const char* words;
-    const char* key = ""; ///< that a lesson may take
+    const char* key = ""; ///< that a lesson may use
 };
 constexpr std::array hints{ViewHint{"Hold E: explain", "E"},
                            ViewHint{"Drag: orbit"},
                            ViewHint{"Wheel: zoom"},
                            ViewHint{"Right drag: pan"},
                            ViewHint{"M: magnifier", "M"},
-                           ViewHint{"Click: pick a vertex"},
+                           ViewHint{"Click: select a vertex"},
                            ViewHint{"Ctrl + wheel: enlarge the pixels"}};
 
 std::string hintsFor(const Session& session, float available) {
@@ -283,7 +284,7 @@ std::string hintsFor(const Session& session, float available) {
     return line;
 }
 
-/// The hints, or that the picture, and what is said of it, is of a preview.
+/// Shows the hints, or a note that the picture and its values are of a preview.
 void hintLine(const Session& session, const Layout& layout) {
     const float em = ImGui::GetFontSize();
     const float available = static_cast<float>(layout.view.width) - em;
@@ -303,7 +304,7 @@ void hintLine(const Session& session, const Layout& layout) {
         noteItem("view hints:" + line);
 }
 
-/// Says that the picture is not the whole of it, over its lower edge.
+/// Shows over the lower edge that the picture is incomplete.
 void stepLine(const Session& session, const Layout& layout) {
     const std::size_t count = shownScene(session).passes.size();
     const std::size_t shown = shownPasses(session);
@@ -339,7 +340,7 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     if (pictures.difference && !panes.all().back().renderer)
         drawLegend(draw, panes.all().back(), pictures.difference->scale);
     drawFalseColorLegend(draw, session, panes.all().front());
-    paneLabels(session, panes); // before the button below, so that the mouse finds them first
+    paneLabels(session, panes); // before the button below, so that they get the mouse first
     paneSeam(session, layout);
 
     ImGui::SetCursorScreenPos({static_cast<float>(layout.canvas.x), static_cast<float>(layout.canvas.y)});

@@ -10,8 +10,8 @@
 namespace texplorer::ui {
 
 void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell) {
-    constexpr float mostCells = 4000; // every second one is a rectangle of four vertices
-    cell = std::max(cell, std::sqrt((high.x - low.x) * (high.y - low.y) / mostCells));
+    constexpr float maxCells = 4000; // every second one is a rectangle of four vertices
+    cell = std::max(cell, std::sqrt((high.x - low.x) * (high.y - low.y) / maxCells));
     draw.AddRectFilled(low, high, color::board);
     for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
         const float y = low.y + static_cast<float>(row) * cell;

@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-/// A board behind what is transparent, of squares this large.
+/// Draws a board behind transparent parts, with squares of this size.
 void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell);
 
 /// A rectangle of a colour, over two by two squares of that board.

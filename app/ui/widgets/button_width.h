@@ -6,12 +6,12 @@
 
 namespace texplorer::ui {
 
-/// Of a button with these words on it, in pixels: what a row that doesn't fit has to know before it is drawn.
+/// The width of a button with these words, in pixels: to check before drawing whether a row fits.
 [[nodiscard]] inline float buttonWidth(const char* words) {
     return ImGui::CalcTextSize(tr(words)).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-/// What the words of a list with an arrow have of its width.
+/// The width for the text in a list with an arrow.
 [[nodiscard]] inline float listRoom(float width) {
     return width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
 }

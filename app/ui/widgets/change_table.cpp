@@ -11,7 +11,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// Cut where the column ends; then a tooltip has it all.
+/// Cut at the end of the column; a tooltip then shows all of it.
 void valueCell(const std::string& value, ImU32 ink) {
     ImGui::TableNextColumn();
     if (fittedText(value, ink))

@@ -6,20 +6,20 @@
 
 namespace texplorer::ui {
 
-/// The columns of a table of changes. English.
+/// The column headings of a table of changes, in English.
 struct ChangeColumns {
     const char* from;
     const char* to;
-    float action = 0; ///< the width of a fourth one, for a button in each row; 0: there is none
+    float action = 0; ///< width of a fourth one, for a button in each row; 0: none
 };
 
-/// Between this, where it is true, and ImGui::EndTable each row is `changedParam` and `changedValues`. A size
-/// of 0 is all that there is.
+/// If it returns true, draw each row with `changedParam` and `changedValues`, and then call ImGui::EndTable.
+/// A size of 0 is the available one.
 [[nodiscard]] bool beginChangeTable(const ChangeColumns& columns, ImVec2 size = {0, 0});
 
-/// A new row with the parameter, which is the last item after this.
+/// Starts a row with the parameter, which is then the last item.
 void changedParam(const SceneChange& change);
-/// What it was, and what it is; what of that has no room is a tooltip.
+/// The old and the new value; a value that does not fit has a tooltip.
 void changedValues(const SceneChange& change);
 
 } // namespace texplorer::ui

@@ -5,7 +5,7 @@
 #include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
-#include <imgui_internal.h> // whether one types a number just now
+#include <imgui_internal.h> // whether a number is being typed
 
 #include <string>
 
@@ -17,17 +17,12 @@ int decimalsOf(const Range& range) {
 }
 
 std::string numberFormat(const Range& range) {
-    std::string format = fmt::format("%.{}f", decimalsOf(range));
-    if (range.unit == "deg")
-        return format + "°";
-    if (range.unit == "deg/s")
-        return format + "°/s";
-    if (range.unit.empty())
-        return format;
-    return format + (range.unit.starts_with('/') ? "" : " ") + tr(range.unit);
+    const std::string unit = unitText(range);
+    const bool isWord = !unit.empty() && !unit.starts_with('/') && !unit.starts_with("°");
+    return fmt::format("%.{}f{}{}", decimalsOf(range), isWord ? " " : "", unit);
 }
 
-/// At the left end of the last widget, where `number`, in its middle, leaves it room.
+/// At the left end of the last widget, if the centred `number` leaves room.
 void drawLetter(const char* letter, ImU32 tint, const std::string& number) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -41,6 +36,10 @@ void drawLetter(const char* letter, ImU32 tint, const std::string& number) {
 }
 
 } // namespace
+
+std::string unitText(const Range& range) {
+    return range.unit == "deg" ? "°" : range.unit == "deg/s" ? "°/s" : tr(range.unit);
+}
 
 void markDraggable() {
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -63,7 +62,7 @@ void markDraggable() {
 
 bool dragNumber(const char* id, float& value, const Range& range, int component, const char* instead,
                 const char* letter) {
-    const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id)); // at the left end, where the letter is
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id)); // at the left end, like the letter
     const std::string format =
         component >= 0 ? numberFormat({range.min, range.max, range.step, {}}) : numberFormat(range);
     const bool changed =
@@ -82,7 +81,7 @@ bool dragNumber(const char* id, float& value, const Range& range, int component,
 }
 
 bool slideNumber(const char* id, float& value, const Range& range, float end) {
-    // The number is drawn over the grab: only so strong that it can be read there, too.
+    // The number is drawn over the grab, which is faint enough to keep the number readable.
     ImVec4 grab = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
     grab.w *= 0.4F;
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);

@@ -2,19 +2,23 @@
 
 #include "core/scene/params/params.h"
 
+#include <string>
+
 namespace texplorer::ui {
 
-/// A number that one drags, in the current item width, with the colour of its component at its left (-1:
-/// none). `instead` is shown in the place of the number, `letter` before it.
+/// The unit as the window shows it: "°", "°/s", "/s", "pixels". Empty: none.
+[[nodiscard]] std::string unitText(const Range& range);
+
+/// A draggable number in the current item width, with the colour of its component on its left (-1: none).
+/// `instead` is shown instead of the number, `letter` before it.
 bool dragNumber(const char* id, float& value, const Range& range, int component,
                 const char* instead = nullptr, const char* letter = nullptr);
 
-/// A number with a slider from the range's least one, which is above 0, to `end`: what doubles is as far
-/// apart everywhere.
+/// A number with a slider from the range's minimum, which must be above 0, to `end`, on a logarithmic scale.
 bool slideNumber(const char* id, float& value, const Range& range, float end);
 
-/// The last widget is a number that one drags: arrows at both ends say so where there is room, and so does
-/// the mouse.
+/// Marks the last widget as a draggable number: by arrows at both ends if there is room, and by the mouse
+/// pointer.
 void markDraggable();
 
 } // namespace texplorer::ui

@@ -12,9 +12,9 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::size_t mostSegments = 8;
+constexpr std::size_t maxSegments = 8;
 
-/// The last widget stands for a choice: its name, its help, and what it would make of the picture.
+/// The tip of the last widget, a choice: its name, its help, and a preview of the picture.
 void offerChoice(Session& session, const ParamRow& row, const EnumRow& choice, const std::string& path,
                  bool isCurrent) {
     noteItem(fmt::format("{}={}", path, choice.name));
@@ -86,10 +86,10 @@ std::string nameOfChoice(const Session& session, const Owner& owner, const Param
 }
 
 std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owner, const ParamRow& row,
-                                       float width, std::size_t mostLines) {
-    if (row.kind != Kind::Enum || row.choices.size() > mostSegments)
+                                       float width, std::size_t maxLines) {
+    if (row.kind != Kind::Enum || row.choices.size() > maxSegments)
         return std::nullopt;
-    return planSegments(segmentsOf(session, owner, row), width, mostLines);
+    return planSegments(segmentsOf(session, owner, row), width, maxLines);
 }
 
 bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,

@@ -8,16 +8,16 @@
 
 namespace texplorer::ui {
 
-/// What a choice of a row is called here.
+/// The name of a row's choice in this place.
 [[nodiscard]] std::string nameOfChoice(const Session& session, const Owner& owner, const ParamRow& row,
                                        const EnumRow& choice);
 
-/// How the choices of a row lie side by side; nothing where they are many or their names too long.
+/// The layout of a row's choices as buttons; nothing if they are too many or too long.
 [[nodiscard]] std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owner,
-                                                     const ParamRow& row, float width, std::size_t mostLines);
+                                                     const ParamRow& row, float width, std::size_t maxLines);
 
-/// The choices as a plan has them, or, without one, as a list in the item's width. The one that the pointer
-/// rests on is previewed. `chosenInk`: of the chosen one of a plan. Tests call each "path=NAME". True where
+/// Draws the choices by a plan, or, without one, as a list in the item's width. The choice under the pointer
+/// is previewed. `chosenInk`: for the chosen one of a plan. The name in tests is "path=NAME". Returns true if
 /// `value` changed.
 bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
                  const std::string& path, const std::optional<SegmentPlan>& plan,

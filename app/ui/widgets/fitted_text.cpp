@@ -20,7 +20,7 @@ float widthOf(std::string_view text) {
 } // namespace
 
 std::size_t sensibleEnd(std::string_view text, std::size_t fits) {
-    constexpr std::size_t label = 16; // of so little every letter counts
+    constexpr std::size_t label = 16; // every letter of a short text counts
     if (fits >= text.size())
         return text.size();
     if (fits < label)
@@ -43,7 +43,7 @@ namespace {
 std::string cutToFit(std::string_view text, float room) {
     if (widthOf(text) <= room)
         return std::string(text);
-    // The longest beginning that leaves room for the dots: searched by halves, a character costs nothing.
+    // The longest beginning that leaves room for the dots, by binary search.
     const float left = room - widthOf("…");
     std::size_t fits = 0;
     std::size_t tooLong = text.size();

@@ -7,15 +7,15 @@
 
 namespace texplorer::ui {
 
-/// What of a text, translated, has this room, with "…" in the place of what has not.
+/// The part of a translated text that fits, with "…" instead of the rest.
 [[nodiscard]] std::string fitted(std::string_view words, float room);
 
-/// A line of text in the room that the panel or column has left; what is too long ends after a clause or a
-/// word, with "…". True where it had to be cut: then a tooltip should have it all.
+/// A line of text in the remaining room of the panel or column; a long text ends after a clause or a word,
+/// with "…". Returns true if it was cut: a tooltip should then show all of it.
 bool fittedText(std::string_view words, ImU32 ink);
 
-/// Where to cut a text of which `fits` bytes have room: after the last clause, else after the last word,
-/// where that keeps at least half of them. A label, which is short, is cut where its room ends.
+/// Where to cut a text if `fits` bytes have room: after the last clause, else after the last word, if at
+/// least half of the bytes are kept. A short label is cut at `fits`.
 [[nodiscard]] std::size_t sensibleEnd(std::string_view text, std::size_t fits);
 
 } // namespace texplorer::ui

@@ -10,7 +10,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// Numbers of a font, the largest byte first.
+/// Numbers in a font, big-endian.
 class FontReader {
 public:
     explicit FontReader(const std::filesystem::path& file)

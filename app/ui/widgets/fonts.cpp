@@ -26,7 +26,7 @@ constexpr std::array<ImWchar, 21> usualLetters{0x0020, 0x024F, // Latin
                                                0x25A0, 0x25CF, // ▶ ▾ ●
                                                0x2715, 0x275A, // ✕ ❚
                                                0x2212, 0x2212, // −
-                                               0xFFFD, 0xFFFD, // what stands for a letter that no font has
+                                               0xFFFD, 0xFFFD, // shown for a letter that no font has
                                                0};
 
 const view::ChineseFont* chineseFont() {
@@ -44,8 +44,8 @@ std::optional<std::string> dejaVu(const char* file) {
     return std::nullopt;
 }
 
-/// The letters of the language's texts, where DejaVu lacks them. All that the font has would take an atlas of
-/// 16 MB at large sizes.
+/// The letters of the language's texts that DejaVu lacks. All letters of the font would need an atlas of 16
+/// MB at large sizes.
 void addLettersOf(const Catalogue* catalogue, ImFontGlyphRangesBuilder& letters) {
     if (!catalogue || catalogue->language() != Language::Chinese)
         return;
@@ -60,7 +60,7 @@ void addLettersOf(const Catalogue* catalogue, ImFontGlyphRangesBuilder& letters)
     }
 }
 
-/// Adds to the font before this what that one lacks of the letters.
+/// Adds the missing letters to the previous font.
 void mergeFont(const std::string& file, float size, const ImVector<ImWchar>& letters) {
     ImFontConfig config;
     config.MergeMode = true;
@@ -83,8 +83,8 @@ void addFont(const char* file, float size) {
     }
 }
 
-// A letter that isn't loaded has a stand-in whose texture coordinates say which one it is: nothing else that
-// is drawn has this v, and its u is the letter.
+// A letter that is not loaded has a placeholder whose texture coordinates identify it: nothing else that is
+// drawn has this v, and its u is the letter.
 constexpr float ofStandIn = -1e6F;
 
 void addStandIns(ImFont& font, const std::set<ImWchar>& asked) {
@@ -116,20 +116,20 @@ bool drawsUnknownLetters(const ImDrawList& list) {
 
 bool Letters::look(const ImDrawData& drawn) {
     const std::size_t before = asked_.size();
-    const std::size_t most = mostLetters(ImGui::GetIO().Fonts->Fonts.front()->FontSize);
+    const std::size_t max = maxLetters(ImGui::GetIO().Fonts->Fonts.front()->FontSize);
     for (int i = 0; i < drawn.CmdListsCount; ++i) {
         const ImDrawList& list = *drawn.CmdLists[i];
         if (!told_ && drawsUnknownLetters(list))
             return told_ = true;
         for (const ImDrawVert& vertex : list.VtxBuffer) {
-            if (vertex.uv.y == ofStandIn && asked_.size() < most)
+            if (vertex.uv.y == ofStandIn && asked_.size() < max)
                 asked_.insert(static_cast<ImWchar>(vertex.uv.x));
         }
     }
     return asked_.size() > before;
 }
 
-std::size_t mostLetters(float size) {
+std::size_t maxLetters(float size) {
     constexpr float atlasPixels = 16e6F;
     constexpr float atAnySize = 4096;
     return static_cast<std::size_t>(std::min(atAnySize, atlasPixels / (2 * size * size)));
@@ -141,7 +141,7 @@ void addFonts(float scale, const Catalogue* catalogue, const Letters& letters) {
     ImFontGlyphRangesBuilder further;
     addLettersOf(catalogue, further);
     std::size_t left =
-        mostLetters(std::round(textSize * scale)); // they may have been asked for at a smaller size
+        maxLetters(std::round(textSize * scale)); // they may have been requested at a smaller size
     for (const ImWchar letter : letters.asked_) {
         if (left-- == 0)
             break;
@@ -166,7 +166,7 @@ void addFonts(float scale, const Catalogue* catalogue, const Letters& letters) {
         return;
     atlas.Build();
     for (ImFont* font : atlas.Fonts) {
-        if (letters.asked_.size() < mostLetters(font->FontSize))
+        if (letters.asked_.size() < maxLetters(font->FontSize))
             addStandIns(*font, letters.asked_);
     }
 }

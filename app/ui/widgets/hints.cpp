@@ -11,7 +11,7 @@
 namespace texplorer::ui {
 namespace {
 
-// Like Dear ImGui's context, of the one frame that is being drawn.
+// Global, like Dear ImGui's context, for the frame that is being drawn.
 float roomForHints = 0;
 Hint hintSaid;
 

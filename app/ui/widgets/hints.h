@@ -5,22 +5,23 @@
 
 namespace texplorer::ui {
 
-/// What the pointer rests on, in one line for the status bar, in English: the bar translates it.
+/// One line of help for the item under the pointer, in English: the status bar translates it.
 struct Hint {
-    std::string words; ///< empty: on nothing that has something to say
+    std::string words; ///< empty: the item has no help
     bool isProblem = false;
 };
 
-/// Begins a frame. `room`: pixels that the status bar has for a hint; 0: hints are shown beside the pointer.
+/// Begins a frame. `room`: pixels for a hint in the status bar; 0: hints are shown as tooltips.
 void beginHints(float room);
 
-/// Ends it: what has something to say from here on says it beside the pointer. What was said.
+/// Ends the collection of hints: later ones in this frame are shown as tooltips. Returns the hint for the
+/// status bar.
 Hint endHints();
 
-/// Whether the status bar has room for these words in one line.
+/// Whether these words fit into one line of the status bar.
 [[nodiscard]] bool fitsBelow(std::string_view words);
 
-/// Says it there. The last one of a frame counts.
+/// Shows the words there. The last hint of a frame is used.
 void hint(std::string words, bool isProblem = false);
 
 } // namespace texplorer::ui

@@ -6,11 +6,11 @@
 
 namespace texplorer::ui {
 
-/// The last widget belongs to a parameter: where the pointer rests on it, every panel that shows the
-/// parameter lights it with the next frame; where it rests on another of them, this one is lit.
+/// Links the last widget to a parameter: while the pointer is on it, every panel highlights the parameter
+/// from the next frame on; while the pointer is on another widget of the parameter, this one is highlighted.
 void linkHover(Session& session, std::string_view path);
 
-/// Called once a frame, before all panels.
+/// Call once per frame, before all panels.
 void turnHover(WindowState& window);
 
 } // namespace texplorer::ui

@@ -6,11 +6,15 @@
 namespace texplorer::ui {
 namespace {
 
-/// How insets lie along an edge.
+/// A placement of insets along an edge.
 struct Placing {
-    bool across; ///< beside each other; else one above the other
+    bool across; ///< next to each other; else one above the other
     bool atEnd;  ///< at the lower or the right edge; else at the upper or the left one
-    enum class Along { Begin, End, Both } along; ///< where on the edge, the first at the left or the top
+    enum class Along {
+        Begin,
+        End,
+        Both
+    } along; ///< the position on the edge; the first inset is on the left or at the top
 };
 
 using Along = Placing::Along;
@@ -56,7 +60,7 @@ std::vector<ImVec2> placed(std::span<const ImVec2> sizes, const Box& room, float
 
 float costOf(std::span<const ImVec2> places, std::span<const ImVec2> sizes, const Box& room,
              std::span<const Uncovered> kept) {
-    constexpr float unseen = 1000; // a pixel of an inset beyond the room
+    constexpr float unseen = 1000; // cost of a pixel of an inset outside of the room
     float cost = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const Box inset{places[i], {places[i].x + sizes[i].x, places[i].y + sizes[i].y}};

@@ -7,7 +7,7 @@
 
 namespace texplorer::ui {
 
-/// A rectangle of the window, y downwards.
+/// A rectangle in the window; y points down.
 struct Box {
     ImVec2 low;
     ImVec2 high;
@@ -17,18 +17,18 @@ struct Box {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// In pixels; 0: they don't overlap.
+/// The common area in pixels; 0: they do not overlap.
 [[nodiscard]] float sharedArea(const Box& a, const Box& b);
 
-/// What one would rather see than an inset.
+/// An area that insets should not cover.
 struct Uncovered {
     Box box;
-    float worth; ///< of each pixel of it
+    float worth; ///< of each of its pixels
 };
 
-/// The upper left corners of small pictures of these sizes along the edges of a room, where they cover what
-/// is worth least: beside each other or one above the other, at either end of an edge or at both. The lower
-/// edge is taken where it is as good as another. Pure.
+/// The upper left corners of small pictures of these sizes along the edges of a room, where they cover the
+/// least worth: next to each other or one above the other, at either end of an edge or at both. The lower
+/// edge is preferred. Pure.
 [[nodiscard]] std::vector<ImVec2> placeInsets(std::span<const ImVec2> sizes, const Box& room, float gap,
                                               std::span<const Uncovered> kept);
 

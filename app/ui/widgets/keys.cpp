@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 #if IMGUI_VERSION_NUM >= 18700
-#include <imgui_internal.h> // who has Tab
+#include <imgui_internal.h> // the owner of Tab
 #endif
 
 #include <array>
@@ -18,7 +18,7 @@ struct KeyRow {
     ImGuiKey name;
 };
 
-/// Those that Dear ImGui has had a name for from the beginning.
+/// Keys that Dear ImGui has always had names for.
 constexpr std::array editingKeys {
     KeyRow{key::tab, ImGuiKey_Tab}, KeyRow{key::left, ImGuiKey_LeftArrow},
         KeyRow{key::right, ImGuiKey_RightArrow}, KeyRow{key::up, ImGuiKey_UpArrow},
@@ -98,7 +98,7 @@ bool isKeyPressed(int code, bool repeats) {
 }
 
 void prepareKeys() {
-    ImGui::GetIO().ConfigInputTrickleEventQueue = false; // a frame is told what belongs together
+    ImGui::GetIO().ConfigInputTrickleEventQueue = false; // our input queue does this
 }
 
 void setKey(int code, bool down) {
@@ -120,7 +120,7 @@ void letTabMove(bool moves) {
     ImGui::SetKeyOwner(ImGuiKey_Tab, moves ? ImGuiKeyOwner_None : other, ImGuiInputFlags_None);
 }
 
-#else // Dear ImGui 1.86 takes the host's codes, and is told which of them it edits text with
+#else // Dear ImGui 1.86 uses the host's codes, and needs to know the keys for editing text
 
 bool isKeyDown(int code) {
     return ImGui::IsKeyDown(code);

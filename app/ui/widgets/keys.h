@@ -2,8 +2,9 @@
 
 namespace texplorer::ui {
 
-// Keys have GLFW's codes everywhere: letters and digits are ASCII, the others below. Every host reports them
-// so, and everything that asks for a key does it here: versions of Dear ImGui number them differently.
+// Keys have GLFW's codes everywhere: letters and digits are ASCII, the others below. Hosts report these
+// codes, and all code queries keys by these functions, because versions of Dear ImGui number them
+// differently.
 namespace key {
 inline constexpr int space = 32;
 inline constexpr int escape = 256;
@@ -35,23 +36,23 @@ inline constexpr int menu = 348;
 
 [[nodiscard]] bool isKeyDown(int code);
 
-/// Whether a key has gone down in this frame, or repeats in it.
+/// Whether a key was pressed in this frame, or repeats in it.
 [[nodiscard]] bool isKeyPressed(int code, bool repeats = true);
 
-/// Whether the keyboard opens the menu of the last widget, as a right click does: the key for menus, or
-/// Shift+F10, where the keyboard is.
+/// Whether the keyboard opens the menu of the last widget, like a right click: the menu key or Shift+F10
+/// while the widget has the focus.
 [[nodiscard]] bool isMenuAsked();
 
-/// Prepares a new context of Dear ImGui for the functions below.
+/// Prepares a new Dear ImGui context for the functions below.
 void prepareKeys();
 
-/// Tells Dear ImGui of a key, before the frame. Codes that it doesn't know are ignored.
+/// Passes a key to Dear ImGui, before the frame. Unknown codes are ignored.
 void setKey(int code, bool down);
 
-/// Tells Dear ImGui which modifiers are held, on either side of the keyboard, before the frame.
+/// Passes the held modifiers, on either side of the keyboard, to Dear ImGui, before the frame.
 void setModifiers(bool control, bool shift, bool alt, bool super);
 
-/// Whether Tab moves from field to field in the next frame, or means something else.
+/// Whether Tab moves between fields in the next frame; otherwise it has another meaning.
 void letTabMove(bool moves);
 
 } // namespace texplorer::ui

@@ -6,7 +6,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// The bytes of the character that a text begins with; of what isn't UTF-8, one.
+/// The number of bytes of the first character; 1 for invalid UTF-8.
 std::size_t characterLength(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text.front());
     const std::size_t length = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
@@ -22,7 +22,7 @@ char32_t characterAt(std::string_view text) {
     return letter;
 }
 
-/// What is set in squares, beside each of which a line may end: ideographs, kana, hangul and their marks.
+/// Full-width letters after which a line may break: ideographs, kana, hangul and their marks.
 bool isIdeographic(char32_t letter) {
     return (letter >= 0x2E80 && letter <= 0xA4CF) || (letter >= 0xAC00 && letter <= 0xD7AF) ||
            (letter >= 0xF900 && letter <= 0xFAFF) || (letter >= 0xFE30 && letter <= 0xFE4F) ||
@@ -36,14 +36,14 @@ bool isOneOf(char32_t letter, std::u32string_view letters) {
     return letters.find(letter) != std::u32string_view::npos;
 }
 
-/// Whether a line may end between two characters, of which the first may be a blank.
+/// Whether a line may break between two characters; the first may be a blank.
 bool isBreak(char32_t before, char32_t after) {
     if (isOneOf(after, beginNoLine) || after == U' ')
         return false;
     return before == U' ' || ((isIdeographic(before) || isIdeographic(after)) && !isOneOf(before, endNoLine));
 }
 
-/// How many bytes at its beginning stay together, with the blanks behind them.
+/// The number of bytes at the beginning that must stay together, including the blanks after them.
 std::size_t pieceLength(std::string_view text) {
     std::size_t end = characterLength(text);
     for (char32_t before = characterAt(text); end < text.size();) {
@@ -61,7 +61,7 @@ std::string_view withoutBlanks(std::string_view text) {
     return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-/// How many bytes of a word have room: one character at least.
+/// The number of bytes of a word that fit: at least one character.
 std::size_t partThatFits(std::string_view word, float room, const TextMeasure& widthOf) {
     std::size_t end = characterLength(word);
     float width = widthOf(word.substr(0, end));
@@ -77,7 +77,7 @@ std::size_t partThatFits(std::string_view word, float room, const TextMeasure& w
 
 void breakParagraph(std::vector<std::string_view>& lines, std::string_view text, float room,
                     const TextMeasure& widthOf) {
-    std::size_t length = 0; // of the line that is being filled, which `text` begins with
+    std::size_t length = 0; // of the current line, the beginning of `text`
     float width = 0;
     const auto endLine = [&] {
         lines.push_back(withoutBlanks(text.substr(0, length)));

@@ -6,13 +6,13 @@
 
 namespace texplorer::ui {
 
-/// How wide a piece of text is; that of two pieces side by side is the sum of theirs.
+/// The width of a text; the widths of adjacent texts must add up.
 using TextMeasure = std::function<float(std::string_view)>;
 
-/// The lines of a text (UTF-8) in a column `room` wide, as parts of it without the blanks at their ends.
-/// Broken after "\n", at blanks, and between ideographs as Chinese typesetting has it: no line begins with a
-/// mark that closes or ends something, ，。」”%, nor with a dash, and none ends with one that opens
-/// something, （「“. A word that is wider than the column is broken where it must be.
+/// Breaks a text (UTF-8) into lines for a column of width `room`, as parts of it without the blanks at their
+/// ends. Breaks after "\n", at blanks, and between ideographs by the rules of Chinese typesetting: no line
+/// begins with a closing mark, ，。」”%, or with a dash, and none ends with an opening one, （「“. A word
+/// that is wider than the column is broken.
 [[nodiscard]] std::vector<std::string_view> linesOf(std::string_view text, float room,
                                                     const TextMeasure& widthOf);
 

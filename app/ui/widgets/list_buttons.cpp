@@ -10,14 +10,14 @@
 namespace texplorer::ui {
 
 std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen, std::size_t count,
-                                    std::size_t least, std::size_t most) {
+                                    std::size_t min, std::size_t max) {
     const std::string name = words.name;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float button = ImGui::GetFrameHeight();
     std::optional<ListEdit> pressed;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - 4 * button - 3 * gap));
-    ImGui::PushID(words.name); // other lists have buttons with the same signs
-    if (squareButton("+", "add " + name, words.add, count < most))
+    ImGui::PushID(words.name); // other lists have the same buttons
+    if (squareButton("+", "add " + name, words.add, count < max))
         pressed = ListEdit::Add;
     ImGui::SameLine(0, gap);
     if (squareButton("↑", name + " up", words.up, chosen > 0))
@@ -26,7 +26,7 @@ std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen, 
     if (squareButton("↓", name + " down", words.down, chosen + 1 < count))
         pressed = ListEdit::Down;
     ImGui::SameLine(0, gap);
-    if (squareButton("✕", "remove " + name, words.remove, count > least))
+    if (squareButton("✕", "remove " + name, words.remove, count > min))
         pressed = ListEdit::Remove;
     ImGui::PopID();
     return pressed;

@@ -6,10 +6,10 @@
 
 namespace texplorer::ui {
 
-/// What one does with an element of a list.
+/// The edits of a list.
 enum class ListEdit { Add, Up, Down, Remove };
 
-/// How the buttons explain themselves, and what tests call them: "add pass", "pass up".
+/// The texts of the buttons, and their names in tests: "add pass", "pass up".
 struct ListWords {
     const char* name; ///< "pass"
     const char* add;
@@ -18,13 +18,13 @@ struct ListWords {
     const char* remove;
 };
 
-/// +, ↑, ↓ and ✕ at the right end of a line, for the chosen element of a list of `count`, of which there must
-/// be `least` to `most`. What was pressed, if anything.
+/// +, ↑, ↓ and ✕ at the right end of a line, for the selected element of a list of `count`, which must have
+/// `min` to `max`. Returns the pressed one, if any.
 [[nodiscard]] std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen,
-                                                  std::size_t count, std::size_t least, std::size_t most);
+                                                  std::size_t count, std::size_t min, std::size_t max);
 
-/// ↑, ↓ and ✕ at the right end of the line of one element; "path#up" is what tests call them. What was
-/// pressed, if anything.
+/// ↑, ↓ and ✕ at the right end of an element's line; the name in tests is "path#up". Returns the pressed one,
+/// if any.
 [[nodiscard]] std::optional<ListEdit> elementButtons(const ListWords& words, const std::string& path,
                                                      std::size_t index, std::size_t count);
 

@@ -2,8 +2,8 @@
 
 namespace texplorer::ui {
 
-/// A dialog in the middle of the window, as large as its content. To be closed with ImGui::EndPopup() where
-/// true.
+/// Begins a dialog in the middle of the window, as large as its content. If it returns true, call
+/// ImGui::EndPopup().
 [[nodiscard]] bool beginModal(const char* title);
 
 } // namespace texplorer::ui

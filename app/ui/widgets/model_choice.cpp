@@ -16,14 +16,14 @@ std::string shownNameOf(const Model& model) {
     return model.name.empty() ? tr(nameOf(model)) : model.name;
 }
 
-void modelChoice(Session& session, float least, float most) {
+void modelChoice(Session& session, float minWidth, float maxWidth) {
     const std::vector<Model>& models = session.document.scene.models;
     const auto name = [&](int index) {
         return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
     };
     const std::string chosen = name(session.window.selection.model);
-    const float beside = least - listRoom(least);
-    const float width = std::clamp(ImGui::CalcTextSize(chosen.c_str()).x + beside + 1, least, most);
+    const float beside = minWidth - listRoom(minWidth);
+    const float width = std::clamp(ImGui::CalcTextSize(chosen.c_str()).x + beside + 1, minWidth, maxWidth);
     const std::string shown = fitted(chosen, listRoom(width));
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", shown.c_str())) {
@@ -38,7 +38,7 @@ void modelChoice(Session& session, float least, float most) {
     }
     noteItem("model choice");
     noteItem("model choice:" + shown);
-    const char* help = "Which model's values and vertices are shown";
+    const char* help = "The model whose values and vertices are shown";
     helpTip(shown == chosen ? std::string(help) : fmt::format("{}\n{}", chosen, help));
 }
 

@@ -6,11 +6,11 @@
 
 namespace texplorer::ui {
 
-/// Its own, or what its shape is called in the window's language.
+/// The model's own name, or the name of its shape in the window's language.
 [[nodiscard]] std::string shownNameOf(const Model& model);
 
-/// A list of the scene's models, of which there must be one: as wide as the name of the chosen one, at least
-/// and at most so wide.
-void modelChoice(Session& session, float least, float most);
+/// A list of the scene's models, of which there must be at least one: as wide as the name of the selected
+/// one, within the given limits.
+void modelChoice(Session& session, float minWidth, float maxWidth);
 
 } // namespace texplorer::ui

@@ -130,7 +130,7 @@ constexpr Palette highContrastPalette{
 constexpr std::array palettes{&darkPalette, &lightPalette, &highContrastPalette}; // in the order of Theme
 static_assert(palettes.size() == themeRows.size());
 
-const Palette* inForce = &darkPalette; // beside Dear ImGui's own style, which is as global
+const Palette* inForce = &darkPalette; // global, like Dear ImGui's own style
 
 } // namespace
 

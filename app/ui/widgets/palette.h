@@ -6,32 +6,32 @@
 
 namespace texplorer::ui {
 
-/// The colours of a theme. Whatever stands on a ground here can be read there: 4.5:1 for text, 3:1 for marks
-/// (WCAG 2.1, 1.4.3 and 1.4.11); and the marks, s to problem, can be told apart by people who see two of the
-/// three primaries. tests/ui/widgets/palette_test.cpp computes both.
+/// The colours of a theme. Everything is readable on its ground: contrast 4.5:1 for text, 3:1 for marks (WCAG
+/// 2.1, 1.4.3 and 1.4.11). The marks, s to problem, can be distinguished by people who see two of the three
+/// primaries. tests/ui/widgets/palette_test.cpp computes both.
 struct Palette {
     ImU32 s;       ///< texture coordinate s, and x
     ImU32 t;       ///< t, and y
     ImU32 r;       ///< r, and z
     ImU32 q;       ///< q, and w
-    ImU32 chosen;  ///< the chosen vertex and its face
+    ImU32 chosen;  ///< the selected vertex and its face
     ImU32 probed;  ///< the probed pixel and its texels
-    ImU32 changed; ///< differs from the initial value; what changed last
+    ImU32 changed; ///< differs from the initial value; the last change
     ImU32 problem; ///< errors and warnings
     ImU32 text;
     ImU32 dim;
     ImU32 faint;   ///< line numbers
     ImU32 keyword; ///< words of a programming language
-    ImU32 uniform; ///< what a shader is given from outside
-    ImU32 accent;  ///< what is held, ticked or has the keyboard
-    ImU32 outline; ///< faces that are not the chosen one
-    ImU32 blamed;  ///< behind a line with a mistake
-    ImU32 lit;     ///< behind bytes that belong together, and the bars of a chart
+    ImU32 uniform; ///< uniforms of a shader
+    ImU32 accent;  ///< held, ticked or focused items
+    ImU32 outline; ///< faces that are not selected
+    ImU32 blamed;  ///< behind a line with an error
+    ImU32 lit;     ///< behind related bytes; the bars of a chart
 
     ImU32 shade;      ///< under a line or a text on a picture
     ImU32 ground;     ///< behind pictures
-    ImU32 board;      ///< the fields of the board behind what is transparent
-    ImU32 boardLight; ///< the others
+    ImU32 board;      ///< the dark fields of the board behind transparent parts
+    ImU32 boardLight; ///< its light fields
     ImU32 panel;
     ImU32 popup;
     ImU32 bar; ///< behind menus and status
@@ -51,18 +51,18 @@ struct Palette {
 
 [[nodiscard]] const Palette& paletteOf(Theme theme);
 
-/// That of applyTheme.
+/// The palette set by applyTheme.
 [[nodiscard]] const Palette& palette();
 void usePalette(Theme theme);
 
-/// A colour of whichever theme is in force.
+/// A colour of the current theme.
 struct ThemeColor {
     ImU32 Palette::*member;
 
     operator ImU32() const { return palette().*member; } // NOLINT(google-explicit-constructor): it is one
 };
 
-// One thing has one colour everywhere.
+// Each kind of thing has the same colour everywhere.
 namespace color {
 inline constexpr ThemeColor s{&Palette::s};
 inline constexpr ThemeColor t{&Palette::t};

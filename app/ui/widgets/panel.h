@@ -6,14 +6,14 @@
 
 namespace texplorer::ui {
 
-/// A window that fills a rectangle and can't be moved. To be closed with ImGui::End(). It draws no ground of
-/// its own: a software renderer spends as long on blending a window's as on all that stands on it.
+/// Begins a window that fills a rectangle and cannot be moved. End it with ImGui::End(). It draws no
+/// background: a software renderer takes as long for blending it as for all of its content.
 void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0);
 
-/// The same with the ground of a menu bar, for the strips around panels.
+/// The same with the background of a menu bar, for the strips around panels.
 void beginBar(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0);
 
-/// What the host clears the window to before it draws panels.
+/// The colour to which the host clears the window before it draws panels.
 [[nodiscard]] ImVec4 panelGround();
 
 } // namespace texplorer::ui

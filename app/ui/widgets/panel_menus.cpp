@@ -39,7 +39,7 @@ void textureSpaceTitle(Session& session, float room) {
     noteItem("title:Texture space");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         toggleMaximised(workspace, Maximised::TextureSpace);
-    helpTip("Double click: fills everything but the parameters, and back. Right click: more.");
+    helpTip("Double click: maximises the panel, or restores it. Right click: more.");
     if (ImGui::BeginPopupContextItem("texture space menu")) {
         textureSpaceItems(workspace);
         ImGui::EndPopup();

@@ -4,13 +4,13 @@
 
 namespace texplorer::ui {
 
-// Menus that say which panels are open, and where: of View, and of the tabs themselves.
+// Menus for opening and moving panels: of View, and of the tabs themselves.
 
-/// The items for one tab: the docks, maximise, close. To be called in an open menu.
+/// The menu items for one tab: the docks, maximise, close. Call it in an open menu.
 void tabMenuItems(Workspace& workspace, Tab tab);
 
-/// The name of the texture space at the head of its panel, with its menu: a right click opens it, a double
-/// click maximises. `room`: in pixels; it is cut short where it takes more.
+/// The title of the texture space at the top of its panel, with its menu: a right click opens it, a double
+/// click maximises the panel. `room`: in pixels; a longer title is cut.
 void textureSpaceTitle(Session& session, float room);
 
 /// View › Panels: each panel, and a menu for each tab.
@@ -19,7 +19,7 @@ void panelsMenu(Session& session);
 /// View › Layout.
 void layoutsMenu(Session& session);
 
-/// Which tabs lie in a dock: for the button at the end of its tabs.
+/// The choice of the tabs in a dock, for the button at the end of its tabs.
 void dockMenuItems(Workspace& workspace, Dock dock);
 
 } // namespace texplorer::ui

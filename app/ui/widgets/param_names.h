@@ -7,7 +7,7 @@
 
 namespace texplorer::ui {
 
-// What parameters and their choices are called: by plain words, or, where there is one, by OpenGL's name.
+// The names of parameters and their choices: plain words, or OpenGL's names if there are any.
 
 [[nodiscard]] std::string_view shownName(const Settings& settings, const ParamRow& row);
 [[nodiscard]] std::string_view shownName(const Settings& settings, const EnumRow& choice);

@@ -23,7 +23,7 @@ std::optional<std::size_t> placeIndexOf(std::string_view part) {
     return error == std::errc() && stop == end ? std::optional(index) : std::nullopt;
 }
 
-/// Which unit's coordinates a row of a model keeps.
+/// The unit of a coordinates row of a model.
 int placeUnitOf(const ParamRow& row) {
     return row.key.back() - '0';
 }

@@ -7,24 +7,24 @@
 
 namespace texplorer::ui {
 
-/// Where a path leads, for what edits a parameter by its path.
+/// The target of a path, to edit a parameter by its path.
 struct ParamPlace {
     Owner owner; ///< without initial values
     const ParamRow* row = nullptr;
     std::optional<std::size_t> vertex{}; ///< of a list: "models[0].texCoords0[5]"
 };
 
-/// Nothing where there is no such parameter.
+/// Nothing if there is no such parameter.
 [[nodiscard]] std::optional<ParamPlace> placeOf(Scene& scene, std::string_view path);
 
-/// One of the numbers of an Int, a Float, a vector, a matrix or a vertex's coordinates. `component` counts
-/// for those that have several.
+/// One of the numbers of an Int, a Float, a vector, a matrix or a vertex's coordinates. `component` is used
+/// for those with several numbers.
 [[nodiscard]] float numberAt(const ParamPlace& place, int component);
 
-/// Changes it as its control does: kept within the row's range, recorded. True where it changed.
+/// Sets it as its control does: clamped to the row's range, recorded. Returns true if it changed.
 bool assignNumber(Session& session, const ParamPlace& place, int component, float number);
 
-/// What a drag does to it.
+/// The range and step of a drag.
 [[nodiscard]] Range rangeOf(const ParamPlace& place);
 
 } // namespace texplorer::ui

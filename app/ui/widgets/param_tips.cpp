@@ -17,7 +17,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// Who clicks looks at what came of it: what covers a part of that waits until the pointer moves on.
+/// After a click the user looks at its effect: a tip that covers it waits until the pointer moves.
 bool hasJustClicked() {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 way(io.MousePos.x - io.MouseClickedPos[0].x, io.MousePos.y - io.MouseClickedPos[0].y);
@@ -25,20 +25,20 @@ bool hasJustClicked() {
     return io.MouseClickedTime[0] > 0 && way.x * way.x + way.y * way.y < near * near;
 }
 
-/// In which frame a choice has said what it is, which needn't be said again of the row that it belongs to.
+/// The frame in which a choice has shown its tip, which its row then need not show.
 struct ToldChoice {
     int frame = -1;
-    bool below = false; ///< in the status bar, not beside the pointer
+    bool below = false; ///< in the status bar, not as a tooltip
 };
 ToldChoice toldChoice;
 
-/// "since OpenGL 1.4", or the extension that has it.
+/// "since OpenGL 1.4", or the extension that defines it.
 std::string originOf(const EnumRow& choice) {
     const bool extension = choice.since.starts_with("GL_");
     return extension ? fmt::format("from {}", choice.since) : fmt::format("since OpenGL {}", choice.since);
 }
 
-/// "GL_REPEAT · since OpenGL 1.0"; empty for our own words.
+/// "GL_REPEAT · since OpenGL 1.0"; empty for names that are not OpenGL's.
 std::string nameAndOrigin(const EnumRow& choice) {
     return choice.since.empty() ? std::string() : fmt::format("{} · {}", choice.name, originOf(choice));
 }
@@ -64,7 +64,7 @@ void dimWrappedText(std::string_view words) {
 }
 
 void helpTip(std::string_view words) {
-    // What is disabled most of all has to say why.
+    // Disabled items need a tip most of all.
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
         ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
@@ -111,10 +111,10 @@ namespace {
 std::string howToReset(const ParamRow& row, const Value& initial, bool hasSign) {
     const std::string words = formatValue(row, initial);
     return hasSign ? fmt::format("Initially {}; ↺ resets it.", words)
-                   : fmt::format("Initially {}; a right click leads back.", words);
+                   : fmt::format("Initially {}; right-click to reset.", words);
 }
 
-/// In one line below, what matters most first: true where that has room for what has to be said.
+/// In one line of the status bar, the most important first. Returns true if the necessary parts fit.
 bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Target target,
                const Finding* idle, const Finding* problem, bool hasSign) {
     const bool isWrong = problem && problem->severity <= Severity::Warning;
@@ -140,7 +140,7 @@ bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Ta
 
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem, bool hasSign) {
-    // What is disabled most of all has to say why.
+    // Disabled items need a tip most of all.
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
         ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
@@ -178,7 +178,7 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
 
 namespace {
 
-/// In one line below, with its names where they have room: true where that has room for the help.
+/// In one line of the status bar, with its names if they fit. Returns true if the help fits.
 bool hintChoice(const EnumRow& choice) {
     const std::string names = choice.since.empty() ? std::string(choice.label)
                                                    : fmt::format("{}  ·  {}", choice.label, choice.name);

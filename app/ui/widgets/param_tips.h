@@ -8,26 +8,27 @@
 
 namespace texplorer::ui {
 
-// What a control says when the pointer rests on it. Each is called after the item that it explains.
+// The tips of controls. Call each after its item.
 
 void text(std::string_view words);
 void dimText(std::string_view words);
-/// As many lines as it takes in the room that there is.
+/// Wraps at the available width.
 void wrappedText(std::string_view words);
 void dimWrappedText(std::string_view words);
 
-/// The GL call for a texture of this target, the help, the choice, how to edit it, what the diagnosis says
-/// (nullptr: nothing) and how to reset it: with ↺ where the row `hasSign`. Of a choice that says itself what
-/// it is, it says the more only where that takes no room from what is below the pointer.
+/// Shows the GL call for a texture of this target, the help, the choice, how to edit it, the finding of the
+/// diagnosis (nullptr: none) and how to reset it: with ↺ if the row `hasSign`. For a choice with its own tip,
+/// it shows more only if that covers nothing below the pointer.
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem, bool hasSign = true);
 
 /// A triangle with an exclamation mark, as high as a control.
 void warningSign();
-/// An i in a circle, for what is worth knowing and not wrong.
+/// An i in a circle, for information that is not a warning.
 void noteSign();
 
-/// One of an enumeration's choices: its label, GL's name and its help, in the status bar or beside its list.
+/// The tip of one choice of an enumeration: its label, GL's name and its help, in the status bar or next to
+/// its list.
 void choiceTip(const EnumRow& choice);
 
 } // namespace texplorer::ui

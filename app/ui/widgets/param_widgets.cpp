@@ -4,6 +4,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/pinned.h"
 #include "app/ui/model/timeline_edits.h"
+#include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/enum_control.h"
 #include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/keys.h"
@@ -13,11 +14,12 @@
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/vector_controls.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/scene/params/key_edits.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
-#include <imgui_internal.h> // how far lines are indented, in a table, too
+#include <imgui_internal.h> // the indentation of lines, also in a table
 
 #include <algorithm>
 #include <array>
@@ -27,13 +29,13 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float labelShare = 0.44F;        ///< of a line's width
-constexpr float narrowest = 7.5F;          ///< of a control beside its label, in letters' heights
-constexpr float resetRoom = 1.3F;          ///< of ↺ and the gap before it, likewise
-constexpr float wideColumn = 37.3F;        ///< room for two columns of lines, in letters' heights: 560 pixels
-constexpr std::size_t mostButtonLines = 3; ///< of the buttons of a choice
+constexpr float labelShare = 0.44F;       ///< of a line's width
+constexpr float minControlWidth = 7.5F;   ///< of a control next to its label, in letters' heights
+constexpr float resetRoom = 1.3F;         ///< of ↺ and the gap before it, in letters' heights
+constexpr float wideColumn = 37.3F;       ///< room for two columns of lines, in letters' heights: 560 pixels
+constexpr std::size_t maxButtonLines = 3; ///< of the buttons of a choice
 
-/// Wide controls get a line of their own below the label.
+/// Wide controls get their own line below the label.
 bool isWide(Kind kind) {
     return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Matrix;
 }
@@ -42,29 +44,29 @@ float textWidth(std::string_view words) {
     return ImGui::CalcTextSize(tr(words).c_str()).x;
 }
 
-/// A row's value while its control is drawn.
+/// The value of a row while its control is drawn.
 struct Line {
     std::string path;
     Value value;
     Value initial;
-    bool changed;           ///< it isn't the initial value
-    const Finding* idle;    ///< why it changes nothing at present; nullptr: it matters
-    const Finding* problem; ///< what is wrong with it
+    bool changed;           ///< differs from the initial value
+    const Finding* idle;    ///< why it has no effect at present; nullptr: it has
+    const Finding* problem; ///< its problem; nullptr: none
     bool edited = false;
     bool reset = false;
-    bool hasSign = true;               ///< ↺, once it isn't the initial value
-    std::optional<SegmentPlan> plan{}; ///< of a choice whose names are all in sight
-    std::optional<ImU32> chosenInk{};  ///< of the chosen one of these
-    std::optional<float> slidesTo{};   ///< of a number with a slider: where that ends
+    bool hasSign = true;               ///< shows ↺ if it differs from the initial value
+    std::optional<SegmentPlan> plan{}; ///< of a choice that shows all its names
+    std::optional<ImU32> chosenInk{};  ///< of the selected name
+    std::optional<float> slidesTo{};   ///< the end of the slider, for a number with a slider
 };
 
-/// What the initial value stands for, where its number says nothing.
+/// The meaning of the initial value, if its number says nothing.
 const char* insteadOfNumber(const ParamRow& row, const Line& line) {
     return row.range.initially.empty() || line.changed ? nullptr : row.range.initially.data();
 }
 
 bool intWidget(const ParamRow& row, int& value, const char* instead) {
-    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value")); // reads what the format says
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value")); // reads the number by the format
     const bool changed = ImGui::DragInt(
         "##value", &value, row.range.step, static_cast<int>(row.range.min), static_cast<int>(row.range.max),
         instead && !typing ? tr(instead) : "%d", ImGuiSliderFlags_AlwaysClamp);
@@ -72,7 +74,7 @@ bool intWidget(const ParamRow& row, int& value, const char* instead) {
     return changed;
 }
 
-/// Draws the control; true where the line's value changed.
+/// Draws the control; returns true if the line's value changed.
 bool control(Session& session, const Owner& owner, const ParamRow& row, Line& line) {
     Value& value = line.value;
     switch (row.kind) {
@@ -101,7 +103,7 @@ bool control(Session& session, const Owner& owner, const ParamRow& row, Line& li
     case Kind::ColorList:
     case Kind::TexCoordList:
     case Kind::IndexList:
-        return false; // the vertex list, the texture space and the pass section edit these
+        return false; // edited in the vertex list, the texture space and the pass section
     }
     return false;
 }
@@ -115,7 +117,7 @@ bool isContinuous(Kind kind) {
 
 namespace {
 
-/// What the history calls it: of choices several in a row would all be "Wrap s".
+/// The name in the history: several choices in a row would otherwise all be "Wrap s".
 std::string wordsOfEdit(const ParamRow& row, const Value& value) {
     const EnumRow* choice =
         row.kind == Kind::Enum ? findRow(row.choices, std::get<EnumValue>(value).number) : nullptr;
@@ -157,7 +159,7 @@ bool squareButton(const char* sign, std::string_view name, std::string_view help
 void caption(std::string_view words) {
     const float em = ImGui::GetFontSize();
     ImGui::Dummy({0, em * 0.15F});
-    ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the dim one says that something has no effect
+    ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the dim colour means that something has no effect
     text(words);
     ImGui::PopStyleColor();
     const float left = ImGui::GetItemRectMax().x + em * 0.5F;
@@ -182,7 +184,7 @@ Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
             problemOf(session.document.findings, path)};
 }
 
-/// Scrolls to a control that was asked for, and frames it.
+/// Scrolls to a requested control and frames it.
 void showWanted(Session& session, const Line& line) {
     if (line.path == session.window.wantedParam) {
         ImGui::SetScrollHereY(0.4F);
@@ -197,7 +199,7 @@ void showWanted(Session& session, const Line& line) {
                                         color::problem, ImGui::GetStyle().FrameRounding);
 }
 
-/// The last widget stands for a row: a right click, or the key for menus, opens its menu.
+/// The last widget opens the row's menu, by a right click or the menu key.
 void opensMenu() {
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
         ImGui::OpenPopup("row");
@@ -205,10 +207,10 @@ void opensMenu() {
 
 std::string backTo(const ParamRow& row, const Line& line) {
     const std::string initial = formatValue(row, line.initial);
-    return initial.empty() ? "Back to nothing" : fmt::format("Back to {}", initial);
+    return initial.empty() ? "Reset to nothing" : fmt::format("Reset to {}", initial);
 }
 
-/// What one can do with the key frames of a row.
+/// Menu items for the key frames of a row.
 void keyItems(Session& session, const Line& line) {
     const Timeline& timeline = session.document.scene.timeline;
     const float time = presentKeyTime(session);
@@ -219,8 +221,8 @@ void keyItems(Session& session, const Line& line) {
     } else {
         if (ImGui::MenuItem(label(fmt::format("Add key frame at {:.2f} s", time)).c_str()))
             addKey(session, line.path, time);
-        helpTip("The parameter is at this time what it is now, and moves from one of its key frames to the "
-                "next: the timeline has them.");
+        helpTip("Stores the present value at this time. The parameter moves from each key frame to the "
+                "next. The timeline lists them.");
     }
     noteItem(line.path + "#menu:key");
     if (!hasKeys(timeline, line.path))
@@ -231,10 +233,10 @@ void keyItems(Session& session, const Line& line) {
     if (ImGui::MenuItem(label("Remove its key frames")))
         removeKeys(session, line.path);
     noteItem(line.path + "#menu:no keys");
-    helpTip("The parameter stays what it is now.");
+    helpTip("The parameter keeps its present value.");
 }
 
-/// A diamond behind the label of what has key frames: filled where one is here.
+/// A diamond after the label of a parameter with key frames: filled if there is one at the present time.
 void keySign(Session& session, const Line& line) {
     const Timeline& timeline = session.document.scene.timeline;
     if (!hasKeys(timeline, line.path))
@@ -258,8 +260,9 @@ void keySign(Session& session, const Line& line) {
     else
         draw.AddQuad(top, right, bottom, left, color::accent, std::max(1.0F, em / 12));
     helpTip(
-        here ? fmt::format("It has a key frame here, at {:.2f} s. Click: remove it.", time)
-             : fmt::format("It has key frames: an edit is one at {:.2f} s. Click: it stays here what it is.",
+        here ? fmt::format("It has a key frame at {:.2f} s. Click to remove it.", time)
+             : fmt::format("It has key frames, and an edit adds one at {:.2f} s. Click to add one with the "
+                           "present value.",
                            time));
     if (pressed && here)
         removeKey(session, *here);
@@ -269,7 +272,7 @@ void keySign(Session& session, const Line& line) {
 
 constexpr std::array sheetSides{"Vary on a sheet: rows", "Vary on a sheet: columns"};
 
-/// What one can do with a row.
+/// The menu of a row.
 void rowMenu(Session& session, const ParamRow& row, Line& line) {
     if (!ImGui::BeginPopup("row"))
         return;
@@ -280,13 +283,13 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
     noteItem(line.path + "#menu:reset");
     const bool isThere = isEssential(line.path);
     const bool pinned = isPinned(settings, line.path);
-    if (ImGui::MenuItem(label(pinned ? "Take out of Essentials" : "Pin to Essentials"), nullptr, false,
+    if (ImGui::MenuItem(label(pinned ? "Unpin from Essentials" : "Pin to Essentials"), nullptr, false,
                         !isThere))
         togglePin(settings, line.path);
     noteItem(line.path + "#menu:pin");
-    helpTip(isThere  ? "Essentials has it already"
-            : pinned ? "Essentials shows it no longer"
-                     : "Essentials shows it below what it has, of whatever texture, unit or model is chosen");
+    helpTip(isThere  ? "It is in Essentials already"
+            : pinned ? "Removes it from Essentials"
+                     : "Shows it at the end of Essentials, for the selected texture, unit or model");
     keyItems(session, line);
     if (canSweep(row)) {
         ImGui::Separator();
@@ -294,9 +297,7 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
             if (ImGui::MenuItem(label(sheetSides[side])))
                 varyOnSheet(session, line.path, side);
             noteItem(fmt::format("{}#menu:{}", line.path, side == 0 ? "rows" : "columns"));
-            helpTip(
-                "The sheet of variations shows the scene with each of its values, beside those of another "
-                "parameter.");
+            helpTip("Shows the scene with each of its values on the sheet of variations.");
         }
     }
     ImGui::EndPopup();
@@ -304,7 +305,7 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
 
 void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
                  ImU32 ink) {
-    constexpr float dimShare = 0.35F; // of a swatch, which has no text to be dim
+    constexpr float dimShare = 0.35F; // of a swatch, which has no text to dim
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleColor(ImGuiCol_Text, line.idle ? color::dim : ink);
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, line.idle && row.kind == Kind::Color ? dimShare : 1.0F);
@@ -326,7 +327,7 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
         line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
 }
 
-/// Writes what the user did to a line. True where the value changed.
+/// Applies the user's change of a line. Returns true if the value changed.
 bool finish(Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
     if (!line.reset)
         return line.edited && assignParam(session, owner, row, line.value);
@@ -340,7 +341,7 @@ bool finish(Session& session, const Owner& owner, const ParamRow& row, const Lin
 
 namespace {
 
-/// Back to the initial value, of a line that has another one.
+/// The sign ↺ of a changed line, which resets it.
 void resetSign(const ParamRow& row, Line& line) {
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
@@ -353,8 +354,7 @@ void resetSign(const ParamRow& row, Line& line) {
     helpTip(backTo(row, line));
 }
 
-/// `sign`: the room for ↺ beside it; 0: that it was changed is said by its colour, of buttons by that of the
-/// chosen one.
+/// `sign`: the room for ↺ next to it; 0: the colour shows the change, for buttons that of the chosen one.
 bool controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width,
                   float sign = 0) {
     ImGui::PushID(line.path.c_str());
@@ -386,7 +386,7 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
     const float sign = ImGui::GetFontSize() * resetRoom;
     line.plan = planChoices(session, owner, row, width, lines);
     auto narrower = line.plan ? planChoices(session, owner, row, width - sign, lines) : std::nullopt;
-    if (!narrower || narrower->lines.size() > line.plan->lines.size()) // the sign isn't worth another line
+    if (!narrower || narrower->lines.size() > line.plan->lines.size()) // the sign is not worth another line
         return controlAlone(session, owner, row, std::move(line), width);
     line.plan = std::move(narrower);
     return controlAlone(session, owner, row, std::move(line), width, sign);
@@ -405,20 +405,20 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
 
     ImGui::PushID(line.path.c_str());
     const float em = ImGui::GetFontSize();
-    // Controls stand below each other, beside lines that are indented, too.
+    // Controls are aligned one below the other, also in indented lines.
     const float indent = ImGui::GetCurrentWindowRead()->DC.Indent.x - ImGui::GetStyle().WindowPadding.x;
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * resetRoom;
     const std::string_view name = shownName(session.window.settings, row);
-    // A label that is a little wider than its column takes some of the control's.
+    // A label that is slightly wider than its column takes some of the control's width.
     const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) +
                          (hasKeys(session.document.scene.timeline, line.path) ? em * 1.1F : 0) + em * 0.4F;
     const float labelWidth = std::floor(std::max((indent + full) * labelShare - indent, needed));
-    const float least = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * narrowest;
+    const float minWidth = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * minControlWidth;
     const float beside = full - labelWidth - resetWidth;
     line.plan = planChoices(session, owner, row, beside, 1);
-    const bool isNarrow = beside < least && !line.plan;
-    const bool hasLines = !line.plan && (line.plan = planChoices(session, owner, row, full, mostButtonLines));
+    const bool isNarrow = beside < minWidth && !line.plan;
+    const bool hasLines = !line.plan && (line.plan = planChoices(session, owner, row, full, maxButtonLines));
     const bool ownLine = isWide(row.kind) || isNarrow || hasLines;
 
     ImGui::BeginGroup();
@@ -432,6 +432,11 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     linkHover(session, line.path);
     paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
     opensMenu();
+    if (isWide(row.kind) && !row.range.unit.empty()) { // its fields have room only for the numbers
+        ImGui::SameLine(0, em * 0.35F);
+        dimPlainText(unitText(row.range));
+        noteItem(line.path + "#unit");
+    }
     if (line.problem) {
         ImGui::SameLine(0, em * 0.35F);
         problemSign(session, line.path, *line.problem);
@@ -447,7 +452,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     if (hasLines) {
         resetAtEnd();
     } else if (!ownLine) {
-        ImGui::SameLine(labelWidth); // from where the group begins
+        ImGui::SameLine(labelWidth); // from the start of the group
         controlWidth -= labelWidth;
     }
     drawControl(session, owner, row, line, controlWidth, color::text);
@@ -465,7 +470,7 @@ bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row)
 
 namespace {
 
-/// One below the other, or in two columns where there is room.
+/// One below the other, or in two columns if there is room.
 void drawRows(Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
     const bool two = ImGui::GetContentRegionAvail().x >= wideColumn * ImGui::GetFontSize() && rows.size() > 1;
     if (!two) {
@@ -484,7 +489,7 @@ void drawRows(Session& session, const Owner& owner, const std::vector<const Para
     ImGui::EndTable();
 }
 
-/// What has no effect, folded: it doesn't vanish, and isn't in the way.
+/// Rows without effect are folded: still available, but out of the way.
 void drawFolded(Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
     if (rows.empty())
         return;
@@ -500,7 +505,7 @@ void drawFolded(Session& session, const Owner& owner, const std::vector<const Pa
                           "%s", tr(fmt::format("No effect here ({})", rows.size())).c_str());
     ImGui::PopStyleColor();
     noteItem(owner.path + "#no effect");
-    helpTip("Settings of other choices than those that are made at present");
+    helpTip("Settings that the present choices don't use");
     ImGui::PopID();
     if (open)
         drawRows(session, owner, rows);
@@ -515,7 +520,7 @@ void paramRows(Session& session, const Owner& owner, const StructTable& table, c
     std::vector<const ParamRow*> rows; // of one group
     const auto isOver = [&](std::string_view group) {
         if (!rows.empty()) {
-            const bool saysSo = rows.front()->label == group; // a title would say it twice
+            const bool saysSo = rows.front()->label == group; // a title would repeat it
             if (options.captions && hasGroups && !saysSo)
                 caption(group);
             drawRows(session, owner, rows);

@@ -13,14 +13,14 @@
 
 namespace texplorer::ui {
 
-/// The struct that a group of rows edits, beside one that holds the initial values.
+/// The struct that a group of rows edits, and one with the initial values.
 struct Owner {
     void* values = nullptr;
     const void* initial = nullptr;
     std::string path; ///< "textures[0]"; empty for the scene itself
-    /// Asked before a value is written; false leaves everything as it was.
+    /// Called before a value is written; false cancels the change.
     std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
-    /// What a choice is called here; empty: as its row says.
+    /// The name of a choice in this place; empty: the name in its row.
     std::function<std::string(const ParamRow& row, const EnumRow& choice)> labelOf = {};
 
     [[nodiscard]] std::string pathOf(const ParamRow& row) const {
@@ -28,52 +28,52 @@ struct Owner {
     }
 };
 
-/// One line: label, control, and a sign to reset it where it differs from the initial value; a right click
-/// opens a menu that resets and pins it. The control suits the row's kind. Records the edit. True where the
+/// One line: label, control, and a sign to reset it if it differs from the initial value; a right click opens
+/// a menu to reset and pin it. The control depends on the row's kind. Records the edit. Returns true if the
 /// value changed.
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row);
 
-/// The control alone, for panels with lines of their own. The buttons of a choice may have so many `lines`.
-/// True where the value changed.
+/// The control alone, for panels with their own lines. `lines`: the maximum number of lines for the buttons
+/// of a choice. Returns true if the value changed.
 bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width,
                   std::size_t lines = 1);
 
-/// The control alone, of a Float whose places are powers: a slider from the least value to `end`.
+/// The control alone, for a Float on a scale of powers: a slider from the least value to `end`.
 bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end);
 
-/// Writes a value as its control does: checked, asked for, recorded. True where it changed.
+/// Sets a value as its control does: validated, confirmed, recorded. Returns true if it changed.
 bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value);
 
-/// How the rows of a table are drawn.
+/// Options for the rows of a table.
 struct RowOptions {
-    bool captions = true; ///< the groups have their names above them
-    /// Rows that are drawn elsewhere.
+    bool captions = true; ///< shows the groups' names above them
+    /// Rows that are left out, because they are drawn elsewhere.
     std::function<bool(const ParamRow& row)> leavesOut = {};
-    /// Rows that are folded beside those that belong to a choice that isn't made.
+    /// Rows that are folded, in addition to those that belong to a choice that is not selected.
     std::function<bool(const ParamRow& row)> folds = {};
-    /// Called where a group of rows ends.
+    /// Called after a group of rows.
     std::function<void(std::string_view group)> after = {};
 };
 
-/// Every row of a table: those that may have an effect on these values, group by group, and below them the
+/// Every row of a table: those that may have an effect with these values, group by group, and below them the
 /// others, folded.
 void paramRows(Session& session, const Owner& owner, const StructTable& table,
                const RowOptions& options = {});
 
-/// Whether a row's value can matter beside the others: the slices of a cube can't.
+/// Whether a row's value can have an effect with the values of the others: the slices of a cube cannot.
 [[nodiscard]] bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row);
 
-/// A button as wide as it is high; `name` is what tests call it.
+/// A square button; `name` is its name in tests.
 bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled);
 
-/// Ends a step of undo when the last widget is let go.
+/// Ends an undo step when the last widget is released.
 void sealAfterItem(Session& session);
 
-/// What the last widget is, where the pointer rests on it: in the status bar, or where that has no room a
-/// tooltip.
+/// Help for the last widget while the pointer rests on it: in the status bar, or as a tooltip if it does not
+/// fit there.
 void helpTip(std::string_view text);
 
-/// A small dim caption over a group.
+/// A small dim caption above a group.
 void caption(std::string_view text);
 
 } // namespace texplorer::ui

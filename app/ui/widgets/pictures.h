@@ -13,24 +13,24 @@
 
 namespace texplorer::ui {
 
-/// The pictures that the panels show. They make no GL call themselves.
+/// The pictures that the panels show. Panels do not call GL themselves.
 struct Pictures {
-    std::span<const ViewFrame> frames;          ///< of shownRenderers, at Layout::picture's size; never empty
-    const ViewDifference* difference = nullptr; ///< of those that are compared; nullptr: not known
-    std::span<const std::string> problems = {}; ///< sentences: what the renderers said
-    /// Of each pass, where the tab GLSL is shown or shaders draw; nullptr: there is none.
+    std::span<const ViewFrame>
+        frames; ///< in the order of shownRenderers, with Layout::picture's size; never empty
+    const ViewDifference* difference = nullptr; ///< of the compared ones; nullptr: not known
+    std::span<const std::string> problems = {}; ///< the renderers' problems
+    /// One per pass, if the tab GLSL is shown or shaders draw; nullptr: none.
     std::span<const std::shared_ptr<const view::PassShader>> shaders = {};
     /// The base level of boundTexture(session), nearest filtering.
     view::PictureHandle texture = view::PictureHandle::None;
-    /// Switches blending off, or back on where ImDrawCmd::UserCallbackData isn't null: a picture's alpha must
-    /// not let the window shine through. (ImDrawCallback_ResetRenderState won't do: the OpenGL2 backend of
-    /// Dear ImGui 1.86 pushes its matrices once more with each.)
+    /// Switches blending off, or on again if ImDrawCmd::UserCallbackData is not null: a picture's alpha must
+    /// not let the window show through. (ImDrawCallback_ResetRenderState does not work: with each, the
+    /// OpenGL2 backend of Dear ImGui 1.86 pushes its matrices once more.)
     ImDrawCallback setBlending = nullptr;
-    /// Keeps a picture of an image with its alpha until the end of the frame. Empty: there is no place for
-    /// any.
+    /// Makes a picture of an image with its alpha, valid until the end of the frame. Empty: not supported.
     std::function<view::PictureHandle(const std::shared_ptr<const Image>& image)> keep = {};
-    /// The same of what is shown so large that one sees its texels: nearest filtering. An image is kept in
-    /// one of the two ways.
+    /// The same for pictures that are enlarged to show their texels: nearest filtering. Use an image always
+    /// in the same way.
     std::function<view::PictureHandle(const std::shared_ptr<const Image>& image)> keepTexels = {};
 
     [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image) const {
@@ -41,7 +41,7 @@ struct Pictures {
     }
 };
 
-/// As Dear ImGui passes it on to the host's backend.
+/// The type that Dear ImGui passes to the host's backend.
 [[nodiscard]] inline ImTextureID textureId(view::PictureHandle picture) {
     return reinterpret_cast<ImTextureID>( // NOLINT(performance-no-int-to-ptr): it is no pointer
         static_cast<std::uintptr_t>(picture));

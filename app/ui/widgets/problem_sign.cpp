@@ -23,7 +23,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
         ImGui::OpenPopup("problem");
     noteItem(path + "#problem");
     helpTip(problem.fixes.empty() ? sentenceOf(problem)
-                                  : fmt::format("{}\n{}", sentenceOf(problem), "Click: what mends it"));
+                                  : fmt::format("{}\n{}", sentenceOf(problem), "Click: show fixes"));
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
     if (!ImGui::BeginPopup("problem"))

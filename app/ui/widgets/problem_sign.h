@@ -6,7 +6,7 @@
 
 namespace texplorer::ui {
 
-/// Beside the label of a parameter: says what is wrong with it, and after a click what mends it.
+/// A sign next to the label of a parameter: shows its problem, and after a click the fixes.
 void problemSign(Session& session, const std::string& path, const Finding& problem);
 
 } // namespace texplorer::ui

@@ -4,7 +4,7 @@
 
 namespace texplorer::ui {
 
-/// In a menu: what the scene may be exported as.
+/// Menu items for exporting the scene.
 void programMenuItems(Session& session);
 
 } // namespace texplorer::ui

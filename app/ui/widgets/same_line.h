@@ -4,8 +4,8 @@
 
 namespace texplorer::ui {
 
-/// Goes on in the line of the last widget where that has room for `width` after `gap`, else in the next one.
-/// True where it has.
+/// Continues the line of the last widget if `width` fits after `gap`, else starts the next line. Returns true
+/// if it fits.
 inline bool sameLineFor(float width, float gap) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const bool hasRoom = ImGui::GetItemRectMax().x + gap + width <= right;

@@ -23,7 +23,7 @@ float segmentText(std::string_view words) {
     return ImGui::CalcTextSize(tr(words).c_str()).x;
 }
 
-float leastWidth(const Segment& segment) {
+float minWidth(const Segment& segment) {
     return std::ceil(segmentText(segment.text)) + 2 * segmentPadding();
 }
 
@@ -32,7 +32,7 @@ float sumOf(const std::vector<float>& widths) {
            segmentGap() * static_cast<float>(widths.empty() ? 0 : widths.size() - 1);
 }
 
-/// What a line has left goes to its buttons, to each as much.
+/// The rest of a line is distributed equally over its buttons.
 void stretch(std::vector<float>& widths, float room) {
     const float more = std::floor((room - sumOf(widths)) / static_cast<float>(widths.size()));
     for (float& width : widths)
@@ -40,15 +40,15 @@ void stretch(std::vector<float>& widths, float room) {
     widths.back() += room - sumOf(widths);
 }
 
-/// `perLine` buttons in each line, the columns below each other where that has room and all lines are full.
+/// `perLine` buttons in each line, in aligned columns if that fits and all lines are full.
 std::optional<SegmentPlan> planLines(std::span<const Segment> segments, float width, std::size_t perLine) {
     SegmentPlan plan;
     std::vector<float> columns(perLine);
     for (std::size_t i = 0; i < segments.size(); ++i) {
         if (i % perLine == 0)
             plan.lines.push_back({});
-        plan.lines.back().widths.push_back(leastWidth(segments[i]));
-        columns[i % perLine] = std::max(columns[i % perLine], leastWidth(segments[i]));
+        plan.lines.back().widths.push_back(minWidth(segments[i]));
+        columns[i % perLine] = std::max(columns[i % perLine], minWidth(segments[i]));
     }
     const bool aligned = segments.size() % perLine == 0 && sumOf(columns) <= width;
     for (SegmentPlan::Line& line : plan.lines) {
@@ -61,7 +61,7 @@ std::optional<SegmentPlan> planLines(std::span<const Segment> segments, float wi
     return plan;
 }
 
-/// A line for each group, all buttons of one width.
+/// One line per group, all buttons with the same width.
 std::optional<SegmentPlan> planGroups(std::span<const Segment> segments, float width) {
     SegmentPlan plan;
     float widest = 0;
@@ -71,7 +71,7 @@ std::optional<SegmentPlan> planGroups(std::span<const Segment> segments, float w
             plan.lines.push_back({segment.group, {}});
         plan.lines.back().widths.push_back(0);
         most = std::max(most, plan.lines.back().widths.size());
-        widest = std::max(widest, leastWidth(segment));
+        widest = std::max(widest, minWidth(segment));
         plan.names =
             std::max(plan.names, std::ceil(segmentText(segment.group)) + ImGui::GetFontSize() * 0.6F);
     }
@@ -87,14 +87,14 @@ std::optional<SegmentPlan> planGroups(std::span<const Segment> segments, float w
 } // namespace
 
 std::optional<SegmentPlan> planSegments(std::span<const Segment> segments, float width,
-                                        std::size_t mostLines) {
+                                        std::size_t maxLines) {
     if (segments.empty())
         return std::nullopt;
     if (!segments.front().group.empty()) {
         std::optional<SegmentPlan> plan = planGroups(segments, width);
-        return plan && plan->lines.size() <= mostLines ? plan : std::nullopt;
+        return plan && plan->lines.size() <= maxLines ? plan : std::nullopt;
     }
-    for (std::size_t lines = 1; lines <= std::min(mostLines, segments.size()); ++lines) {
+    for (std::size_t lines = 1; lines <= std::min(maxLines, segments.size()); ++lines) {
         const std::size_t perLine = (segments.size() + lines - 1) / lines;
         if (std::optional<SegmentPlan> plan = planLines(segments, width, perLine))
             return plan;
@@ -133,7 +133,7 @@ std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const
                 pressed = number;
             ImGui::PopStyleColor(isChosen && chosenInk ? 2 : 1);
             ImGui::PopID();
-            if (isChosen) { // not by its ground alone
+            if (isChosen) { // not only by its background
                 const ImVec2 low = ImGui::GetItemRectMin();
                 const ImVec2 high = ImGui::GetItemRectMax();
                 ImGui::GetWindowDrawList()->AddRectFilled({low.x + gap, high.y - 2 * gap},

@@ -12,31 +12,31 @@
 
 namespace texplorer::ui {
 
-/// A button of a choice, all of which are in sight at once.
+/// A button of a choice that shows all its buttons.
 struct Segment {
     std::string text;            ///< in English
-    std::string_view group = {}; ///< those of a group have a line of their own, which begins with its name
+    std::string_view group = {}; ///< those of a group are on separate lines, which begin with its name
 };
 
-/// How the buttons of a choice lie in a width, in pixels.
+/// The layout of a choice's buttons in a width, in pixels.
 struct SegmentPlan {
     struct Line {
         std::string_view group;
         std::vector<float> widths; ///< of its buttons
     };
     std::vector<Line> lines;
-    float names = 0; ///< what the groups' names take at the left
+    float names = 0; ///< width of the groups' names on the left
 };
 
-/// Between two buttons, and between two lines of them.
+/// The gap between two buttons, and between two lines of them.
 [[nodiscard]] float segmentGap();
 
-/// The plan with the fewest lines in which no text is cut short; nothing: there is none with so few.
+/// The plan with the fewest lines in which no text is cut; nothing if more lines would be needed.
 [[nodiscard]] std::optional<SegmentPlan> planSegments(std::span<const Segment> segments, float width,
-                                                      std::size_t mostLines);
+                                                      std::size_t maxLines);
 
-/// Draws the buttons as one group. `after` is called with the number of each, right after it; `chosenInk` is
-/// for the name of the chosen one. The one that was pressed, if any.
+/// Draws the buttons as one group. `after` is called with each button's index, right after it; `chosenInk` is
+/// for the name of the chosen one. Returns the pressed one, if any.
 [[nodiscard]] std::optional<std::size_t>
 drawSegments(std::span<const Segment> segments, const SegmentPlan& plan, std::optional<std::size_t> chosen,
              const std::function<void(std::size_t)>& after, std::optional<ImU32> chosenInk = {});

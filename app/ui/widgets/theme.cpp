@@ -8,7 +8,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// Which colour of the palette each of Dear ImGui's is.
+/// The palette's colour for each of Dear ImGui's.
 struct StyleRow {
     ImGuiCol style;
     ImU32 Palette::*color;
@@ -74,7 +74,7 @@ void setColors(ImGuiStyle& style) {
 } // namespace
 
 float textScale(float contentScale, int textPercent) {
-    const int percent = std::clamp(textPercent, Settings::smallestText, Settings::largestText);
+    const int percent = std::clamp(textPercent, Settings::minText, Settings::maxText);
     return std::clamp(contentScale * static_cast<float>(percent) / 100, 0.5F, 8.0F);
 }
 

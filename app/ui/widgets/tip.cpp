@@ -4,7 +4,7 @@
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/wrapped_text.h"
 
-#include <imgui_internal.h> // where windows are
+#include <imgui_internal.h> // the positions of windows
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ Box boxOf(const ImGuiWindow& window) {
     return {window.Pos, {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}};
 }
 
-/// What a tip should leave in sight.
+/// Areas that a tip should not cover.
 std::vector<Box> keptInSight(const ImGuiWindow& window) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -85,7 +85,7 @@ void showTip(std::span<const TipLine> lines) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(style.WindowPadding.x + room);
     for (const TipLine& line : lines) {
-        ImGui::PushStyleColor(ImGuiCol_Text, line.ink); // whatever that of what it is about
+        ImGui::PushStyleColor(ImGuiCol_Text, line.ink); // independent of its item's colour
         if (line.code)
             ImGui::PushFont(codeFont());
         plainText(line.words);

@@ -13,9 +13,8 @@ struct TipLine {
     bool code = false;
 };
 
-/// A tooltip of the last item, where it covers neither the row of that, nor the menu or list that it is in,
-/// nor the view, which shows what comes of it: below or above the item, beside its panel, or at the lower
-/// edge.
+/// A tooltip of the last item. It covers neither the item's row, nor its menu or list, nor the view, which
+/// shows the effect: it is below or above the item, next to its panel, or at the lower edge.
 void showTip(std::span<const TipLine> lines);
 
 } // namespace texplorer::ui

@@ -8,8 +8,8 @@
 
 namespace texplorer::ui {
 
-/// While one of these lives, widgets report to it where they are, by parameter path or by name: how a test
-/// finds what it clicks on. At most one at a time, on the thread that draws.
+/// While an object of this class exists, widgets report their positions to it, by parameter path or by name,
+/// for tests to click on. At most one at a time, on the thread that draws.
 class WidgetPlaces {
 public:
     struct Item {
@@ -25,16 +25,16 @@ public:
     std::map<std::string, Item, std::less<>> items; ///< of the last frame
 };
 
-/// Whether anybody is told: what costs much to report needn't be where not.
+/// Whether there is such an object: if not, expensive reports can be skipped.
 [[nodiscard]] bool arePlacesWanted();
 
-/// What was reported of the frame before is forgotten.
+/// Removes the reports of the previous frame.
 void forgetPlaces();
 
-/// Reports where the last widget is.
+/// Reports the position of the last widget.
 void noteItem(std::string_view name);
 
-/// Reports something that is drawn but no widget; a point has two equal corners.
+/// Reports something drawn that is not a widget; a point has two equal corners.
 void noteDrawn(std::string_view name, ImVec2 upperLeft, ImVec2 lowerRight);
 
 } // namespace texplorer::ui

@@ -3,7 +3,7 @@
 #include "app/ui/widgets/line_breaks.h"
 #include "app/ui/widgets/palette.h"
 
-#include <imgui_internal.h> // where the window wraps text
+#include <imgui_internal.h> // the window's wrap position
 
 #include <functional>
 #include <unordered_map>
@@ -12,9 +12,9 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::size_t longestWord = 160; // in bytes
-constexpr std::size_t longestText = 4000;
-constexpr std::size_t mostRemembered = 4000; // texts
+constexpr std::size_t maxWordLength = 160; // in bytes
+constexpr std::size_t maxTextLength = 4000;
+constexpr std::size_t maxRemembered = 4000; // texts
 
 bool isInsideLetter(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; // of a UTF-8 sequence 10xxxxxx
@@ -33,12 +33,12 @@ std::string_view endOf(std::string_view text, std::size_t bytes) {
     return text.substr(from);
 }
 
-/// Chinese has no blanks, and its clauses aren't words.
+/// Chinese has no blanks, and its clauses are not words.
 bool isLatin(std::string_view word) {
     return word.find_first_of("\xE3\xE4\xE5\xE6\xE7\xE8\xE9\xEF") == std::string_view::npos;
 }
 
-/// What a text looked like the last time: most are the same from frame to frame.
+/// The last layout of a text: most texts stay the same from frame to frame.
 struct Wrapped {
     const ImFont* font = nullptr;
     float size = 0;
@@ -58,7 +58,7 @@ std::string wrappedAt(std::string_view words, float room, const ImFont& font, fl
     };
     const std::string readable = readablePart(words);
     std::string lines;
-    constexpr float rounding = 0.05F; // what is as wide as its column fits
+    constexpr float rounding = 0.05F; // a text as wide as its column fits
     for (const std::string_view line : linesOf(readable, room + rounding, widthOf)) {
         lines += line;
         lines += '\n';
@@ -68,10 +68,10 @@ std::string wrappedAt(std::string_view words, float room, const ImFont& font, fl
 }
 
 const std::string& wrapped(std::string_view words, float room) {
-    constexpr std::size_t places = 32; // the same text in columns of several widths
+    constexpr std::size_t places = 32; // for the same text in columns of several widths
     const ImFont* font = ImGui::GetFont();
     const float size = ImGui::GetFontSize();
-    if (wrappedBefore.size() > mostRemembered)
+    if (wrappedBefore.size() > maxRemembered)
         wrappedBefore.clear();
     auto found = wrappedBefore.find(words);
     if (found == wrappedBefore.end())
@@ -97,23 +97,25 @@ std::string readablePart(std::string_view words) {
     while (!words.empty()) {
         const std::size_t end = std::min(words.find_first_of(" \n"), words.size());
         const std::string_view word = words.substr(0, end);
-        if (word.size() > longestWord && isLatin(word))
-            shown.append(beginningOf(word, longestWord / 2)).append("…").append(endOf(word, longestWord / 3));
+        if (word.size() > maxWordLength && isLatin(word))
+            shown.append(beginningOf(word, maxWordLength / 2))
+                .append("…")
+                .append(endOf(word, maxWordLength / 3));
         else
             shown += word;
         if (end < words.size())
             shown += words[end];
         words.remove_prefix(std::min(end + 1, words.size()));
     }
-    if (shown.size() > longestText)
-        shown = std::string(beginningOf(shown, longestText)) + "…";
+    if (shown.size() > maxTextLength)
+        shown = std::string(beginningOf(shown, maxTextLength)) + "…";
     return shown;
 }
 
 void plainText(std::string_view words) {
     const ImGuiWindow& window = *ImGui::GetCurrentWindow();
     if (window.DC.TextWrapPos < 0)
-        return words.size() > longestText ? drawAsItIs(readablePart(words)) : drawAsItIs(words);
+        return words.size() > maxTextLength ? drawAsItIs(readablePart(words)) : drawAsItIs(words);
     const float room = ImGui::CalcWrapWidthForPos(window.DC.CursorPos, window.DC.TextWrapPos);
     ImGui::PushTextWrapPos(-1);
     drawAsItIs(wrapped(words, room));

@@ -33,17 +33,17 @@ void decide(Session& session, Decision decision) {
         return takeTheirs(session);
     session.document.changedFile.reset();
     if (decision == Decision::Theirs)
-        return finishPending(session); // what is shown here is given up for what waits
+        return finishPending(session); // the shown scene is discarded for the pending action
     if (decision == Decision::Elsewhere)
         return askSaveAs(session);
     session.window.pending = Pending::None;
 }
 
-/// A row for each parameter that differs, as far as the window has room.
+/// One row per different parameter, as many as fit into the window.
 void drawDifferences(const std::vector<SceneChange>& changes, float width) {
     const float line = ImGui::GetFrameHeight();
-    const float most = ImGui::GetIO().DisplaySize.y * 0.5F;
-    const float height = std::min(most, line * static_cast<float>(changes.size() + 2));
+    const float maxHeight = ImGui::GetIO().DisplaySize.y * 0.5F;
+    const float height = std::min(maxHeight, line * static_cast<float>(changes.size() + 2));
     if (!beginChangeTable({.from = "In the file", .to = "Here"}, {width, height}))
         return;
     for (const SceneChange& change : changes) {
@@ -63,14 +63,15 @@ Decision decisionButtons(bool readable) {
         helpTip(help);
         ImGui::SameLine();
     };
-    button("Keep mine", Decision::Mine, "changed:mine", "The file gets the scene that is shown here.");
+    button("Keep mine", Decision::Mine, "changed:mine", "Overwrites the file with the scene shown here.");
     ImGui::BeginDisabled(!readable);
     button("Take theirs", Decision::Theirs, "changed:theirs",
-           "The scene becomes the one in the file. Undo brings yours back.");
+           "Replaces the scene by the one in the file. Undo restores yours.");
     ImGui::EndDisabled();
     button("Save elsewhere", Decision::Elsewhere, "changed:elsewhere",
-           "Under another name: the file stays as it is.\nKey Enter");
-    if (isKeyPressed(key::enter, false)) // what loses nothing
+           "Saves under another name and keeps the file.\n"
+           "Key Enter");
+    if (isKeyPressed(key::enter, false)) // the action that loses nothing
         decision = Decision::Elsewhere;
     if (dialogButton("Cancel") || isKeyPressed(key::escape, false))
         decision = Decision::Cancel;
@@ -92,15 +93,15 @@ void drawChangedFile(Session& session) {
     const float width = std::min(em * 46, ImGui::GetIO().DisplaySize.x * 0.9F);
     ImGui::Dummy({width, 0});
     wrappedText(
-        fmt::format("Another program has changed {} since it was read here. Saving replaces those changes.",
+        fmt::format("Another program has changed {} since it was read. Saving overwrites those changes.",
                     printable(session.document.file.filename().string())));
     ImGui::Dummy({0, em * 0.3F});
     if (changed->theirs) {
         drawDifferences(changed->changes, width);
     } else {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(fmt::format("There is no scene in the file now: {}.",
-                                printable(describe(changed->theirs.error()))));
+        wrappedText(
+            fmt::format("The file contains no scene now: {}.", printable(describe(changed->theirs.error()))));
         ImGui::PopStyleColor();
         noteItem("changed:problem");
     }

@@ -21,7 +21,7 @@ namespace texplorer::ui {
 namespace {
 
 constexpr std::array textSizes{75, 90, 100, 110, 125, 150, 175, 200, 225, 250};
-static_assert(textSizes.front() == Settings::smallestText && textSizes.back() == Settings::largestText);
+static_assert(textSizes.front() == Settings::minText && textSizes.back() == Settings::maxText);
 
 bool comfortItem(const std::string& name, const std::string& keys = {}, bool marked = false,
                  bool enabled = true) {
@@ -36,7 +36,7 @@ bool comfortMenu(const char* name) {
     return open;
 }
 
-/// A file's name is nobody's to translate, and "##" in it no sign.
+/// A file's name is not translated, and "##" in it has no special meaning.
 bool fileItem(const std::filesystem::path& file) {
     const std::string name = printable(file.filename().string());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -50,7 +50,7 @@ bool fileItem(const std::filesystem::path& file) {
 
 void changeTextSize(Session& session, int steps) {
     int& percent = session.window.settings.textPercent;
-    // From a size between two of them, the next one in that direction.
+    // Between two sizes, the next one in that direction.
     const auto* above = std::ranges::upper_bound(textSizes, percent);
     const auto* from = std::ranges::lower_bound(textSizes, percent);
     const auto index = steps > 0 ? above - textSizes.begin() + steps - 1 : from - textSizes.begin() + steps;
@@ -68,7 +68,7 @@ void resizeTextByWheel(Session& session, float& turned, const Layout& layout) {
         turned = 0;
         return;
     }
-    turned += io.MouseWheel; // a touchpad's notches are small
+    turned += io.MouseWheel; // the notches of a touchpad are small
     const int steps = static_cast<int>(turned);
     turned -= static_cast<float>(steps);
     if (steps != 0)
@@ -93,10 +93,10 @@ void comfortItems(Session& session) {
     }
     if (comfortMenu("Text size")) {
         if (comfortItem("Larger", keysOf(session, "larger text"), false,
-                        settings.textPercent < Settings::largestText))
+                        settings.textPercent < Settings::maxText))
             changeTextSize(session, 1);
         if (comfortItem("Smaller", keysOf(session, "smaller text"), false,
-                        settings.textPercent > Settings::smallestText))
+                        settings.textPercent > Settings::minText))
             changeTextSize(session, -1);
         if (comfortItem("Usual", keysOf(session, "usual text")))
             settings.textPercent = Settings{}.textPercent;
@@ -109,8 +109,7 @@ void comfortItems(Session& session) {
     }
     if (comfortItem("Help in the status bar", {}, settings.helpBelow))
         settings.helpBelow = !settings.helpBelow;
-    helpTip("What the pointer rests on is explained at the lower edge of the window, and not over its "
-            "neighbours.");
+    helpTip("Explains what is under the pointer at the lower edge of the window, not in a tooltip.");
     if (comfortItem("Full screen", keysOf(session, "full screen"), session.window.fillsScreen))
         session.window.fillsScreen = !session.window.fillsScreen;
     if (comfortItem("View alone", keysOf(session, "view alone"),
@@ -122,9 +121,9 @@ void copyTexshotCommand(Session& session, const Layout& layout) {
     const Result<std::string> command =
         texshotCommand(session, {std::max(1, layout.picture.width), std::max(1, layout.picture.height)});
     if (!command)
-        return say(session, fmt::format("There is no command for this scene: {}.", command.error().message));
+        return say(session, fmt::format("No command can draw this scene: {}.", command.error().message));
     ImGui::SetClipboardText(command->c_str());
-    tell(session, "The clipboard has a command that draws this view without a window.");
+    tell(session, "Copied a command that draws this view without a window.");
 }
 
 void copySceneLink(Session& session) {
@@ -132,15 +131,15 @@ void copySceneLink(Session& session) {
     if (!link)
         return say(session, link.error());
     ImGui::SetClipboardText(link->c_str());
-    tell(session, fmt::format("The clipboard has the scene, as a text of {} letters. Whoever pastes it into "
-                              "Texplorer sees this scene.",
+    tell(session, fmt::format("Copied the scene as a text of {} letters. Paste it into Texplorer to open "
+                              "the scene.",
                               link->size()));
 }
 
 void pasteScene(Session& session) {
     const char* text = ImGui::GetClipboardText();
     if (!text || !isSceneLink(text))
-        return say(session, "The clipboard holds no link to a scene.");
+        return say(session, "The clipboard has no link to a scene.");
     if (const Result<void> opened = openSceneLink(session, text); !opened)
         say(session, fmt::format("The scene can't be pasted: {}.", describe(opened.error())));
 }
@@ -148,7 +147,7 @@ void pasteScene(Session& session) {
 void recentItems(Session& session) {
     Settings& settings = session.window.settings;
     if (settings.recentFiles.empty()) {
-        dimText("Nothing was opened yet");
+        dimText("No files opened yet");
         return;
     }
     std::optional<std::filesystem::path> chosen;

@@ -4,27 +4,26 @@
 
 namespace texplorer::ui {
 
-/// One step up or down among the sizes that one can choose.
+/// Goes one step up or down in the list of text sizes.
 void changeTextSize(Session& session, int steps);
 
-/// Ctrl and the wheel do the same, where they don't enlarge what the pointer is on. `turned`: what is left of
-/// a step, from frame to frame.
+/// Ctrl and the wheel do the same, unless they zoom the item under the pointer. `turned`: the rest of a step,
+/// from frame to frame.
 void resizeTextByWheel(Session& session, float& turned, const Layout& layout);
 
-/// Themes, sizes of text, where help stands, full screen and the pictures that one can write: items of a
-/// menu.
+/// Menu items: themes, text sizes, the place of help, full screen and pictures to write.
 void comfortItems(Session& session);
 
-/// Puts a command line into the clipboard that draws what the view shows.
+/// Copies a command line that draws the view's picture to the clipboard.
 void copyTexshotCommand(Session& session, const Layout& layout);
 
-/// Puts a text that others can open into the clipboard.
+/// Copies the scene as a text that others can open to the clipboard.
 void copySceneLink(Session& session);
 
-/// The scene that the clipboard holds as a text; says what is wrong with it.
+/// Opens the scene from a text in the clipboard; reports errors.
 void pasteScene(Session& session);
 
-/// The files that were opened last: items of a menu.
+/// Menu items: recently opened files.
 void recentItems(Session& session);
 
 } // namespace texplorer::ui

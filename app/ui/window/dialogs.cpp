@@ -30,12 +30,12 @@
 namespace texplorer::ui {
 namespace {
 
-/// The dialogs in which one chooses a file.
+/// A dialog to choose a file.
 struct BrowserRow {
     Dialog dialog;
     const char* title;
     bool saving;
-    bool thumbnails; ///< and with them the extensions of images, not of scenes
+    bool thumbnails; ///< with thumbnails the extensions are those of images, not of scenes
 };
 
 constexpr std::array browserRows{
@@ -55,8 +55,8 @@ std::vector<std::string> imageExtensions() {
     return extensions;
 }
 
-/// What "Open a scene" lists of its extensions: no suites, and of pictures those that hold a scene. A folder
-/// may have thousands: of each it is looked no further than texshot puts it.
+/// The files with a matching extension that "Open a scene" lists: no suites, and only pictures that hold a
+/// scene. A folder may have thousands of files: only the place where texshot writes the scene is read.
 bool maybeScene(const std::filesystem::path& file) {
     constexpr std::size_t firstChunks = 32;
     const std::string name = file.filename().string();
@@ -98,12 +98,14 @@ void beginBrowsing(DialogsState& state, const Session& session) {
 }
 
 void drawDiscard(Session& session) {
-    if (!beginModal("Unsaved changes"))
+    const Document& document = session.document;
+    const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
+    const std::string name = printable(file.filename().string());
+    const std::string title = fmt::format("Unsaved changes in {}", name);
+    if (!beginModal(name.empty() ? "Unsaved changes in this scene" : title.c_str()))
         return;
-    const std::filesystem::path& file = session.document.file;
-    text(file.empty()
-             ? std::string("This scene has changes that are not saved.")
-             : fmt::format("{} has changes that are not saved.", printable(file.filename().string())));
+    text(name.empty() ? std::string("This scene has changes that are not saved.")
+                      : fmt::format("{} has changes that are not saved.", name));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     const bool keep = dialogButton("Save") || isKeyPressed(key::enter, false);
     noteItem("discard:save");
@@ -127,12 +129,12 @@ void drawDiscard(Session& session) {
         save(session);
 }
 
-/// A picture that texshot has drawn is an image, too.
+/// A picture by texshot is an image, too.
 void drawPictureQuestion(Session& session) {
     if (!beginModal("A picture with its scene"))
         return;
     const std::string name = session.window.askedPicture.file.filename().string();
-    text(fmt::format("{} holds the scene that it was drawn from.", printable(name)));
+    text(fmt::format("{} contains the scene that it was drawn from.", printable(name)));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     const bool open = dialogButton("Open its scene") || isKeyPressed(key::enter, false);
     noteItem("picture:scene");
@@ -155,13 +157,13 @@ void drawPictureQuestion(Session& session) {
         session.window.askedPicture = {};
 }
 
-/// A line for each file, with its reason: there may be hundreds.
+/// One line per file with its reason: there may be hundreds.
 void drawRefused(Session& session) {
     if (!beginModal("Files that could not be opened"))
         return;
     const float em = ImGui::GetFontSize();
     const std::size_t count = session.window.refused.size();
-    text(count == 1 ? std::string("One file could not be opened, the others were.")
+    text(count == 1 ? std::string("One file could not be opened. The others were opened.")
                     : fmt::format("{} files could not be opened.", count));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(em * 46, display.x * 0.9F);
@@ -187,7 +189,7 @@ void drawRefused(Session& session) {
     ImGui::EndPopup();
 }
 
-/// What is to be said or asked without the user's having asked for it comes when nothing else is open.
+/// Opens a dialog that the user has not requested, if no other one is open.
 void openWaitingDialog(Session& session) {
     if (session.window.dialog != Dialog::None || session.window.pending != Pending::None)
         return;
@@ -236,7 +238,7 @@ void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pi
     }
     session.window.notice = {};
     const Result<void> result = answer(session, dialog, chosen, state.browser.overwrites);
-    if (!result) { // back to the list, which says what was wrong
+    if (!result) { // back to the list, which shows the error
         session.window.dialog = dialog;
         state.browser.error = result.error().message;
         state.browser.focusName = true;
@@ -264,7 +266,7 @@ void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures
         drawRestore(session, pictures);
     else if (dialog == Dialog::Refused)
         drawRefused(session);
-    if (session.window.dialog != state.browsed) // the next one begins anew
+    if (session.window.dialog != state.browsed) // the next one starts again
         state.browsed = Dialog::None;
 }
 

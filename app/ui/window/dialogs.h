@@ -6,13 +6,13 @@
 
 namespace texplorer::ui {
 
-/// What the dialogs remember.
+/// The state of the dialogs.
 struct DialogsState {
     FileBrowser browser;
     Dialog browsed = Dialog::None; ///< the dialog that `browser` was prepared for
 };
 
-/// The dialog that WindowState::dialog names.
+/// Draws the dialog WindowState::dialog.
 void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostEntries = 20000; // a folder with more is listed in part, and says so
+constexpr std::size_t maxListedEntries = 20000; // a larger folder is listed in part, with a note
 
 std::string lowered(std::string text) {
     std::ranges::transform(text, text.begin(),
@@ -59,7 +59,7 @@ fs::path typedPath(const FileBrowser& browser) {
     return (browser.folder / typed).lexically_normal();
 }
 
-/// What Enter, the button and a double click mean: go into a folder, or choose a file.
+/// The action of Enter, the button and a double click: open a folder, or choose a file.
 Browsing choose(FileBrowser& browser, fs::path& chosen) {
     if (browser.typed.empty()) {
         browser.error = browser.saving ? "Type a name for the file." : "Choose a file, or type its path.";
@@ -105,7 +105,7 @@ void mark(FileBrowser& browser, int index) {
         browser.typed = entry.name;
 }
 
-/// The next entry that is shown, upwards or downwards.
+/// The next visible entry, upwards or downwards.
 void moveMark(FileBrowser& browser, int step) {
     const int count = static_cast<int>(browser.entries.size());
     for (int i = browser.marked + step; i >= 0 && i < count; i += step) {
@@ -117,13 +117,13 @@ void moveMark(FileBrowser& browser, int step) {
     }
 }
 
-/// The folders that lead here, each a button.
+/// The parent folders, one button each.
 void breadcrumbs(FileBrowser& browser) {
     fs::path target;
     fs::path walked;
     std::vector<fs::path> parts(browser.folder.begin(), browser.folder.end());
     float width = 0;
-    std::size_t first = parts.size(); // long paths lose their beginning
+    std::size_t first = parts.size(); // the beginning of a long path is left out
     const float available = ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 4;
     while (first > 0) {
         width += ImGui::CalcTextSize(printable(parts[first - 1].string()).c_str()).x + ImGui::GetFontSize();
@@ -154,7 +154,7 @@ void breadcrumbs(FileBrowser& browser) {
         enterFolder(browser, target);
 }
 
-/// The file's small picture in a square at the left of its line, once it is there.
+/// The file's small picture in a square on the left of its line, once it is ready.
 void drawThumbnail(Files& files, const FileBrowser& browser, const FileBrowser::Entry& entry,
                    const Pictures& pictures, ImVec2 corner, float extent) {
     const std::shared_ptr<const Image> image = files.thumbnail(browser.folder / entry.name, entry.modified);
@@ -173,7 +173,7 @@ void drawThumbnail(Files& files, const FileBrowser& browser, const FileBrowser::
                                          {1, 0});
 }
 
-/// True where an entry was double-clicked.
+/// Returns true if an entry was double-clicked.
 bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, float height) {
     bool chosen = false;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
@@ -200,7 +200,7 @@ bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, flo
         }
         if (pictured && ImGui::IsItemVisible())
             drawThumbnail(files, browser, entry, pictures, corner, tall);
-        // Drawn, not laid out: the line is as tall as the selectable.
+        // Drawn, not laid out: the line has the height of the selectable.
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const float top = corner.y + (tall - line) / 2;
         const float indent = ImGui::GetStyle().FramePadding.x + (pictured ? tall * 1.5F : 0);
@@ -220,7 +220,8 @@ bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, flo
         }
     }
     if (!any) {
-        const char* words = browser.saving ? "Nothing to replace here." : "Nothing to open here.";
+        const char* words =
+            browser.saving ? "There are no files to replace here." : "There are no files to open here.";
         dimText(words);
         noteItem(fmt::format("browser:{}", words));
     }
@@ -247,7 +248,7 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
         std::string name = iterator->path().filename().string();
         if (name.starts_with('.'))
             continue;
-        if (entries.size() == mostEntries) {
+        if (entries.size() == maxListedEntries) {
             cut = true;
             break;
         }
@@ -268,7 +269,7 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
     browser.entries = std::move(entries);
     browser.marked = -1;
     browser.overwrites.reset();
-    browser.error = cut ? fmt::format("Only the first {} entries are listed.", mostEntries) : "";
+    browser.error = cut ? fmt::format("Only the first {} entries are listed.", maxListedEntries) : "";
 }
 
 void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
@@ -312,7 +313,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
 
     if (browser.error.empty())
         fittedText(browser.saving ? "Type a name, or choose a file to replace."
-                                  : "Choose a file, or type its path. ↑ ↓ Enter work too.",
+                                  : "Choose a file or type its path. ↑ ↓ and Enter work too.",
                    color::dim);
     else {
         fittedText(browser.error, color::problem);
@@ -341,7 +342,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
 
     if (!browser.extensions.empty()) {
         const std::string all =
-            fmt::format("Lists every file, not just {}", fmt::join(browser.extensions, " "));
+            fmt::format("Lists all files, not only {}", fmt::join(browser.extensions, " "));
         ImGui::Checkbox(label("All files"), &browser.showAll);
         noteItem("browser:all");
         helpTip(all);

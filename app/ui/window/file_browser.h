@@ -11,41 +11,40 @@
 
 namespace texplorer::ui {
 
-/// A list of a folder's entries in which one chooses a file, or names one to be written.
+/// A list of a folder's entries to choose a file, or to name a file to write.
 struct FileBrowser {
     struct Entry {
         std::string name;
         bool isFolder = false;
         std::uintmax_t bytes = 0;
         std::filesystem::file_time_type modified{};
-        bool isOther = false; ///< its extension is listed, and `isListed` says that it isn't
+        bool isOther = false; ///< has a listed extension, but `isListed` is false
     };
 
     std::string title;
     std::vector<std::string> extensions; ///< lower case, with the dot; others are hidden. Empty: everything
-    /// Of the files with such an extension: which are listed. nullptr: all.
+    /// Filters the files with such an extension. nullptr: all are listed.
     bool (*isListed)(const std::filesystem::path& file) = nullptr;
     bool saving = false;
-    std::string suffix; ///< what a name without an extension gets when it is saved; empty: the first of them
-    bool thumbnails = false; ///< whether files have a small picture beside their name
-    bool showAll = false;    ///< whether files with other extensions are listed too
+    std::string suffix; ///< appended to a name without an extension when saving; empty: the first of them
+    bool thumbnails = false; ///< shows small pictures next to the names of files
+    bool showAll = false;    ///< lists files with other extensions as well
 
     std::filesystem::path folder;
     std::vector<Entry> entries;
     std::string typed; ///< the name or path in the text field
     int marked = -1;   ///< index into entries
-    std::string error; ///< why the folder or the file can't be had; empty: nothing wrong
-    std::optional<FileFingerprint>
-        overwrites;         ///< the file that the user was asked about, and may be replaced
-    bool focusName = false; ///< the text field takes the keyboard at the next frame
+    std::string error; ///< why the folder or the file is not available; empty: no error
+    std::optional<FileFingerprint> overwrites; ///< the file that the user has agreed to replace
+    bool focusName = false;                    ///< the text field gets the keyboard in the next frame
     bool scrollToMarked = false;
 };
 
-/// Reads a folder: folders first, then files, by name. On failure the browser stays where it was and says
-/// why.
+/// Reads a folder: folders first, then files, by name. On failure the browser stays in its folder and shows
+/// the error.
 void enterFolder(FileBrowser& browser, const std::filesystem::path& folder);
 
-/// Prepares the browser for a dialog; the folder is kept from the last time, else that of `startFile`.
+/// Prepares the browser for a dialog; it starts in its last folder, or else in that of `startFile`.
 void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
                    const std::filesystem::path& startFile,
                    bool (*isListed)(const std::filesystem::path& file) = nullptr);

@@ -33,24 +33,23 @@ struct Line {
 
 constexpr std::array mouseLines{
     Line{"Drag", "orbit the camera"},
-    Line{"Shift + drag, right drag", "move it sideways"},
-    Line{"Wheel", "go nearer or farther"},
+    Line{"Shift + drag, right drag", "move the camera sideways"},
+    Line{"Wheel", "move nearer or farther"},
     Line{"Click with Explain open", "explain the pixel under the mouse"},
-    Line{"Ctrl + wheel, Ctrl + drag", "enlarge the pixels of the picture, move it"},
+    Line{"Ctrl + wheel, Ctrl + drag", "enlarge and move the picture"},
     Line{"Ctrl + wheel over other panels", "larger or smaller text"},
-    Line{"Click, Shift + click", "pick the nearest vertex, choose several"},
+    Line{"Click, Shift + click", "select the nearest vertex, select several"},
     Line{"Double click", "frame all models"},
     Line{"Right click on a setting",
-         "back to GL's initial value, a key frame, a sheet of its values, pin it"},
+         "reset to GL's initial value, add a key frame, draw a sheet of its values, pin it"},
     Line{"Double click on a number", "type it"},
 };
 
-/// What is no shortcut: it needs the pointer, or goes on while it is held.
+/// Keys that are not shortcuts: they need the pointer, or have an effect while held.
 constexpr std::array otherKeys{
     Line{"Arrow keys, with Shift", "move the explained pixel by one, by ten"},
-    Line{"F6, Shift+F6",
-         "to the next panel: arrows walk among its controls, Space works them; Escape ends it"},
-    Line{"Menu key, Shift+F10", "what a right click opens, of the control that the keyboard is at"},
+    Line{"F6, Shift+F6", "next panel: arrows move between controls, Space activates them, Escape ends"},
+    Line{"Menu key, Shift+F10", "opens the menu of the focused control, as a right click does"},
 };
 
 struct Legend {
@@ -63,13 +62,13 @@ constexpr std::array legends{
     Legend{"t, y", color::t},
     Legend{"r, z", color::r},
     Legend{"q, w", color::q},
-    Legend{"chosen vertex", color::chosen},
+    Legend{"selected vertex", color::chosen},
     Legend{"explained pixel and its texels", color::probed},
     Legend{"changed from the initial value", color::changed},
-    Legend{"something is wrong", color::problem},
+    Legend{"a problem", color::problem},
 };
 
-/// What one does, and what comes of it. Without an effect: a heading.
+/// An action and its effect. Without an effect: a heading.
 struct HelpRow {
     std::string keys;
     std::string effect{};
@@ -83,7 +82,7 @@ struct HelpRow {
 
 using HelpRows = std::vector<HelpRow>;
 
-/// A row for each thing that keys do, with all keys that do it, without those that the lesson has taken.
+/// One row per action with all its keys, except those that the lesson uses.
 void addKeys(const Session& session, HelpRows& help) {
     const std::span<const Shortcut> rows = shortcuts();
     for (auto row = rows.begin(); row != rows.end();) {
@@ -103,12 +102,12 @@ void addKeys(const Session& session, HelpRows& help) {
         help.push_back({"hold E", "explain the pixel under the mouse"});
 }
 
-/// The lesson's own, which go before the others.
+/// The lesson's own keys, which have priority.
 void addLessonKeys(const Session& session, HelpRows& help) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
     if (!run || run->lesson.keys.empty())
         return;
-    help.push_back({"Keys of this lesson, which go first", "", color::dim});
+    help.push_back({"Keys of this lesson (override the others)", "", color::dim});
     for (const lesson::LessonKey& key : run->lesson.keys)
         help.push_back({std::string(lesson::signOfKey(key.key)), run->text(key.label)});
 }
@@ -164,8 +163,8 @@ float widestWord(const std::string& words) {
     return width;
 }
 
-/// The keys of the rows below a heading get the share of the column with which all is lowest; no key is
-/// broken.
+/// The fraction of the column's width for the keys below a heading, chosen for the lowest height; no key is
+/// wrapped.
 void shareWidth(std::span<HelpRow> rows, float width) {
     float least = 0;
     float natural = 0;
@@ -202,16 +201,17 @@ void shareWidths(HelpRows& help, float width) {
     }
 }
 
-/// The rows of each column, none of which is higher than `most` where that can be.
-std::vector<std::span<const HelpRow>> helpColumns(std::span<const HelpRow> help, float width, float most) {
+/// The rows of each column, none higher than `maxWidth` if possible.
+std::vector<std::span<const HelpRow>> helpColumns(std::span<const HelpRow> help, float width,
+                                                  float maxWidth) {
     std::vector<std::span<const HelpRow>> columns;
     std::size_t begin = 0;
     float height = 0;
     for (std::size_t i = 0; i < help.size(); ++i) {
         float needed = heightOf(help[i], width);
-        if (help[i].isHeading() && i + 1 < help.size()) // it stands above a row
+        if (help[i].isHeading() && i + 1 < help.size()) // a heading stays above a row
             needed += heightOf(help[i + 1], width);
-        if (i > begin && height + needed > most) {
+        if (i > begin && height + needed > maxWidth) {
             columns.push_back(help.subspan(begin, i - begin));
             begin = i;
             height = 0;
@@ -222,7 +222,7 @@ std::vector<std::span<const HelpRow>> helpColumns(std::span<const HelpRow> help,
     return columns;
 }
 
-/// How the list is laid out, in pixels.
+/// The layout of the list, in pixels.
 struct HelpPlan {
     HelpRows rows;
     float width;  ///< of a column
@@ -238,14 +238,14 @@ HelpPlan planHelp(const Session& session, std::size_t count, float available) {
     shareWidths(plan.rows, plan.width);
     plan.height = std::ceil(heightOf(plan.rows, plan.width) / static_cast<float>(count));
     plan.columns = helpColumns(plan.rows, plan.width, plan.height);
-    while (plan.columns.size() > count) { // as even as rows allow
+    while (plan.columns.size() > count) { // as even as the rows allow
         plan.height += std::ceil(ImGui::GetFontSize() / 4);
         plan.columns = helpColumns(plan.rows, plan.width, plan.height);
     }
     return plan;
 }
 
-/// In two columns where these have room; in three where that is lower.
+/// Two columns if they fit; three if that is lower.
 HelpPlan planHelp(const Session& session, ImVec2 available) {
     HelpPlan two = planHelp(session, 2, available.x);
     if (two.height <= available.y)
@@ -301,9 +301,9 @@ void drawHelp(Session& session) {
     if (!beginModal("Texplorer"))
         return;
     const std::string intro =
-        "See what each texture parameter of OpenGL does: change it on the left, look at the middle, "
-        "find the texture coordinates on the right. Rest the pointer on anything: the lower edge of the "
-        "window says what it is, and its OpenGL call.";
+        "See what each texture parameter of OpenGL does: change it on the left, look at the result in the "
+        "middle and find the texture coordinates on the right. Point at anything: the lower edge of the "
+        "window explains it and shows its OpenGL call.";
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = display.x * 0.95F - 2 * style.WindowPadding.x;

@@ -10,11 +10,11 @@
 namespace texplorer::ui {
 namespace {
 
-/// What one can do with A, for the menu and, while something is kept, for the row.
+/// The actions with A, for the menu and, while a state is kept, for the row.
 struct KeptRow {
     const char* name;
     const char* label;
-    const char* brief;         ///< in the row; nullptr: it is in the menu alone
+    const char* brief;         ///< in the row; nullptr: only in the menu
     std::string_view shortcut; ///< the name of its row; empty: none
     const char* help;
     bool needsKept;
@@ -32,17 +32,17 @@ void listChanges(Session& session) {
 
 constexpr std::array keptRows{
     KeptRow{"keep", "Keep as A", "Keep as A", "keep",
-            "Keeps the scene as it is now, to compare it with what becomes of it.", false, keepAsA, never},
+            "Keeps the present scene as A, to compare later changes with it.", false, keepAsA, never},
     KeptRow{"flip", "Show A", "A", "flip",
-            "Shows A in the place of what is now, and that again. An edit leads back to what is now.", true,
+            "Switches between A and the present scene. An edit switches back to the present scene.", true,
             flipKept, isKeptShown},
-    KeptRow{"split", "Split A against now", "A | now", "split", "Both across one picture: drag the seam.",
-            true, splitKept, isKeptBeside},
+    KeptRow{"split", "Split A and now", "A | now", "split", "Shows both in one picture. Drag the seam.", true,
+            splitKept, isKeptBeside},
     KeptRow{"list",
-            "What differs",
+            "Differences",
             nullptr,
             {},
-            "Lists what differs from A; each of it can be taken over.",
+            "Lists the differences from A. Each can be taken over.",
             true,
             listChanges,
             never},
@@ -50,18 +50,18 @@ constexpr std::array keptRows{
             "Take over all of A",
             nullptr,
             {},
-            "The scene becomes A again, seen from where you look now. Undo takes it back.",
+            "Restores A, seen from the present camera. Undo reverts it.",
             true,
             takeAllFromKept,
             never},
-    KeptRow{"forget", "Forget A", nullptr, {}, "Nothing is compared any more.", true, forgetKept, never},
+    KeptRow{"forget", "Forget A", nullptr, {}, "Ends the comparison.", true, forgetKept, never},
 };
 
 bool isInRow(const Session& session, const KeptRow& row) {
     return row.brief && (row.needsKept ? session.document.kept.scene != nullptr : true);
 }
 
-/// The key that does it; empty: none.
+/// The key of the action; empty: none.
 std::string keyOf(const Session& session, const KeptRow& row) {
     return row.shortcut.empty() ? std::string() : keysOf(session, row.shortcut);
 }

@@ -7,11 +7,11 @@ namespace texplorer::ui {
 /// The contents of the menu "A/B".
 void drawKeptMenu(Session& session);
 
-/// In the menu bar's row: one button while nothing is kept, else what the view shows. Nothing where there is
-/// less room than that; the menu has it all.
+/// Controls in the menu bar: one button while no state is kept, else the choice of what the view shows. Does
+/// nothing if there is less room; the menu has everything.
 void drawKeptControls(Session& session, float available);
 
-/// How wide they are.
+/// Their width.
 [[nodiscard]] float keptControlsWidth(const Session& session);
 
 } // namespace texplorer::ui

@@ -2,7 +2,7 @@
 
 #include "app/ui/widgets/keys.h"
 
-#include <imgui_internal.h> // windows, and which of them has the keyboard
+#include <imgui_internal.h> // windows and their focus
 
 #include <algorithm>
 #include <array>
@@ -12,20 +12,20 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float narrowestPanel = 30; // seams are narrower
+constexpr float minPanelWidth = 30; // seams are narrower
 
-/// What one walks with: no shortcuts meanwhile.
+/// The keys for moving the focus, which are not shortcuts meanwhile.
 constexpr std::array walkingKeys{key::space, key::enter, key::tab,      key::left,   key::right, key::up,
                                  key::down,  key::home,  key::pageDown, key::pageUp, key::end};
 
-/// Those that one sees, as one reads them.
+/// The visible panels in reading order.
 std::vector<ImGuiWindow*> panelsInOrder() {
     constexpr ImGuiWindowFlags none = ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup |
                                       ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoNavFocus;
     std::vector<ImGuiWindow*> panels;
     for (ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
         const bool isPanel = each->WasActive && !each->Hidden && (each->Flags & none) == 0;
-        if (isPanel && each->Size.x >= narrowestPanel && each->Size.y >= ImGui::GetFontSize())
+        if (isPanel && each->Size.x >= minPanelWidth && each->Size.y >= ImGui::GetFontSize())
             panels.push_back(each);
     }
     std::ranges::sort(panels, {},

@@ -4,14 +4,14 @@
 
 namespace texplorer::ui {
 
-/// Whether the keyboard walks from control to control.
+/// Whether the keyboard moves between controls.
 struct KeyboardFocus {
     bool walks = false;
 };
 
-/// F6, with Shift backwards, gives the keyboard to the next panel: then arrows walk among its controls, Space
-/// and Enter work them. Escape, or a click, gives the keys their usual meaning back. Before the panels are
-/// drawn.
+/// F6, with Shift backwards, moves the keyboard focus to the next panel: arrows then move between its
+/// controls, Space and Enter activate them. Escape, or a click, restores the usual meaning of the keys. Call
+/// it before the panels are drawn.
 void moveKeyboardFocus(Session& session, KeyboardFocus& focus);
 
 } // namespace texplorer::ui

@@ -10,26 +10,26 @@ namespace {
 constexpr float barHeight = 28;
 constexpr float toolRowHeight = 36;
 constexpr float hintHeight = 26;
-constexpr float stripHeight = 32;      // of one line
-constexpr float stripLine = 25;        // of each line more
-constexpr float widestNarrow = 575;    // a view up to here has its strip in two lines
-constexpr float widestNarrowest = 320; // and up to here in three
+constexpr float stripHeight = 32;        // of one line
+constexpr float stripLine = 25;          // for each further line
+constexpr float maxTwoLineWidth = 575;   // a view up to this width has its strip in two lines
+constexpr float maxThreeLineWidth = 320; // and up to this width in three
 constexpr float paneGap = 2;
 constexpr float seamWidth = 5;
-constexpr float narrowestColumn = 150;
-constexpr float narrowestView = 200;
-constexpr float comfortableView = 420; // what the columns leave it while they have more than their least
-constexpr float leastParameters = 272; // labels beside their controls
-constexpr float leastDetails = 326;    // all tabs side by side
-constexpr float leastBelow = 250;      // a card of Explain under its head
-constexpr float mostBelow = 460;
+constexpr float minColumnWidth = 150;
+constexpr float minViewWidth = 200;
+constexpr float comfortableView = 420; // the width of the view while the columns have more than their minimum
+constexpr float minParameters = 272;   // labels next to their controls
+constexpr float minDetails = 326;      // all tabs in one row
+constexpr float minBelow = 250;        // a card of Explain below its head
+constexpr float maxBelow = 460;
 
 int pixels(float unscaled, float scale) {
     return static_cast<int>(std::lround(unscaled * scale));
 }
 
-/// The widths of the side columns, unscaled: as the user dragged them, else by their shares of the window. In
-/// a small one they give way to the view, down to what they need. One that isn't there has none.
+/// The widths of the side columns, unscaled: as dragged by the user, else by their fractions of the window.
+/// In a small window they shrink to their minimum for the view. A missing column has the width 0.
 struct Sides {
     float parameters;
     float details;
@@ -40,32 +40,32 @@ Sides sidesFor(float windowWidth, const Workspace& workspace, bool hasRight) {
     const float view = std::min(comfortableView, windowWidth * 0.45F);
     const float available = windowWidth - 2 * seamWidth - view;
     const float share = std::min(1.0F, available / std::max(1.0F, sides.parameters + sides.details));
-    const auto width = [share](float wanted, float least, float dragged) {
-        return wanted == 0 ? 0 : dragged > 0 ? dragged : std::max(least, wanted * share);
+    const auto width = [share](float wanted, float min, float dragged) {
+        return wanted == 0 ? 0 : dragged > 0 ? dragged : std::max(min, wanted * share);
     };
-    return {width(sides.parameters, leastParameters, workspace.seams.parameters),
-            width(sides.details, leastDetails, workspace.seams.details)};
+    return {width(sides.parameters, minParameters, workspace.seams.parameters),
+            width(sides.details, minDetails, workspace.seams.details)};
 }
 
-/// The height of the dock below, of what lies between menu and status.
+/// The height of the dock below, within the area between menu and status bar.
 int belowFor(int inner, float scale, float dragged) {
     const auto height = static_cast<float>(inner);
     if (dragged > 0)
         return static_cast<int>(std::lround(height * std::clamp(dragged, 0.15F, 0.85F)));
-    const float usual = std::clamp(0.37F * height / scale, leastBelow, mostBelow) * scale;
+    const float usual = std::clamp(0.37F * height / scale, minBelow, maxBelow) * scale;
     return static_cast<int>(std::lround(std::min(usual, 0.45F * height)));
 }
 
-/// As measured; before that as English words need it.
+/// As measured; before that, the number for English words.
 int stripLines(int viewWidth, float scale, PaneGrid grid) {
-    constexpr int most = 4;
+    constexpr int max = 4;
     if (grid.stripLines > 0)
-        return std::min(grid.stripLines, most);
+        return std::min(grid.stripLines, max);
     const float unscaled = static_cast<float>(viewWidth) / scale;
-    return unscaled > widestNarrow ? 1 : unscaled > widestNarrowest ? 2 : 3;
+    return unscaled > maxTwoLineWidth ? 1 : unscaled > maxThreeLineWidth ? 2 : 3;
 }
 
-/// The view's parts, from top to bottom.
+/// Places the view's parts from top to bottom.
 void layOutView(Layout& layout, PaneGrid grid) {
     const Rect& view = layout.view;
     const float s = layout.scale;
@@ -88,8 +88,8 @@ void layOutView(Layout& layout, PaneGrid grid) {
                       share(layout.canvas.height, grid.rows)};
 }
 
-/// What is maximised takes the room of all but the parameters, the view that of these, too. What it hides
-/// keeps the size of its picture: who explains a pixel of it goes on to do so.
+/// A maximised panel takes all room except the parameters, the view takes that as well. A hidden view keeps
+/// the size of its picture, so that the explanation of its pixel stays valid.
 void maximise(Layout& layout, Maximised what, const Rect& inner, PaneGrid grid) {
     Rect room = inner;
     if (what == Maximised::View) {
@@ -120,14 +120,14 @@ void maximise(Layout& layout, Maximised what, const Rect& inner, PaneGrid grid) 
     }
 }
 
-/// Of the right column: texture space above, tabs below; either may have it alone.
+/// The right column: texture space above, tabs below; either may fill it.
 void layOutRight(Layout& layout, const Rect& column, bool hasTabs, const Workspace& workspace, int seam) {
     if (!workspace.textureSpace || !hasTabs) {
         (hasTabs ? layout.rightDock : layout.texture) = column;
         return;
     }
     const float split = workspace.seams.split;
-    // A lesson is read: it needs the room more than the texture does.
+    // A lesson is text to read: it needs more room than the texture.
     const float usual = frontOf(workspace, Dock::Right) == Tab::Lesson ? 0.28F : 0.55F;
     const float share = split > 0 ? std::clamp(split, 0.15F, 0.85F) : usual;
     const int upper = static_cast<int>(std::lround(static_cast<float>(column.height - seam) * share));
@@ -157,21 +157,21 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
     const int seam = std::min(pixels(seamWidth, s), width / 32);
     const int leftSeam = workspace.parameters ? seam : 0;
     const int rightSeam = hasRight ? seam : 0;
-    const int view = std::min(pixels(narrowestView, s), width / 3);
-    const int least = std::min(pixels(narrowestColumn, s), width / 4);
-    const int leastLeft = workspace.parameters ? least : 0;
-    const int leastRight = hasRight ? least : 0;
+    const int view = std::min(pixels(minViewWidth, s), width / 3);
+    const int min = std::min(pixels(minColumnWidth, s), width / 4);
+    const int minLeft = workspace.parameters ? min : 0;
+    const int minRight = hasRight ? min : 0;
     const Sides sides = sidesFor(static_cast<float>(width) / s, workspace, hasRight);
     int left = pixels(sides.parameters, s);
     int right = pixels(sides.details, s);
-    // Both side columns give way, in proportion, until the view has its least width.
+    // Both side columns shrink in proportion until the view has its minimum width.
     const int available = width - leftSeam - rightSeam - view;
     if (left + right > available) {
         left = static_cast<int>(static_cast<long long>(left) * available / (left + right));
         right = hasRight ? available - left : 0;
     }
-    left = std::clamp(left, leastLeft, std::max(leastLeft, available - leastRight));
-    right = std::clamp(right, leastRight, std::max(leastRight, available - left));
+    left = std::clamp(left, minLeft, std::max(minLeft, available - minRight));
+    right = std::clamp(right, minRight, std::max(minRight, available - left));
 
     const int levelSeam = std::min(pixels(seamWidth, s), inner.height / 32);
     const int below = tabsBelow ? belowFor(inner.height, s, workspace.seams.below) : 0;

@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-/// Pure: the same numbers give the same rectangles. `scale` is the monitor's content scale.
+/// Pure: the result depends only on the arguments. `scale` is the monitor's content scale.
 [[nodiscard]] Layout layoutFor(int width, int height, float scale, const Workspace& workspace = {},
                                PaneGrid grid = {});
 

@@ -28,10 +28,10 @@ static_assert(std::ranges::equal(namedKeys, lesson::keyNames, {}, &NamedKey::nam
 
 int codeOfKey(std::string_view name) {
     const auto* named = std::ranges::find(namedKeys, name, &NamedKey::name);
-    return named != namedKeys.end() ? named->code : name.front(); // letters and digits are themselves
+    return named != namedKeys.end() ? named->code : name.front(); // letters and digits have their own codes
 }
 
-/// As a program that looks at its keys in each frame, on a screen of its time.
+/// As in a program that polls its keys in each frame, at the frame rate of its time.
 constexpr float framesASecond = 60;
 
 bool areKeysFree(const Session& session, bool popup) {

@@ -4,8 +4,8 @@
 
 namespace texplorer::ui {
 
-/// What the keys of the open lesson do goes before the window's shortcuts: those that are held are taken.
-/// `popup`: a menu or a list has the keyboard. Before the panels are drawn.
+/// Handles the keys of the open lesson before the window's shortcuts and removes them from the input.
+/// `popup`: a menu or a list has the keyboard. Call it before the panels are drawn.
 void takeLessonKeys(Session& session, bool popup);
 
 } // namespace texplorer::ui

@@ -27,7 +27,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// `keys`: what does the same, "Ctrl+S".
+/// `keys`: the shortcut, "Ctrl+S".
 bool item(const std::string& name, const std::string& keys = {}, bool enabled = true, bool marked = false) {
     const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
     noteItem("menu:" + name);
@@ -48,7 +48,7 @@ void resetTo(Session& session, Struct& target, const char* what, Struct initial 
     sealEdit(session);
 }
 
-/// GL's initial texture parameters; the image stays.
+/// GL's initial texture parameters; the image is kept.
 Texture withInitialParameters(const Texture& texture) {
     Texture initial;
     initial.source = texture.source;
@@ -107,13 +107,13 @@ void drawLessonsMenu(Session& session) {
         askSaveAnswers(session);
     if (item("Copy my answers", {}, !session.window.settings.lessons.empty())) {
         ImGui::SetClipboardText(answersText(session).c_str());
-        tell(session, "The clipboard has what you did in each lesson, as JSON.");
+        tell(session, "Copied your answers of all lessons as JSON.");
     }
     if (!wanted.empty())
         askLesson(session, wanted);
 }
 
-/// `hasLessons`: they have no menu of their own.
+/// `hasLessons`: lessons have no menu of their own and are listed here.
 void fileMenu(Session& session, bool hasLessons) {
     if (item("New"))
         askNewScene(session);
@@ -142,39 +142,38 @@ void fileMenu(Session& session, bool hasLessons) {
     ImGui::Separator();
     if (item("Picture of the view", keysOf(session, "view picture")))
         session.window.wantedCapture = Capture::View;
-    helpTip("Writes what the view shows as a PNG file into your folder of pictures.");
+    helpTip("Writes the view as a PNG file to your pictures folder.");
     if (item("Picture of the window", keysOf(session, "window picture")))
         session.window.wantedCapture = Capture::Window;
-    helpTip("The same with all panels.");
+    helpTip("Writes the whole window as a PNG file to your pictures folder.");
     if (item("Sheet of variations…"))
         showSheet(session);
-    helpTip(
-        "The scene with every pair of values of two parameters, to look at, to choose from, or as a file. "
-        "A right click on a parameter puts it there.");
+    helpTip("Draws the scene with every pair of values of two parameters. Right-click a parameter to put it "
+            "there.");
     if (item("Record animation…"))
         session.window.dialog = Dialog::Record;
-    helpTip("Writes what moves as a GIF, a WebP or a PNG, drawn beside the window.");
+    helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
     if (item("Copy link to this scene"))
         copySceneLink(session);
-    helpTip(
-        "The scene as a text, for a mail or a chat. Pasting it opens the scene; files are named, not packed.");
+    helpTip("Copies the scene as a text for a mail or a chat. Paste it to open the scene. Image files are "
+            "named, not included.");
     if (item("Paste scene", keysOf(session, "paste")))
         pasteScene(session);
-    helpTip("Opens the scene of a link that was copied.");
+    helpTip("Opens the scene of a copied link.");
     ImGui::Separator();
     if (item("Quit", keysOf(session, "quit")))
         requestQuit(session);
 }
 
-/// Says what would be lost.
+/// Its tooltip says what would be lost.
 void resetItem(Session& session) {
     const Document& document = session.document;
     const std::size_t count = changesBetween(document.saved, document.scene).size();
     if (item(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
         resetToSaved(session);
-    helpTip(count == 0 ? std::string("The scene is what it was.")
-                       : fmt::format("Takes back what differs, in {}. Undo brings it again.",
-                                     countOf(count, "setting")));
+    helpTip(count == 0
+                ? std::string("The scene has not changed.")
+                : fmt::format("Reverts the changes of {}. Undo restores them.", countOf(count, "setting")));
 }
 
 void editMenu(Session& session, const Layout& layout) {
@@ -190,7 +189,7 @@ void editMenu(Session& session, const Layout& layout) {
     ImGui::Separator();
     if (item("Copy as texshot command"))
         copyTexshotCommand(session, layout);
-    helpTip("A command line that draws this view without a window, for scripts.");
+    helpTip("Copies a command that draws this view without a window, for scripts.");
     ImGui::Separator();
     resetItem(session);
     caption("Reset to GL's initial values");
@@ -211,21 +210,22 @@ std::string_view shortcutOf(RendererKind renderer) {
     return names[static_cast<std::size_t>(renderer)];
 }
 
-/// For those who show the window to others.
+/// For presentations.
 void presentingItems(Session& session) {
     ViewNotes& notes = session.window.notes;
     if (item("Note", keysOf(session, "note")))
         addNoteInTheMiddle(session);
-    helpTip("Words over the view: drag them, double-click to edit, Delete removes. The key puts them at the "
-            "pointer.");
+    helpTip("Adds a text over the view. Drag it, double-click to edit, Delete removes it. The key adds it "
+            "at the pointer.");
     if (item("Clear notes", {}, !notes.list.empty()))
         clearNotes(session);
     if (item("Spotlight", keysOf(session, "spotlight"), true, session.window.spotlight))
         session.window.spotlight = !session.window.spotlight;
-    helpTip("All but what is near the pointer is dim, so that everybody looks there.");
+    helpTip("Dims everything except the surroundings of the pointer, for presentations.");
 }
 
-/// A choice of what OpenGL leaves open and the reference does either way; `title` has a place for its label.
+/// A choice that OpenGL leaves open and the reference supports both ways; `title` has a placeholder for its
+/// label.
 template<Enumerated E>
 void methodItems(const char* title, E& chosen) {
     for (const EnumRow& row : EnumTable<E>::rows) {
@@ -272,7 +272,7 @@ void viewMenu(Session& session, const Layout& layout) {
     ImGui::Separator();
     if (bool& glNames = session.window.settings.glNames; item("OpenGL's names", {}, true, glNames))
         glNames = !glNames;
-    helpTip("Parameters and choices are called as OpenGL calls them.");
+    helpTip("Shows OpenGL's names for parameters and choices.");
     comfortItems(session);
     ImGui::Separator();
     layoutsMenu(session);
@@ -284,13 +284,13 @@ void viewMenu(Session& session, const Layout& layout) {
         resetCamera(session, layout);
 }
 
-/// Who draws, and A: as large as the clock leaves room for both. Where there is hardly any, who draws has it,
-/// and the clock is buttons alone; A has its menu.
+/// The choice of the renderer, and A: as large as the room next to the clock allows. If there is little room,
+/// only the renderer is shown, and the clock has only buttons; A has its menu.
 void drawChoices(Session& session) {
-    constexpr float leastList = 4.5F; // in heights of a letter
+    constexpr float minList = 4.5F; // in heights of a letter
     const ViewSettings& settings = session.window.view;
     const float whole = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
-    const float available = whole - leastPlaybackWidth();
+    const float available = whole - minPlaybackWidth();
     for (const RendererForm form : rendererForms) {
         const float width = rendererChoiceWidth(settings, form);
         if (width + keptControlsWidth(session) > available)
@@ -298,13 +298,13 @@ void drawChoices(Session& session) {
         drawRendererChoice(session.window.view, form, width);
         return drawKeptControls(session, available - width);
     }
-    const float least = ImGui::GetFontSize() * leastList;
-    const float most = available >= least ? available : whole - playbackButtonsWidth();
-    if (most >= least)
-        drawRendererChoice(session.window.view, RendererForm::List, most);
+    const float min = ImGui::GetFontSize() * minList;
+    const float max = available >= min ? available : whole - playbackButtonsWidth();
+    if (max >= min)
+        drawRendererChoice(session.window.view, RendererForm::List, max);
 }
 
-constexpr float narrowestWithLessons = 46; // in heights of a letter
+constexpr float minWidthWithLessons = 46; // in heights of a letter
 
 } // namespace
 
@@ -317,9 +317,9 @@ void drawMenuBar(Session& session, const Layout& layout) {
                ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (ImGui::BeginMenuBar()) {
         ImGui::PopStyleVar();
-        // Where there is no room beside the clock, lessons are in the menu File.
+        // Without room next to the clock, lessons are in the menu File.
         const bool isWide =
-            static_cast<float>(layout.menu.width) > ImGui::GetFontSize() * narrowestWithLessons;
+            static_cast<float>(layout.menu.width) > ImGui::GetFontSize() * minWidthWithLessons;
         if (menu("File")) {
             fileMenu(session, !isWide);
             ImGui::EndMenu();
@@ -349,7 +349,7 @@ void drawMenuBar(Session& session, const Layout& layout) {
                 session.window.dialog = Dialog::Help;
             if (item("Tour"))
                 session.window.tour = 0;
-            helpTip("Five cards that say what is where");
+            helpTip("Explains the window in five steps");
             ImGui::EndMenu();
         }
         drawChoices(session);

@@ -17,11 +17,11 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float noteScale = 1.25F; ///< of the text around it: an audience reads it from afar
-constexpr float widestNote = 22;   ///< in letters' heights, then it goes on in another line
-constexpr float narrowestField = 12;
+constexpr float noteScale = 1.25F; ///< relative to the text around it, for a distant audience
+constexpr float maxNoteWidth = 22; ///< in letters' heights, then it wraps
+constexpr float minFieldWidth = 12;
 
-/// Eight shifted copies under the letters: whatever lies below them ends a little before they begin.
+/// Eight shifted copies below the letters form a halo that separates them from the background.
 void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words) {
     const std::array ways{ImVec2{1, 0},     ImVec2{-1, 0},     ImVec2{0, 1},      ImVec2{0, -1},
                           ImVec2{.7F, .7F}, ImVec2{-.7F, .7F}, ImVec2{.7F, -.7F}, ImVec2{-.7F, -.7F}};
@@ -35,7 +35,7 @@ void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words) {
     draw.AddText(font, size, at, color::text, begin, end);
 }
 
-/// Whole inside of the pictures' room, where it has room.
+/// Completely inside of the picture area, if it fits.
 ImVec2 notePlace(const ViewNote& note, const Rect& canvas, ImVec2 size) {
     const auto within = [](float at, int low, int extent, float own) {
         const auto from = static_cast<float>(low);
@@ -51,28 +51,28 @@ glm::vec2 shareOfCanvas(ImVec2 at, const Rect& canvas) {
             (at.y - static_cast<float>(canvas.y)) / static_cast<float>(std::max(1, canvas.height))};
 }
 
-/// In pixels: as wide as its words, where the pictures have so much room.
+/// In pixels: as wide as its words, at most as the pictures.
 float fieldWidth(const ViewNote& note, const Rect& canvas, float em) {
     const float words = ImGui::CalcTextSize(note.text.c_str()).x * em / ImGui::GetFontSize() + 2 * em;
-    return std::min(std::max(words, narrowestField * em), static_cast<float>(canvas.width));
+    return std::min(std::max(words, minFieldWidth * em), static_cast<float>(canvas.width));
 }
 
-/// The chosen note as a text field. Enter and a click elsewhere end it, Escape takes the words back; one that
-/// has none then goes.
+/// The selected note as a text field. Enter and a click elsewhere end the edit, Escape restores the words; an
+/// empty note is then removed.
 void noteField(ViewNotes& notes, ViewNote& note, float width) {
     ImGui::SetNextItemWidth(width);
     if (std::exchange(notes.wantsKeyboard, false)) {
         ImGui::SetWindowFocus();
         ImGui::SetKeyboardFocusHere();
     }
-    textField("##words", note.text, ImGuiInputTextFlags_AutoSelectAll, "Words over the view");
+    textField("##words", note.text, ImGuiInputTextFlags_AutoSelectAll, "Text over the view");
     shortenNote(note.text);
     noteItem("note:field");
     if (ImGui::IsItemDeactivated())
         notes.isEdited = false;
 }
 
-/// True where the pointer is on it.
+/// Returns true if the pointer is on it.
 bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, const std::string& lines,
                 ImVec2 size) {
     ViewNote& note = notes.list[index];
@@ -99,7 +99,8 @@ bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, const s
     return hovered;
 }
 
-/// A window for each, so that it lies over the view and has the pointer first. True where that is on it.
+/// Each note is a window, so that it is over the view and gets the pointer first. Returns true if the pointer
+/// is on it.
 bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -111,7 +112,7 @@ bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
     ImVec2 size(fieldWidth(note, canvas, em), em * 1.5F);
     std::string lines;
     if (!isEdited) {
-        lines = wrappedLines(note.text, widestNote * em / noteScale);
+        lines = wrappedLines(note.text, maxNoteWidth * em / noteScale);
         size = ImGui::CalcTextSize(lines.c_str());
         size = {size.x * noteScale + em, size.y * noteScale + em * 0.25F};
     }

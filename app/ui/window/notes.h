@@ -5,13 +5,14 @@
 
 namespace texplorer::ui {
 
-/// A new note where the pointer is over the pictures, to be typed at once. Elsewhere nothing happens.
+/// Adds a note at the pointer, ready to be typed. Does nothing if the pointer is not over the pictures.
 void addNoteAtPointer(Session& session, const Layout& layout);
-/// The same where a menu can't point: in the middle, each a little below the one before it.
+/// The same for a menu: in the middle, each slightly below the previous one.
 void addNoteInTheMiddle(Session& session);
 void clearNotes(Session& session);
 
-/// Over the view. A drag moves one, a double click edits it, Delete removes the chosen one.
+/// Draws the notes over the view. A drag moves a note, a double click edits it, Delete removes the selected
+/// one.
 void drawNotes(Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

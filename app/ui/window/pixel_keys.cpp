@@ -2,7 +2,7 @@
 
 #include "app/ui/widgets/keys.h"
 
-#include <imgui_internal.h> // which window was used last
+#include <imgui_internal.h> // the last used window
 
 #include <algorithm>
 #include <array>
@@ -40,8 +40,7 @@ bool ownsArrows(const Session& session, const Layout& layout) {
 void movePixelWithKeys(Session& session, const Layout& layout, view::Size picture) {
     const ImGuiIO& io = ImGui::GetIO();
     std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
-    const bool walks =
-        (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; // arrows go from item to item
+    const bool walks = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; // arrows move the focus
     if (walks || !pixel || !session.window.explaining.isOpen || session.window.dialog != Dialog::None ||
         session.window.keyTaken || io.WantTextInput || io.KeyCtrl || ImGui::IsAnyItemActive() ||
         !ownsArrows(session, layout) ||

@@ -13,14 +13,14 @@ namespace texplorer::ui {
 namespace {
 
 constexpr float stepSeconds = 0.1F;
-constexpr float scrubSeconds = 10; // what the slider spans, unless the time has gone further
+constexpr float scrubSeconds = 10; // the range of the slider, unless the time has gone further
 // In widths of a letter m.
-constexpr float widestSlider = 11;
-constexpr float narrowestSlider = 4.5F;
+constexpr float maxSliderWidth = 11;
+constexpr float minSliderWidth = 4.5F;
 constexpr float speedWidth = 4.3F;
 constexpr float speeds[] = {0.1F, 0.25F, 0.5F, 1, 2, 4};
 
-/// A square button whose sign is drawn, so that it is crisp and centred at every scale.
+/// A square button whose sign is drawn, so that it is sharp and centred at every scale.
 bool signButton(const char* name, bool enabled,
                 void (*sign)(ImDrawList& draw, ImVec2 centre, float radius, ImU32 tint)) {
     const float side = ImGui::GetFrameHeight();
@@ -62,12 +62,12 @@ void keysSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
                        {c.x - 1.15F * r, c.y}, tint);
 }
 
-/// Where key frames are, on the last widget, which is a slider from 0 to `end`.
+/// Marks the key frames on the last widget, a slider from 0 to `end`.
 void markKeys(const Session& session, float end) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     const float em = ImGui::GetFontSize();
-    const float inset = 2 + ImGui::GetStyle().GrabMinSize / 2; // as Dear ImGui's sliders have it
+    const float inset = 2 + ImGui::GetStyle().GrabMinSize / 2; // as in Dear ImGui's sliders
     const float mark = std::max(1.0F, std::floor(em / 10));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const KeyFrame& key : session.document.scene.timeline.keys) {
@@ -78,7 +78,7 @@ void markKeys(const Session& session, float end) {
     }
 }
 
-/// Of all controls.
+/// The width of all controls.
 float widthWith(float slider) {
     const float em = ImGui::GetFontSize();
     const float button = ImGui::GetFrameHeight() * 1.2F;
@@ -91,8 +91,8 @@ std::string speedName(float speed) {
 
 } // namespace
 
-float leastPlaybackWidth() {
-    return widthWith(ImGui::GetFontSize() * narrowestSlider);
+float minPlaybackWidth() {
+    return widthWith(ImGui::GetFontSize() * minSliderWidth);
 }
 
 float playbackButtonsWidth() {
@@ -106,8 +106,8 @@ void drawPlaybackControls(Session& session) {
     const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
     if (playbackButtonsWidth() > available)
         return; // a very narrow window keeps its menus; Space still plays
-    const bool hasClock = leastPlaybackWidth() <= available;
-    const float widest = em * widestSlider;
+    const bool hasClock = minPlaybackWidth() <= available;
+    const float widest = em * maxSliderWidth;
     const float slider = std::min(widest, widest - (widthWith(widest) - available));
     ImGui::SetCursorPos(
         {ImGui::GetContentRegionMax().x - (hasClock ? widthWith(slider) : playbackButtonsWidth()) + em,
@@ -116,12 +116,12 @@ void drawPlaybackControls(Session& session) {
     const bool animated = isAnimated(session.document.scene);
     if (signButton("rewind", playback.time != 0, rewindSign))
         playback.time = 0;
-    helpTip("Back to time 0");
+    helpTip("Go to time 0");
     ImGui::SameLine(0, 0);
     const bool running = playback.playing && animated;
     if (signButton("play", animated, running ? pauseSign : playSign))
         playback.playing = !playback.playing;
-    helpTip(!animated          ? "Nothing moves: add a rate, a spin or key frames."
+    helpTip(!animated          ? "Nothing moves. Add a rate, a spin or key frames."
             : playback.playing ? "Pause (Space)"
                                : "Play (Space)");
     ImGui::SameLine(0, 0);
@@ -129,7 +129,7 @@ void drawPlaybackControls(Session& session) {
         playback.playing = false;
         playback.time += static_cast<double>(stepSeconds);
     }
-    helpTip("Pause, and go on by 0.1 s");
+    helpTip("Pause and advance by 0.1 s");
     if (!hasClock)
         return;
 
@@ -144,7 +144,7 @@ void drawPlaybackControls(Session& session) {
     }
     noteItem("time");
     markKeys(session, end);
-    helpTip("The scene's time. Drag to scrub.");
+    helpTip("The scene's time. Drag to change it.");
 
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(em * speedWidth);
@@ -157,11 +157,11 @@ void drawPlaybackControls(Session& session) {
         ImGui::EndCombo();
     }
     noteItem("speed");
-    helpTip("How fast the scene's time goes");
+    helpTip("The speed of the scene's time");
     ImGui::SameLine(0, gap);
     if (signButton("timeline", true, keysSign))
         session.window.wantedTab = Tab::Timeline;
-    helpTip("Timeline: which parameters move, and when");
+    helpTip("Timeline: shows which parameters move and when");
 }
 
 } // namespace texplorer::ui

@@ -5,7 +5,7 @@
 namespace texplorer::ui {
 
 void drawPlaybackControls(Session& session);
-[[nodiscard]] float leastPlaybackWidth();   ///< in a bar with less room they are buttons alone
-[[nodiscard]] float playbackButtonsWidth(); ///< and with less than this they are left out
+[[nodiscard]] float minPlaybackWidth();     ///< with less room they are only buttons
+[[nodiscard]] float playbackButtonsWidth(); ///< with less room they are left out
 
 } // namespace texplorer::ui

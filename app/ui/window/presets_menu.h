@@ -4,7 +4,7 @@
 
 namespace texplorer::ui {
 
-/// The contents of the menu "Presets": by group, each previewed while the pointer rests on it.
+/// The contents of the menu "Presets": grouped, each previewed while the pointer rests on it.
 void drawPresetsMenu(Session& session);
 
 } // namespace texplorer::ui

@@ -29,10 +29,10 @@ void lineName(const char* words) {
     ImGui::SameLine(ImGui::GetFontSize() * nameColumn);
 }
 
-bool secondsField(const char* id, float& value, float least) {
+bool secondsField(const char* id, float& value, float min) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
     const bool changed =
-        ImGui::DragFloat(id, &value, 0.05F, least, maxKeyTime, "%.2f s", ImGuiSliderFlags_AlwaysClamp);
+        ImGui::DragFloat(id, &value, 0.05F, min, maxKeyTime, "%.2f s", ImGuiSliderFlags_AlwaysClamp);
     markDraggable();
     noteItem(fmt::format("record:{}", id + 2));
     return changed;
@@ -54,10 +54,9 @@ void formatLine(RecordingChoice& choice) {
             choice.format = row.format;
         noteItem(fmt::format("record:{}", row.name));
         helpTip(row.format == animation::Format::Gif
-                    ? "Shown everywhere. Each picture has 256 colours, and there are at most 50 a second."
-                : row.format == animation::Format::WebP
-                    ? "Shown by browsers; small, and every pixel as it is drawn."
-                    : "A PNG that moves: every pixel as it is drawn.");
+                    ? "Supported everywhere. At most 256 colours in each picture and 50 pictures a second."
+                : row.format == animation::Format::WebP ? "Supported by browsers. Small files without losses."
+                                                        : "An animated PNG without losses.");
     }
 }
 
@@ -77,8 +76,8 @@ void lengthLines(Session& session) {
             choice.seconds.reset();
         ImGui::EndDisabled();
         noteItem("record:as keys");
-        helpTip(
-            "Up to the last key frame: where that says what the first one does, the animation goes round.");
+        helpTip("Up to the last key frame. If its values are those of the first one, the animation loops "
+                "smoothly.");
     }
     lineName("Pictures a second");
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
@@ -87,7 +86,7 @@ void lengthLines(Session& session) {
     noteItem("record:perSecond");
 }
 
-/// What it will be, or why it can't.
+/// The properties of the animation, or why it is not possible.
 void summary(const Session& session, const Result<Recording>& recording) {
     const ImVec2 from = ImGui::GetCursorPos();
     if (!recording) {
@@ -96,13 +95,13 @@ void summary(const Session& session, const Result<Recording>& recording) {
         ImGui::PopStyleColor();
         noteItem("record:problem");
     } else if (!isAnimated(session.document.scene)) {
-        wrappedText("Nothing moves in this scene: all pictures will be the same.");
+        wrappedText("Nothing moves in this scene. All pictures will be the same.");
         noteItem("record:still");
     } else {
-        dimText(fmt::format("{}, drawn by the reference. The window goes on meanwhile.",
+        dimText(fmt::format("{}, drawn by the reference. The window stays usable meanwhile.",
                             countOf(recording->pictures(), "picture")));
     }
-    // As high whatever it says, so that the buttons stay where they are.
+    // The height does not depend on the text, so that the buttons stay in place.
     ImGui::SetCursorPos({from.x, from.y + ImGui::GetTextLineHeightWithSpacing() * 2.2F});
 }
 
@@ -110,9 +109,9 @@ void copyCommand(Session& session) {
     const Result<std::string> command = animateCommand(session);
     if (!command)
         return say(session,
-                   fmt::format("There is no command for this animation: {}.", describe(command.error())));
+                   fmt::format("No command can draw this animation: {}.", describe(command.error())));
     ImGui::SetClipboardText(command->c_str());
-    tell(session, "The clipboard has a command that draws this animation without a window.");
+    tell(session, "Copied a command that draws this animation without a window.");
 }
 
 } // namespace
@@ -122,7 +121,7 @@ void drawRecord(Session& session) {
         return;
     RecordingChoice& choice = session.window.recording;
     const float em = ImGui::GetFontSize();
-    ImGui::Dummy({em * 34, 0}); // as wide as its sentences need it
+    ImGui::Dummy({em * 34, 0}); // wide enough for its sentences
     formatLine(choice);
     lengthLines(session);
     lineName("Each picture");
@@ -145,7 +144,7 @@ void drawRecord(Session& session) {
     const bool copies = dialogButton("Copy command");
     ImGui::EndDisabled();
     noteItem("record:copy");
-    helpTip("A \"texshot animate\" that writes the same file without a window, for scripts.");
+    helpTip("Copies a \"texshot animate\" command that writes the same file without a window, for scripts.");
     ImGui::SameLine();
     const bool stays = dialogButton("Cancel") || (!typing && isKeyPressed(key::escape, false));
     noteItem("record:cancel");

@@ -4,7 +4,7 @@
 
 namespace texplorer::ui {
 
-/// Dialog::Record: how an animation is recorded, before its file is chosen.
+/// Dialog::Record: the options of an animation, before its file is chosen.
 void drawRecord(Session& session);
 
 } // namespace texplorer::ui

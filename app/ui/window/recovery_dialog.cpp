@@ -1,4 +1,4 @@
-// What a window that died had not saved.
+// Unsaved work of a window that crashed.
 
 #include "app/ui/window/recovery_dialog.h"
 
@@ -20,7 +20,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// "2026-11-02 14:05", where the user is: numbers need no translation.
+/// "2026-11-02 14:05" in local time: numbers need no translation.
 std::string timeText(std::filesystem::file_time_type written) {
     const auto system = std::chrono::file_clock::to_sys(written);
     const std::time_t seconds =
@@ -61,14 +61,14 @@ void drawRestore(Session& session, const Pictures& pictures) {
     ImGui::PushTextWrapPos(em * 22);
     if (readable) {
         const std::filesystem::path& file = offer.draft->file;
-        text(file.empty() ? std::string("A scene had changes that were not saved when its window ended.")
-                          : fmt::format("{} had changes that were not saved when its window ended.",
+        text(file.empty() ? std::string("A scene had unsaved changes when its window closed unexpectedly.")
+                          : fmt::format("{} had unsaved changes when its window closed unexpectedly.",
                                         printable(file.filename().string())));
         noteItem("restore:name");
         if (!file.empty())
             ImGui::TextDisabled("%s", printable(file.string()).c_str());
     } else {
-        text("A window ended with unsaved changes, and what was kept of them can't be read.");
+        text("A window closed unexpectedly with unsaved changes, and their copy can't be read.");
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         text(printable(describe(offer.draft.error())));
         ImGui::PopStyleColor();
@@ -92,15 +92,15 @@ void drawRestore(Session& session, const Pictures& pictures) {
     if (offer.place.isOpen()) {
         discard = dialogButton("Discard");
         noteItem("restore:discard");
-        helpTip("It is lost for good.");
+        helpTip("Deletes it permanently.");
         ImGui::SameLine();
     }
     const bool later = dialogButton("Later") || isKeyPressed(key::escape, false);
     noteItem("restore:later");
-    helpTip("It is offered again at the next start.");
+    helpTip("Asks again at the next start.");
     if (restore || discard || later) {
         ImGui::CloseCurrentPopup();
-        session.window.dialog = Dialog::None; // and opened again for the next one
+        session.window.dialog = Dialog::None; // opened again for the next one
     }
     ImGui::EndPopup();
     if (restore)

@@ -10,14 +10,15 @@ namespace texplorer::ui {
 namespace {
 
 constexpr float discRadius = 7;  ///< in letters' heights
-constexpr float softEdge = 0.8F; ///< likewise: from light to dim
+constexpr float softEdge = 0.8F; ///< in letters' heights: the width from light to dim
 constexpr int discCorners = 96;
 constexpr ImU32 lightInside = IM_COL32(0, 0, 0, 0);
 constexpr ImU32 dimOutside = IM_COL32(0, 0, 0, 165);
 
 } // namespace
 
-/// Three rings of corners: where it is light, where it is dim, and beyond the window. Triangles between them.
+/// Three rings of corners: where it is light, where it is dim, and outside of the window. Triangles connect
+/// them.
 void drawSpotlight(const Session& session, const Layout& layout) {
     if (!session.window.spotlight || !ImGui::IsMousePosValid())
         return;

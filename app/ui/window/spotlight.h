@@ -5,8 +5,8 @@
 
 namespace texplorer::ui {
 
-/// Where it is on: all but a disc around the pointer becomes dim, so that an audience looks there. To be
-/// called after everything else is drawn.
+/// If it is on, dims everything except a disc around the pointer, to direct an audience. Call it after
+/// everything else is drawn.
 void drawSpotlight(const Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

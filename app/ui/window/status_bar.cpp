@@ -21,7 +21,7 @@ namespace texplorer::ui {
 
 namespace {
 
-/// "Reading brick.bmp · 34 %", and a way out.
+/// "Reading brick.bmp · 34 %", and a button to cancel.
 void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     using Step = ImageLoader::Step;
     if (ImGui::SmallButton(label("Cancel")))
@@ -39,7 +39,7 @@ void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     helpTip(progress.path.string());
 }
 
-/// The same for levels that are made of an image that is there already.
+/// The same for levels that are made from a loaded image.
 void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
         session.services.levels.cancel(progress.ticket);
@@ -50,10 +50,10 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
              ? fmt::format("Making the levels of {} · {} %", what, static_cast<int>(100 * progress.done))
              : fmt::format("Making the levels of {}", what));
     noteItem("making levels");
-    helpTip("What was drawn before stays until they are there.");
+    helpTip("The previous picture stays until they are ready.");
 }
 
-/// The same for a file that is made.
+/// The same for a file that is being written.
 void drawProgress(Session& session, const FileProgress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
         session.services.writing.cancel();
@@ -82,7 +82,7 @@ void drawNotice(Session& session) {
         if (ImGui::SmallButton(label("Look inside")))
             lookInto(session, session.window.notice.file);
         noteItem("look inside");
-        helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
+        helpTip("Shows the bytes of the file and their meaning, up to the damage");
         ImGui::SameLine();
     }
     fittedText(session.window.notice.text, ink);
@@ -93,8 +93,8 @@ void drawNotice(Session& session) {
         session.window.notice = {};
 }
 
-/// The first error or warning of the diagnosis: a click leads to its control, others mend it. Ways for which
-/// a small window has no room are offered at the control.
+/// The first error or warning of the diagnosis: a click goes to its control, other buttons fix it. Fixes that
+/// do not fit into a small window are offered at the control.
 void drawFinding(Session& session, const Finding& finding, std::size_t count) {
     const float forSentence = ImGui::GetFontSize() * 12;
     for (const Fix& fix : finding.fixes) {
@@ -122,7 +122,7 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
                     bool showsTime) {
     const ViewFrame& first = frames.front();
     const bool onlyReference = frames.size() == 1 && first.renderer == RendererKind::Reference;
-    // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
+    // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the tooltip has the rest.
     std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
                                       : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
     if (!onlyReference && !capabilities.pretending.empty())
@@ -135,7 +135,7 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
     return facts;
 }
 
-/// What the host draws with, and what it lacks.
+/// The host's driver, and what it lacks.
 std::string hostText(const view::Capabilities& capabilities, const view::OfferedRenderers& offered) {
     std::string text = "No OpenGL";
     if (!capabilities.version.empty()) {
@@ -155,7 +155,7 @@ std::string hostText(const view::Capabilities& capabilities, const view::Offered
     return text;
 }
 
-/// What the renderers could not do.
+/// The problems of the renderers.
 void drawProblems(std::span<const std::string> problems) {
     const std::string& first = problems.front();
     fittedText(problems.size() > 1 ? fmt::format("1 of {}: {}", problems.size(), first) : first,
@@ -167,7 +167,7 @@ void drawProblems(std::span<const std::string> problems) {
     helpTip(all);
 }
 
-/// The one thing that is worth saying now: what is wrong goes before what a probed pixel says.
+/// The most important message: problems go before the result of a probed pixel.
 void drawNews(Session& session, const Pictures& pictures) {
     const std::vector<Finding>& findings = session.document.findings;
     const auto wrong = static_cast<std::size_t>(std::ranges::count_if(
@@ -194,7 +194,7 @@ void drawNews(Session& session, const Pictures& pictures) {
     }
 }
 
-/// In the middle: what the pointer rests on.
+/// In the middle: help for the item under the pointer.
 void drawHint(const Hint& said, float from, float room) {
     if (said.words.empty())
         return;

@@ -7,10 +7,10 @@
 
 namespace texplorer::ui {
 
-/// The room that it has for what the pointer rests on, at least.
+/// The minimum room for a hint.
 [[nodiscard]] float hintRoom(const Layout& layout);
 
-/// The consequence first, or what else is worth saying; then what the pointer rests on; the driver last.
+/// First the consequence or another message; then help for the item under the pointer; the driver last.
 void drawStatusBar(Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
                    const Layout& layout, const Hint& said);
 

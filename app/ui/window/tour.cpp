@@ -23,30 +23,27 @@ struct TourRow {
 };
 
 constexpr std::array tourRows{
-    TourRow{
-        &Layout::parameters, "Change it here",
-        "Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag numbers, "
-        "click choices. Rest the pointer on anything, and the lower edge of the window says what it is."},
+    TourRow{&Layout::parameters, "Change it here",
+            "Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag "
+            "numbers, click choices. Point at anything, and the lower edge of the window explains it."},
     TourRow{&Layout::view, "See it here",
-            "The scene, as OpenGL draws it with these settings. Drag to turn it, use the wheel to go nearer, "
-            "click a corner to choose its vertex."},
-    TourRow{
-        &Layout::texture, "Find the coordinates",
-        "The texture, and where the vertices lie on it. Drag a vertex: beyond 0 and 1 the wrap mode decides "
-        "what one sees."},
+            "OpenGL draws the scene with these settings. Drag to turn it, use the wheel to move nearer, "
+            "click a corner to select its vertex."},
+    TourRow{&Layout::texture, "Find the coordinates",
+            "The texture and the places of the vertices on it. Drag a vertex: beyond 0 and 1 the wrap mode "
+            "decides what is shown."},
     TourRow{&Layout::view, "Ask why",
-            "Hold E over a pixel: Explain shows every number between the scene and its colour, and the lower "
-            "edge what the filter does there."},
-    TourRow{
-        &Layout::menu, "Try, compare, take back",
-        "Presets set several things at once. A/B keeps the scene, to flip between then and now. Ctrl+Z takes "
-        "back anything, and F1 lists all keys."},
+            "Hold E over a pixel: Explain shows every number between the scene and its colour, and the "
+            "lower edge shows what the filter does there."},
+    TourRow{&Layout::menu, "Try, compare, undo",
+            "Presets change several settings at once. A/B keeps the scene and switches between then and now. "
+            "Ctrl+Z undoes any edit, and F1 lists all keys."},
 };
 static_assert(tourRows.size() == tourSteps);
 
 constexpr float tourWidth = 24; ///< of the card, in letters' heights
 
-/// Beside the rectangle where there is room, else over it.
+/// Next to the rectangle if there is room, else over it.
 ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) {
     const auto right = static_cast<float>(about.right());
     const auto left = static_cast<float>(about.x);
@@ -64,8 +61,8 @@ ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) 
             std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
 }
 
-/// In the corner of the dock below, where there is one with room: the card hides nothing that it speaks of,
-/// its buttons stay below the pointer, and the panel on the left and the view are next to it.
+/// In the corner of the dock below, if it has room: the card then hides nothing that it mentions, its buttons
+/// stay below the pointer, and the panel on the left and the view are next to it.
 bool hasCorner(const Rect& dock, ImVec2 size) {
     return static_cast<float>(dock.width) >= size.x * 1.5F && static_cast<float>(dock.height) >= size.y;
 }
@@ -116,7 +113,7 @@ void drawTour(Session& session, const Layout& layout, bool takesEscape) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * 0.8F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size comes out between two frames
+    const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size is known only after the first frame
     if (const Rect& dock = layout.belowDock; hasCorner(dock, guess))
         ImGui::SetNextWindowPos({static_cast<float>(dock.x) + em, static_cast<float>(dock.bottom()) - em},
                                 ImGuiCond_Always, {0, 1});

@@ -4,8 +4,8 @@
 
 namespace texplorer::ui {
 
-/// A small card beside what it talks about: the step that WindowState::tour names. When it ends, the settings
-/// remember that it was seen. `takesEscape`: the key doesn't end something else with this frame.
+/// A small card next to its subject, for the step WindowState::tour. At its end the settings store that it
+/// was seen. `takesEscape`: Escape ends the tour, unless it has another effect in this frame.
 void drawTour(Session& session, const Layout& layout, bool takesEscape);
 
 } // namespace texplorer::ui

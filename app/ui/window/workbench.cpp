@@ -25,7 +25,7 @@
 #include "app/ui/window/tour.h"
 #include "app/view/driver_facts.h"
 
-#include <imgui_internal.h> // how far the darkening behind a dialog has got
+#include <imgui_internal.h> // the progress of the darkening behind a dialog
 
 #include <algorithm>
 #include <array>
@@ -34,8 +34,8 @@
 namespace texplorer::ui {
 namespace {
 
-/// A strip between two panels that one drags. `moved` gets the mouse's way since the last frame, along the
-/// axis; a double click gives it back to the layout.
+/// A seam between two panels that can be dragged. `moved` gets the mouse's movement since the last frame
+/// along the axis; a double click resets the seam.
 struct SeamRow {
     const char* name;
     Rect Layout::*rect;
@@ -44,7 +44,7 @@ struct SeamRow {
     float (*moved)(const Layout& layout, float way);
 };
 
-constexpr float leastColumn = 1;
+constexpr float minColumn = 1;
 
 float shareOf(int length, float way, int whole) {
     return std::clamp((static_cast<float>(length) + way) / static_cast<float>(std::max(1, whole)), 0.15F,
@@ -54,13 +54,13 @@ float shareOf(int length, float way, int whole) {
 constexpr std::array seamRows{
     SeamRow{"left seam", &Layout::leftSeam, true, &Seams::parameters,
             [](const Layout& layout, float way) {
-                return std::max(leastColumn,
+                return std::max(minColumn,
                                 (static_cast<float>(layout.parameters.width) + way) / layout.scale);
             }},
     SeamRow{"right seam", &Layout::rightSeam, true, &Seams::details,
             [](const Layout& layout, float way) {
                 const int width = layout.window.right() - layout.rightSeam.right();
-                return std::max(leastColumn, (static_cast<float>(width) - way) / layout.scale);
+                return std::max(minColumn, (static_cast<float>(width) - way) / layout.scale);
             }},
     SeamRow{"middle seam", &Layout::middleSeam, false, &Seams::split,
             [](const Layout& layout, float way) {
@@ -95,7 +95,7 @@ void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
     ImGui::PopStyleVar();
 }
 
-/// What panels remember of a document goes with it.
+/// Resets the panels' state that belongs to a document.
 void forgetDocument(PanelStates& states) {
     states.textureSpace.drag = PlaneDrag::None;
     states.textureSpace.pressed.reset();
@@ -111,7 +111,7 @@ bool isPopupOpen() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-/// What can be drawn: where only the reference draws, it is not for the driver to say.
+/// The limits of drawing: if only the reference draws, the driver does not matter.
 DriverFacts factsFor(const Session& session, const view::Capabilities& capabilities) {
     const std::vector<RendererKind> shown = shownRenderers(session.window.view);
     const bool asksGl =
@@ -128,7 +128,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         keepNames(namesIn(session.document));
     session.window.keyTaken = false;
     session.window.movesVertices = false;
-    // A key that ends it is not a shortcut as well; Dear ImGui may have ended it before this frame began.
+    // A key that closes it is not a shortcut as well; Dear ImGui may have closed it before this frame began.
     const bool popup = isPopupOpen() || (states.hadPopup && !states.keyboard.walks);
     if (!popup)
         moveKeyboardFocus(session, states.keyboard);
@@ -152,7 +152,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         forgetDocument(states);
     session.window.explaining.isOpen = isShown(workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
-    settle(session, layout); // an edit may have taken away what is selected
+    settle(session, layout); // an edit may have removed the selected object
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
     restUnseen(session);
@@ -170,7 +170,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     for (const DockRow& row : dockRows)
         drawDock(session, states.details, pictures, layout, row.dock);
     endStanding(session);
-    const Hint said = endHints(); // what the bar itself has to say stands beside the pointer
+    const Hint said = endHints(); // later texts, of the bar itself, are tooltips
     drawStatusBar(session, pictures, capabilities, layout, said);
     for (const SeamRow& row : seamRows)
         drawSeam(workspace, row, layout);
@@ -178,7 +178,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     movePixelWithKeys(session, layout, pictures.frames.front().frame.size);
     drawTour(session, layout, !popup);
     if (!popup)
-        handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
+        handleShortcuts(session, layout); // after the panels: a key may arrive together with a mouse release
     if (!popup)
         resizeTextByWheel(session, states.textWheel, layout);
     drawDialogs(session, states.dialogs, pictures);
@@ -191,15 +191,15 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     const bool fading = dimmed > 0 && dimmed < 1;
     Requests requests{session.window.quitConfirmed, fading, false, windowTitle(session.document)};
     session.window.quitConfirmed = false;
-    // Arrows, Enter and Escape work in an open menu or list, and where F6 has led. Elsewhere Space plays, and
-    // dialogs have their own keys.
+    // Arrows, Enter and Escape work in an open menu or list, and in a panel reached by F6. Elsewhere Space
+    // plays, and dialogs have their own keys.
     ImGuiIO& io = ImGui::GetIO();
     states.hadPopup = isPopupOpen();
     const bool navigates =
         session.window.dialog == Dialog::None && (states.hadPopup || states.keyboard.walks);
     io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
-    // Elsewhere Tab shows the view alone.
+    // Elsewhere Tab maximises the view.
     const bool fields = navigates || io.WantTextInput || session.window.dialog != Dialog::None;
     letTabMove(fields);
     return requests;

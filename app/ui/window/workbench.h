@@ -11,24 +11,23 @@
 
 namespace texplorer::ui {
 
-/// What the panels remember, each for itself: beside the Dear ImGui context, which remembers where they are
-/// scrolled to.
+/// The state of each panel; Dear ImGui's context has their scroll positions.
 struct PanelStates {
     ParametersState parameters;
     TextureSpaceState textureSpace;
     DetailsState details;
     DialogsState dialogs;
     KeyboardFocus keyboard;
-    std::size_t documents = 0; ///< Session::documents when they were drawn last
+    std::size_t documents = 0; ///< Session::documents when they were last drawn
     float textWheel = 0;       ///< see resizeTextByWheel
     bool hadPopup = false;     ///< a menu or list was open at the end of the last frame
 };
 
-/// What the window asks of its host.
+/// The window's requests to its host.
 struct Requests {
     bool quit = false;
-    bool fading = false;     ///< the next frame differs without any input: the window darkens behind a dialog
-    bool unfinished = false; ///< textures or letters are still to come: the next frame differs, too
+    bool fading = false; ///< the next frame differs even without input: the window darkens behind a dialog
+    bool unfinished = false; ///< textures or letters are pending: the next frame differs as well
     std::string title;
 };
 

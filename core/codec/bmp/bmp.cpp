@@ -109,12 +109,11 @@ Result<void> checkRleClaim(ByteView codes, const Header& header) {
     constexpr std::uint64_t alwaysAdmitted = std::uint64_t{1024} * 1024;
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
-    const std::uint64_t most = std::max(alwaysAdmitted, std::uint64_t{codes.size()} * 255);
-    if (pixels <= most)
+    const std::uint64_t maxPixels = std::max(alwaysAdmitted, std::uint64_t{codes.size()} * 255);
+    if (pixels <= maxPixels)
         return {};
-    return bmp::malformed(
-        fmt::format("{} of run-length codes are good for at most {} pixels, the file says {}",
-                    countOf(codes.size(), "byte"), most, pixels));
+    return bmp::malformed(fmt::format("{} of run-length codes make at most {} pixels, the file has {}",
+                                      countOf(codes.size(), "byte"), maxPixels, pixels));
 }
 
 Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Image& image) {
@@ -127,12 +126,12 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
             "the run-length codes end at offset {} within row {} of {}, without an end-of-picture code",
             header.dataPos + report.consumed, report.row + 1, image.height));
     if (report.clipped > 0)
-        header.notes.push_back(fmt::format("{} went on beyond a row's end and were cut off there",
+        header.notes.push_back(fmt::format("{} continued beyond the end of a row and ended there",
                                            countOf(report.clipped, "run-length code")));
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (report.painted < pixels)
         header.remarks.push_back(
-            fmt::format("the run-length codes leave {} out; they have the palette's first colour",
+            fmt::format("the run-length codes skip {}; these have the palette's first colour",
                         countOf(pixels - report.painted, "pixel")));
     if (header.topDown)
         header.notes.emplace_back("run-length coded pictures should not be top-down");
@@ -156,19 +155,18 @@ void readFourthBytes(ByteView data, Header& header) {
         header.opaque = !used;
         header.remarks.emplace_back(
             used
-                ? "the pixels are no bit fields, for which masks count, but the header has an alpha mask: "
-                  "their fourth bytes are alpha"
-                : "the header has an alpha mask, but the fourth bytes of all pixels are 0: they are not used");
+                ? "the pixels are not bit fields, but the header has an alpha mask: the fourth bytes are "
+                  "used as alpha"
+                : "the header has an alpha mask, but the fourth bytes of all pixels are 0: they are ignored");
     } else if (all != any)
         header.remarks.emplace_back(
-            "the fourth bytes of the pixels differ and may be meant as alpha; without "
-            "an alpha mask they are not used");
+            "the fourth bytes of the pixels differ and may be alpha; without an alpha mask they are ignored");
 }
 
 void noteOddMasks(Header& header) {
     const bmp::Masks& masks = header.masks;
     if (!std::ranges::all_of(masks, bmp::contiguous))
-        header.notes.emplace_back("the bits of a colour mask are not side by side");
+        header.notes.emplace_back("the bits of a colour mask are not contiguous");
     std::uint32_t seen = 0;
     bool overlap = false;
     for (const std::uint32_t mask : masks) {
@@ -249,7 +247,7 @@ Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
         return texture;
     } catch (const std::bad_alloc&) {
         return bmp::tooLarge(
-            fmt::format("there is no memory for {} x {} pixels", header->width, header->height));
+            fmt::format("not enough memory for {} × {} pixels", header->width, header->height));
     }
 }
 

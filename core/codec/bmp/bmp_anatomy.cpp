@@ -24,7 +24,7 @@ public:
     }
 
     Anatomy run() {
-        section("File header", 0, bmp::fileHeaderSize, "what every BMP begins with");
+        section("File header", 0, bmp::fileHeaderSize, "the beginning of every BMP");
         fields(bmp::fileHeaderFields(), bmp::fileHeaderSize);
         if (stopped())
             return std::move(anatomy_);
@@ -32,12 +32,11 @@ public:
                                          ? 4
                                          : std::size_t{header_.headerSize};
         section(std::string(bmp::headerName(header_.headerSize)), bmp::fileHeaderSize, infoSize,
-                "extents and pixel format");
+                "size and pixel format");
         fields(bmp::infoHeaderFields(header_.headerSize), bmp::fileHeaderSize + infoSize);
         if (infoSize == 4)
             stop(fmt::format(
-                "an info header has 12, 16 to 64, 108 or 124 bytes, this one says {}: what follows can't be "
-                "told",
+                "an info header has 12, 16 to 64, 108 or 124 bytes, this one has {}: the rest is unknown",
                 header_.headerSize));
         if (stopped())
             return std::move(anatomy_);
@@ -103,11 +102,11 @@ private:
         }
         const std::size_t entries = header_.paletteEntries;
         const std::size_t size = entries * header_.paletteEntryBytes;
-        const std::size_t most = std::size_t{1} << std::min(header_.bitsPerPixel, 8U);
+        const std::size_t max = std::size_t{1} << std::min(header_.bitsPerPixel, 8U);
         std::string wrong;
-        if (header_.bitsPerPixel <= 8 && entries < most && header_.colorsUsed != entries)
-            wrong = fmt::format("expected {} entries, there is room for {}",
-                                header_.colorsUsed == 0 ? most : header_.colorsUsed, entries);
+        if (header_.bitsPerPixel <= 8 && entries < max && header_.colorsUsed != entries)
+            wrong = fmt::format("expected {} entries, but there is space for {}",
+                                header_.colorsUsed == 0 ? max : header_.colorsUsed, entries);
         anatomy_.fields.push_back(
             {header_.palettePos, size, "Palette",
              entries == 1 ? "1 entry" : fmt::format("{} entries", entries),
@@ -144,7 +143,7 @@ private:
         if (stopped() || header_.dataPos <= begin)
             return;
         add({begin, header_.dataPos - begin, "Gap", countOf(header_.dataPos - begin, "byte"),
-             "not used; the pixels begin behind it", "", 0});
+             "not used; the pixels begin after it", "", 0});
     }
 
     void pixels() {
@@ -157,7 +156,7 @@ private:
             return stop(fmt::format("the pixels begin at offset {}, the file has {}", header_.dataPos,
                                     countOf(file_.size(), "byte")));
         if (header_.width < 1 || header_.height < 1)
-            return stop(fmt::format("a picture has at least 1 x 1 pixels, this one says {} x {}",
+            return stop(fmt::format("a picture has at least 1 × 1 pixels, this one has {} × {}",
                                     header_.width, header_.height));
         if (header_.runLengthCoded())
             return runLengthCodes();
@@ -166,10 +165,10 @@ private:
             const std::uint64_t there = file_.size() - header_.dataPos;
             const std::uint64_t size = header_.imageSize == 0 ? there : header_.imageSize;
             return pixelData(size, bmp::compressionName(header_.compression, header_.headerSize),
-                             "a whole file or a coding of its own; not read");
+                             "an embedded file or another coding; not read");
         }
         if (header_.bitsPerPixel < 1)
-            return stop("a pixel has at least one bit, this file says 0");
+            return stop("a pixel has at least one bit, this file has 0");
         const std::string order = header_.topDown ? "top row first" : "bottom row first";
         pixelData(header_.pixelBytes(),
                   fmt::format("{} rows of {}", header_.height, countOf(header_.rowBytes(), "byte")),
@@ -185,23 +184,23 @@ private:
         struct Nowhere : bmp::RleRows {
             void row(int /*y*/, ByteView /*indices*/) override {}
         } nowhere;
-        constexpr std::int64_t most = DecodeLimits{}.maxExtent; // following codes costs what painting does
-        if (header_.width > most || header_.height > most)
+        constexpr std::int64_t max = DecodeLimits{}.maxExtent; // following codes costs what painting does
+        if (header_.width > max || header_.height > max)
             return stop(fmt::format(
-                "run-length codes are followed up to {} pixels along each axis, this picture says {} x {}",
-                most, header_.width, header_.height));
+                "run-length codes are decoded up to {} pixels along each axis, this picture has {} × {}", max,
+                header_.width, header_.height));
         const bmp::RleReport report =
             bmp::decodeRle(partOf(file_, header_.dataPos, file_.size()),
                            header_.compression == static_cast<std::uint32_t>(bmp::Compression::Rle8) ? 8 : 4,
                            static_cast<int>(header_.width), static_cast<int>(header_.height), nowhere);
         std::string wrong;
         if (report.clipped > 0)
-            wrong = fmt::format("{} go on beyond a row's end", countOf(report.clipped, "code"));
+            wrong = fmt::format("{} continue beyond the end of a row", countOf(report.clipped, "code"));
         pixelData(report.consumed,
                   fmt::format("{}: {}, {}, {}", bmp::compressionName(header_.compression, header_.headerSize),
                               countOf(report.runs, "run"), countOf(report.literals, "literal"),
                               countOf(report.deltas, "delta")),
-                  fmt::format("they paint {} of {} pixels", report.painted, header_.width * header_.height),
+                  fmt::format("they set {} of {} pixels", report.painted, header_.width * header_.height),
                   std::move(wrong));
         if (!report.ended)
             stop(fmt::format(

@@ -8,7 +8,7 @@ namespace texplorer::bmp {
 
 namespace {
 
-constexpr std::uint32_t mostTabled = (1U << 12) - 1;
+constexpr std::uint32_t maxTabled = (1U << 12) - 1;
 
 // A component that no bit stands for is 0.
 int shiftOf(std::uint32_t mask) {
@@ -26,7 +26,7 @@ Component::Component(std::uint32_t mask)
     : mask_(mask)
     , shift_(shiftOf(mask))
     , max_(mask >> shift_) {
-    if (max_ > mostTabled)
+    if (max_ > maxTabled)
         return;
     table_.resize(std::size_t{max_} + 1);
     for (std::uint32_t value = 0; value <= max_; ++value)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pixels of 16 or 32 bits whose components lie where masks say. Private to the BMP codec.
+// Pixels of 16 or 32 bits with components at the bits of masks. Private to the BMP codec.
 
 #include "core/codec/bmp/bmp_header.h"
 
@@ -9,7 +9,7 @@
 
 namespace texplorer::bmp {
 
-/// One component: the bits of a mask, scaled to 0 … 255 and rounded to the nearest, as OpenGL 2.1 converts
+/// One component: the bits of a mask, scaled to 0 … 255 and rounded to nearest, as OpenGL 2.1 converts
 /// normalised integers (section 2.14, table 2.9).
 class Component {
 public:
@@ -28,7 +28,7 @@ private:
     std::vector<std::byte> table_; ///< by value; empty for components of more than 12 bits
 };
 
-/// Writes the masks' components of rows of pixels: three where the alpha mask is 0, else four.
+/// Writes the components of rows of pixels: three if the alpha mask is 0, else four.
 class BitFields {
 public:
     BitFields(const Masks& masks, unsigned bitsPerPixel);
@@ -41,13 +41,13 @@ private:
     void paintAny(const std::byte* from, std::byte* to, std::size_t count) const;
 
     std::array<Component, 4> components_;
-    std::array<std::uint8_t, 4> order_{}; ///< which byte of a pixel each component is
+    std::array<std::uint8_t, 4> order_{}; ///< the byte of a pixel that holds each component
     unsigned bitsPerPixel_;
     bool hasAlpha_;
     bool wholeBytes_ = true;
 };
 
-/// Whether the bits of a mask are side by side, as Windows asks.
+/// Whether the bits of a mask are adjacent, as Windows requires.
 [[nodiscard]] bool contiguous(std::uint32_t mask);
 
 } // namespace texplorer::bmp

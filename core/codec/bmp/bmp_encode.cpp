@@ -117,7 +117,7 @@ void writeRow(PixelFormat format, const std::byte* from, std::byte* to, std::siz
 
 Result<Bytes> encode(const Image& image, bool topFirst) {
     if (image.width < 1 || image.height < 1)
-        return bmp::malformed(fmt::format("a picture has at least 1 x 1 pixels, this one has {} x {}",
+        return bmp::malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {} × {}",
                                           image.width, image.height));
     const Layout layout = layoutOf(image.format);
     const auto width = static_cast<std::size_t>(image.width);
@@ -151,7 +151,7 @@ Result<Bytes> encodeBmp(const TextureImage& texture, const WriteOptions& /*optio
             return encode(*image, texture.topFirst);
         return encode(toImage(surface), texture.topFirst);
     } catch (const std::bad_alloc&) {
-        return bmp::tooLarge("there is no memory for the file");
+        return bmp::tooLarge("not enough memory for the file");
     }
 }
 

@@ -30,7 +30,7 @@ std::string checkZero(std::int64_t value, const FieldContext& /*context*/) {
 
 std::string checkDataPos(std::int64_t value, const FieldContext& context) {
     if (value == 0)
-        return fmt::format("expected {}, which is taken instead", context.header.dataPos);
+        return fmt::format("expected {}, which is used instead", context.header.dataPos);
     if (value < static_cast<std::int64_t>(context.header.palettePos))
         return fmt::format("lies within the headers, which end at {}", context.header.palettePos);
     if (value > static_cast<std::int64_t>(context.file.size()))
@@ -97,12 +97,12 @@ std::string checkColorsUsed(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
     if (bits < 1 || bits > 8 || value <= std::int64_t{1} << bits)
         return {};
-    return fmt::format("{} a pixel tell {} entries apart", countOf(bits, "bit"), 1 << bits);
+    return fmt::format("{} a pixel can index {} entries", countOf(bits, "bit"), 1 << bits);
 }
 
 std::string checkColorsImportant(std::int64_t value, const FieldContext& context) {
     const std::int64_t used = context.header.colorsUsed;
-    return used != 0 && value > used ? fmt::format("more than the {} that there are", used) : "";
+    return used != 0 && value > used ? fmt::format("more than the {} available", used) : "";
 }
 
 std::string checkMask(std::int64_t value, const FieldContext& context) {
@@ -110,21 +110,21 @@ std::string checkMask(std::int64_t value, const FieldContext& context) {
     if (context.header.masksPos == 0)
         return {}; // not used
     if (!contiguous(mask))
-        return "its bits are not side by side";
+        return "its bits are not contiguous";
     return context.header.bitsPerPixel == 16 && mask > 0xFFFF ? "a pixel has 16 bits" : "";
 }
 
 constexpr std::array fileFields{
-    FieldRow{0, 2, "bfType", "what it is", Show::Letters, checkMagic},
-    FieldRow{2, 4, "bfSize", "bytes of the file", Show::Number, checkFileSize},
+    FieldRow{0, 2, "bfType", "the kind of file", Show::Letters, checkMagic},
+    FieldRow{2, 4, "bfSize", "size of the file in bytes", Show::Number, checkFileSize},
     FieldRow{6, 2, "bfReserved1", "", Show::Number, checkZero},
     FieldRow{8, 2, "bfReserved2", "", Show::Number, checkZero},
-    FieldRow{10, 4, "bfOffBits", "where the pixels begin", Show::Number, checkDataPos},
+    FieldRow{10, 4, "bfOffBits", "offset of the pixels", Show::Number, checkDataPos},
 };
 
 constexpr std::array coreFields{
-    FieldRow{14, 4, "bcSize", "bytes of this header", Show::Number, checkHeaderSize},
-    FieldRow{18, 2, "bcWidth", "pixels a row", Show::Number, checkWidth},
+    FieldRow{14, 4, "bcSize", "size of this header in bytes", Show::Number, checkHeaderSize},
+    FieldRow{18, 2, "bcWidth", "pixels in a row", Show::Number, checkWidth},
     FieldRow{20, 2, "bcHeight", word("rows"), Show::Number, checkWidth},
     FieldRow{22, 2, "bcPlanes", "", Show::Number, checkPlanes},
     FieldRow{24, 2, "bcBitCount", "bits a pixel", Show::Number, checkBits},
@@ -132,56 +132,55 @@ constexpr std::array coreFields{
 
 // Each longer Windows header begins with the shorter one. The names are the first header's that has a field.
 constexpr std::array windowsFields{
-    FieldRow{14, 4, "biSize", "bytes of this header", Show::Number, checkHeaderSize},
-    FieldRow{18, 4, "biWidth", "pixels a row", Show::Signed, checkWidth},
+    FieldRow{14, 4, "biSize", "size of this header in bytes", Show::Number, checkHeaderSize},
+    FieldRow{18, 4, "biWidth", "pixels in a row", Show::Signed, checkWidth},
     FieldRow{22, 4, "biHeight", "rows; negative: the top row comes first", Show::Signed, checkHeight},
     FieldRow{26, 2, "biPlanes", "", Show::Number, checkPlanes},
     FieldRow{28, 2, "biBitCount", "bits a pixel", Show::Number, checkBits},
-    FieldRow{30, 4, "biCompression", "how the pixels are coded", Show::Compression, checkCompression},
-    FieldRow{34, 4, "biSizeImage", "bytes of the pixels", Show::Number, checkImageSize},
+    FieldRow{30, 4, "biCompression", "coding of the pixels", Show::Compression, checkCompression},
+    FieldRow{34, 4, "biSizeImage", "size of the pixels in bytes", Show::Number, checkImageSize},
     FieldRow{38, 4, "biXPelsPerMeter", "pixels a metre, across", Show::Signed},
     FieldRow{42, 4, "biYPelsPerMeter", "pixels a metre, up", Show::Signed},
-    FieldRow{46, 4, "biClrUsed", "palette entries; 0: all that the bits can tell apart", Show::Number,
+    FieldRow{46, 4, "biClrUsed", "palette entries; 0: as many as the bits can index", Show::Number,
              checkColorsUsed},
-    FieldRow{50, 4, "biClrImportant", "palette entries that matter; 0: all", Show::Number,
+    FieldRow{50, 4, "biClrImportant", "important palette entries; 0: all", Show::Number,
              checkColorsImportant},
     FieldRow{54, 4, "biRedMask", "which bits of a pixel are red", Show::Mask, checkMask},
     FieldRow{58, 4, "biGreenMask", "which bits of a pixel are green", Show::Mask, checkMask},
     FieldRow{62, 4, "biBlueMask", "which bits of a pixel are blue", Show::Mask, checkMask},
     FieldRow{66, 4, "biAlphaMask", "which bits of a pixel are alpha; 0: none", Show::Mask, checkMask},
     FieldRow{70, 4, "bV4CSType", "colour space", Show::ColorSpace},
-    FieldRow{74, 4, "bV4RedX", "where red lies in CIE XYZ", Show::Fixed30},
+    FieldRow{74, 4, "bV4RedX", "red in CIE XYZ", Show::Fixed30},
     FieldRow{78, 4, "bV4RedY", "", Show::Fixed30},
     FieldRow{82, 4, "bV4RedZ", "", Show::Fixed30},
-    FieldRow{86, 4, "bV4GreenX", "where green lies", Show::Fixed30},
+    FieldRow{86, 4, "bV4GreenX", "green in CIE XYZ", Show::Fixed30},
     FieldRow{90, 4, "bV4GreenY", "", Show::Fixed30},
     FieldRow{94, 4, "bV4GreenZ", "", Show::Fixed30},
-    FieldRow{98, 4, "bV4BlueX", "where blue lies", Show::Fixed30},
+    FieldRow{98, 4, "bV4BlueX", "blue in CIE XYZ", Show::Fixed30},
     FieldRow{102, 4, "bV4BlueY", "", Show::Fixed30},
     FieldRow{106, 4, "bV4BlueZ", "", Show::Fixed30},
     FieldRow{110, 4, "bV4GammaRed", "gamma of red", Show::Fixed16},
     FieldRow{114, 4, "bV4GammaGreen", "gamma of green", Show::Fixed16},
     FieldRow{118, 4, "bV4GammaBlue", "gamma of blue", Show::Fixed16},
     FieldRow{122, 4, "bV5Intent", "rendering intent: 1 business, 2 graphics, 4 images, 8 absolute"},
-    FieldRow{126, 4, "bV5ProfileData", "where the profile begins, from offset 14"},
-    FieldRow{130, 4, "bV5ProfileSize", "bytes of the profile"},
+    FieldRow{126, 4, "bV5ProfileData", "offset of the profile, from offset 14"},
+    FieldRow{130, 4, "bV5ProfileSize", "size of the profile in bytes"},
     FieldRow{134, 4, "bV5Reserved", "", Show::Number, checkZero},
 };
 
 constexpr std::array os2Fields{
-    FieldRow{14, 4, "cbFix", "bytes of this header", Show::Number, checkHeaderSize},
-    FieldRow{18, 4, "cx", "pixels a row", Show::Signed, checkWidth},
+    FieldRow{14, 4, "cbFix", "size of this header in bytes", Show::Number, checkHeaderSize},
+    FieldRow{18, 4, "cx", "pixels in a row", Show::Signed, checkWidth},
     FieldRow{22, 4, "cy", word("rows"), Show::Signed, checkHeight},
     FieldRow{26, 2, "cPlanes", "", Show::Number, checkPlanes},
     FieldRow{28, 2, "cBitCount", "bits a pixel", Show::Number, checkBits},
-    FieldRow{30, 4, "ulCompression", "how the pixels are coded", Show::Compression, checkCompression},
-    FieldRow{34, 4, "cbImage", "bytes of the pixels", Show::Number, checkImageSize},
+    FieldRow{30, 4, "ulCompression", "coding of the pixels", Show::Compression, checkCompression},
+    FieldRow{34, 4, "cbImage", "size of the pixels in bytes", Show::Number, checkImageSize},
     FieldRow{38, 4, "cxResolution", "pixels a metre, across"},
     FieldRow{42, 4, "cyResolution", "pixels a metre, up"},
-    FieldRow{46, 4, "cclrUsed", "palette entries; 0: all that the bits can tell apart", Show::Number,
+    FieldRow{46, 4, "cclrUsed", "palette entries; 0: as many as the bits can index", Show::Number,
              checkColorsUsed},
-    FieldRow{50, 4, "cclrImportant", "palette entries that matter; 0: all", Show::Number,
-             checkColorsImportant},
+    FieldRow{50, 4, "cclrImportant", "important palette entries; 0: all", Show::Number, checkColorsImportant},
     FieldRow{54, 2, "usUnits", "unit of the resolution; 0: pixels a metre", Show::Number, checkZero},
     FieldRow{56, 2, "usReserved", "", Show::Number, checkZero},
     FieldRow{58, 2, "usRecording", "order of the rows; 0: bottom row first", Show::Number, checkZero},

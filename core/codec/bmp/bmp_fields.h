@@ -16,7 +16,7 @@ struct FieldContext {
     const Header& header; // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): lives for one call
 };
 
-/// How a field's number is written.
+/// How the number of a field is shown.
 enum class Show : std::uint8_t { Letters, Number, Signed, Compression, Mask, ColorSpace, Fixed16, Fixed30 };
 
 struct FieldRow {
@@ -25,15 +25,15 @@ struct FieldRow {
     std::string_view name;
     std::string_view meaning;
     Show show = Show::Number;
-    /// What is wrong with the value, or nothing. nullptr: nothing can be.
+    /// Returns what is wrong with the value, or an empty text. nullptr: every value is valid.
     std::string (*check)(std::int64_t value, const FieldContext& context) = nullptr;
 };
 
 [[nodiscard]] std::span<const FieldRow> fileHeaderFields();
-/// Of a header of that size; those of a longer one may follow them in the table. An unknown size has but
-/// itself.
+/// The fields of a header of that size; fields of longer headers may follow in the table. For an unknown
+/// size, only the size field.
 [[nodiscard]] std::span<const FieldRow> infoHeaderFields(std::uint32_t headerSize);
-/// Behind a header of 40 bytes.
+/// The masks that follow a header of 40 bytes.
 [[nodiscard]] std::span<const FieldRow> maskFields();
 
 [[nodiscard]] std::string valueOf(const FieldRow& row, const FieldContext& context);

@@ -67,28 +67,28 @@ void parseMasks(ByteView file, Header& header) {
         header.palettePos += alphaFollows ? 16 : 12;
 
     if ((header.masks[0] | header.masks[1] | header.masks[2]) == 0) {
-        header.notes.emplace_back("the colour masks are all 0; the usual ones were taken");
+        header.notes.emplace_back("the colour masks are all 0; the usual ones were used");
         header.masks = usualMasks(header.bitsPerPixel);
     }
 }
 
 // How many entries there should be and how many there is room for are two numbers; the smaller one counts.
 void placePalette(ByteView file, Header& header) {
-    const std::size_t most = header.bitsPerPixel <= 8 ? std::size_t{1} << header.bitsPerPixel : 256;
+    const std::size_t maxEntries = header.bitsPerPixel <= 8 ? std::size_t{1} << header.bitsPerPixel : 256;
     const bool needed = header.bitsPerPixel >= 1 && header.bitsPerPixel <= 8;
     std::size_t claimed = header.colorsUsed;
     if (claimed == 0 && needed)
-        claimed = most;
-    if (claimed > most) {
+        claimed = maxEntries;
+    if (claimed > maxEntries) {
         header.notes.push_back(
-            fmt::format("the header says {} palette entries, {} can be used", claimed, most));
-        claimed = needed ? most : 0;
+            fmt::format("the header has {} palette entries, but only {} can be used", claimed, maxEntries));
+        claimed = needed ? maxEntries : 0;
     }
     if (header.dataPos == 0) {
         header.dataPos = header.palettePos + claimed * header.paletteEntryBytes;
         header.notes.emplace_back(fmt::format(
-            "the header does not say where the pixels begin; they are taken to follow what stands before "
-            "them, at offset {}",
+            "the header does not give the offset of the pixels; offset {}, after the preceding data, is "
+            "used",
             header.dataPos));
     }
     const std::uint64_t end = std::min<std::uint64_t>(header.dataPos, file.size());
@@ -106,7 +106,7 @@ Result<void> checkCompression(const Header& header) {
     const std::string name = compressionName(header.compression, header.headerSize);
     if (headerKind(header.headerSize) == HeaderKind::Os22 && header.compression > 2)
         return unsupported(fmt::format(
-            "uncompressed and RLE pixels are read of OS/2 files, this one's compression is {}", name));
+            "only uncompressed and RLE pixels of OS/2 files are read, this file's compression is {}", name));
     switch (static_cast<Compression>(header.compression)) {
     case Compression::None:
         if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 24 && bits != 32)
@@ -122,23 +122,22 @@ Result<void> checkCompression(const Header& header) {
         return bits == 16 || bits == 32 ? Result<void>() : needs("16 or 32");
     case Compression::Jpeg:
     case Compression::Png:
-        return unsupported(fmt::format(
-            "the file wraps a whole {} file, which is meant for printers; take that out of it, it begins at "
-            "offset {}",
-            name, header.dataPos));
+        return unsupported(
+            fmt::format("the file contains a whole {} file for printers, at offset {}; extract it first",
+                        name, header.dataPos));
     default:
         return unsupported(fmt::format(
-            "uncompressed, RLE and bit-field pixels are read, this file's compression is {}", name));
+            "only uncompressed, RLE and bit-field pixels are read, this file's compression is {}", name));
     }
 }
 
 Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
+    const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
-        return malformed(fmt::format("a picture has at least 1 x 1 pixels, this one says {}", extents));
+        return malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {}", extents));
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
-            fmt::format("at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent, extents));
+            fmt::format("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     const auto pixels = static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
     if (pixels > limits.maxPixels)
         return tooLarge(
@@ -158,7 +157,8 @@ Result<void> checkPlaces(const Header& header, ByteView file) {
                                      countOf(header.pixelBytes(), "byte"), header.dataPos, file.size()));
     if (header.bitsPerPixel <= 8 && header.paletteEntries == 0)
         return malformed(
-            fmt::format("{} a pixel need a palette, there is none between offset {} and the pixels at {}",
+            fmt::format("{} a pixel need a palette, but there is none between offset {} and the pixels at "
+                        "{}",
                         countOf(header.bitsPerPixel, "bit"), header.palettePos, header.dataPos));
     return {};
 }
@@ -296,12 +296,12 @@ bool hasColorSpace(ByteView file, const Header& header) {
 Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {
     if (file.size() < 2 || file[0] != std::byte{'B'} || file[1] != std::byte{'M'})
         return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
-    constexpr std::size_t shortest = fileHeaderSize + 12;
+    constexpr std::size_t minBytes = fileHeaderSize + 12;
     const auto headersNeed = [&](std::uint64_t size) {
         return malformed(fmt::format("the headers need {} bytes, the file has {}", size, file.size()));
     };
-    if (file.size() < shortest)
-        return headersNeed(shortest);
+    if (file.size() < minBytes)
+        return headersNeed(minBytes);
     Header header = parseHeader(file);
     if (headerKind(header.headerSize) == HeaderKind::Unknown)
         return unsupported(

@@ -1,7 +1,7 @@
 #pragma once
 
-// What stands before a BMP's pixels: the file header, the info header in every size there is, the masks and
-// the palette's place. Private to the BMP codec.
+// The parts of a BMP before its pixels: the file header, the info header in all sizes, the masks and the
+// position of the palette. Private to the BMP codec.
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -29,21 +29,21 @@ enum class Compression : std::uint32_t {
     CmykRle4 = 13,
 };
 
-/// The info headers by their size; sizes between 16 and 64 that no Windows header has are OS/2 2.x headers
-/// that end early (what they leave out is 0).
+/// The info headers, by size. Sizes from 16 to 64 that no Windows header has are OS/2 2.x headers that end
+/// early (their missing fields are 0).
 enum class HeaderKind : std::uint8_t { Os21, Os22, Windows3, Windows3Masks, V4, V5, Unknown };
 [[nodiscard]] HeaderKind headerKind(std::uint32_t headerSize);
 /// "BITMAPINFOHEADER (Windows 3)"
 [[nodiscard]] std::string_view headerName(std::uint32_t headerSize);
 
-/// "RLE8", "JPEG", "number 9"; OS/2 2.x gives two of the numbers another meaning.
+/// "RLE8", "JPEG", "number 9"; two of the numbers mean something else in OS/2 2.x.
 [[nodiscard]] std::string compressionName(std::uint32_t compression, std::uint32_t headerSize);
 
-/// Red, green, blue, alpha; an alpha mask of 0 means that there is none.
+/// Red, green, blue, alpha. An alpha mask of 0 means no alpha.
 using Masks = std::array<std::uint32_t, 4>;
 
 struct Header {
-    std::uint64_t dataPos = 0; ///< filled in where the file says 0
+    std::uint64_t dataPos = 0; ///< computed if the file says 0
     std::uint32_t headerSize = 0;
     std::int64_t width = 0;
     std::int64_t height = 0; ///< never negative
@@ -54,13 +54,13 @@ struct Header {
     std::uint32_t colorsUsed = 0;
     std::size_t masksPos = 0; ///< 0: none
     Masks masks{};
-    bool opaque = false;        ///< that alpha is 0 everywhere and not meant
-    bool loneAlphaMask = false; ///< the header has an alpha mask, although its pixels are no bit fields
+    bool opaque = false;        ///< alpha is 0 everywhere, so it is ignored
+    bool loneAlphaMask = false; ///< the header has an alpha mask, but its pixels are not bit fields
     std::uint64_t palettePos = 0;
     std::size_t paletteEntryBytes = 4; ///< 3 in OS/2 1.x: no reserved byte
-    std::size_t paletteEntries = 0;    ///< that lie between palettePos and the pixels
-    std::vector<std::string> notes;    ///< what was odd and was survived
-    std::vector<std::string> remarks;  ///< what is right and isn't followed
+    std::size_t paletteEntries = 0;    ///< between palettePos and the pixels
+    std::vector<std::string> notes;    ///< irregularities that are tolerated
+    std::vector<std::string> remarks;  ///< valid features that are ignored
 
     [[nodiscard]] bool runLengthCoded() const {
         return compression == static_cast<std::uint32_t>(Compression::Rle8) ||
@@ -69,25 +69,26 @@ struct Header {
     [[nodiscard]] std::uint64_t rowBytes() const {
         return (static_cast<std::uint64_t>(width) * bitsPerPixel + 7) / 8;
     }
-    /// Rows begin at multiples of four bytes.
+    /// Rows are padded to multiples of four bytes.
     [[nodiscard]] std::uint64_t rowStride() const { return (rowBytes() + 3) / 4 * 4; }
-    /// The bytes that uncompressed pixels need; the padding of the last row may be missing. What no file can
-    /// have is 2^62.
+    /// The bytes of uncompressed pixels; the padding of the last row may be missing. 2^62 for sizes that no
+    /// file can have.
     [[nodiscard]] std::uint64_t pixelBytes() const {
-        constexpr std::uint64_t most = std::uint64_t{1} << 62;
+        constexpr std::uint64_t max = std::uint64_t{1} << 62;
         const auto stepsUp = static_cast<std::uint64_t>(height - 1);
-        return stepsUp > (most - rowStride()) / rowStride() ? most : rowStride() * stepsUp + rowBytes();
+        return stepsUp > (max - rowStride()) / rowStride() ? max : rowStride() * stepsUp + rowBytes();
     }
 };
 
-/// The fields as they stand in the file, 0 where it ends before; nothing is checked but their arithmetic.
-/// `dataPos` and the palette are filled in. What the decoder checks next, the anatomy shows as it is.
+/// Returns the fields as they are in the file, 0 beyond its end. Only overflow is checked; `dataPos` and the
+/// palette are completed. The decoder checks the fields afterwards; the anatomy shows them unchecked.
 [[nodiscard]] Header parseHeader(ByteView file);
 
-/// A header that the decoder can work with: known, within the limits, its pixel data within the file.
+/// Returns a header that the decoder can use: supported, within the limits, with its pixel data within the
+/// file.
 [[nodiscard]] Result<Header> readHeader(ByteView file, const DecodeLimits& limits);
 
-/// Whether a V4 or V5 header says which colours its numbers mean: by a profile, or by its own primaries.
+/// Whether a V4 or V5 header defines a colour space, by a profile or by primaries.
 [[nodiscard]] bool hasColorSpace(ByteView file, const Header& header);
 
 [[nodiscard]] tl::unexpected<Error> malformed(const std::string& message);

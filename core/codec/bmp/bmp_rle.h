@@ -2,11 +2,11 @@
 
 // RLE4 and RLE8 of BMP files. Private to the BMP codec.
 //
-//   n v        n > 0: n pixels of index v; in RLE4 v is two indices that take turns, the high one first
+//   n v        n > 0: n pixels of index v; in RLE4, v is two alternating indices, the high one first
 //   0 0        end of the row
 //   0 1        end of the picture
-//   0 2 x y    go x to the right and y rows on
-//   0 n …      n >= 3: n indices as they are, padded to a multiple of two bytes
+//   0 2 x y    go x pixels to the right and y rows on
+//   0 n …      n >= 3: n literal indices, padded to a multiple of two bytes
 
 #include "core/base/bytes.h"
 
@@ -15,20 +15,20 @@
 
 namespace texplorer::bmp {
 
-/// What a file's codes were, counted: for the decoder's notes and for the anatomy.
+/// Statistics of a file's codes, for the decoder's notes and the anatomy.
 struct RleReport {
     std::size_t consumed = 0; ///< bytes of codes
     std::size_t runs = 0;
     std::size_t literals = 0;
     std::size_t deltas = 0;
-    std::size_t clipped = 0; ///< codes that went on beyond a row's end or began behind the last row
+    std::size_t clipped = 0; ///< codes that ran over the end of a row or began after the last row
     std::size_t painted = 0; ///< pixels
-    int row = 0;             ///< where the codes ended, from the first row of the file
+    int row = 0;             ///< where the codes ended, counted from the file's first row
     int column = 0;
-    bool ended = false; ///< by the end-of-picture code, not because the bytes ran out
+    bool ended = false; ///< by the end-of-picture code, not by the end of the data
 };
 
-/// Receives whole rows in the file's order. Rows that nothing was painted on may be left out.
+/// Receives whole rows in the file's order. Rows without pixels may be left out.
 class RleRows {
 public:
     RleRows() = default;
@@ -38,7 +38,7 @@ public:
     virtual void row(int y, ByteView indices) = 0;
 };
 
-/// Follows the codes with one row of memory. Pixels that are skipped have index 0.
+/// Decodes with the memory of one row. Skipped pixels have index 0.
 RleReport decodeRle(ByteView codes, int bitsPerPixel, int width, int height, RleRows& rows);
 
 } // namespace texplorer::bmp

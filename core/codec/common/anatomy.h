@@ -1,7 +1,7 @@
 #pragma once
 
-// What is where in a file: offset, size, name, raw bytes, value, meaning. For people who look at a file
-// because something is wrong with it, so it goes on to the point of damage and says what looks wrong.
+// The structure of a file: offset, size, name, raw bytes, value and meaning of each field. It is used to
+// examine broken files, so it continues up to the damage and reports what looks wrong.
 
 #include "core/base/bytes.h"
 
@@ -14,8 +14,8 @@ namespace texplorer {
 
 struct Field {
     std::uint64_t offset = 0;
-    std::uint64_t size = 0; ///< bytes that the field should have; the file may end before
-    std::string name;       ///< as its specification names it: "biBitCount"
+    std::uint64_t size = 0; ///< the bytes that the field should have; the file may end earlier
+    std::string name;       ///< the name in the specification: "biBitCount"
     std::string value;      ///< decoded: "24", "54 (0x36)", "DXT5"
     std::string meaning;    ///< "bits a pixel"
     std::string wrong;      ///< empty, or what looks wrong: "expected 40, 108 or 124"
@@ -25,12 +25,12 @@ struct Field {
 struct Anatomy {
     std::string_view format;   ///< "BMP"
     std::vector<Field> fields; ///< in file order; bounded (at most 4096)
-    std::string damage;        ///< empty, or where and why reading stopped
+    std::string damage;        ///< empty, or where and why the analysis stopped
 };
 
-// One function a format, each beside its decoder; registry.h chooses.
+// Each format has one such function, next to its decoder; registry.h chooses.
 
-/// The bytes of a field that exist in the file.
+/// Returns the bytes of a field that exist in the file.
 [[nodiscard]] inline ByteView bytesOf(const Field& field, ByteView file) {
     return partOf(file, field.offset, field.size);
 }

@@ -4,18 +4,18 @@
 
 namespace texplorer {
 
-/// What a decoder accepts at most; a file that claims more is refused before anything is allocated. The
-/// defaults admit what OpenGL drivers do: 16384 x 16384 texels.
+/// The limits of a decoder; a file that states more is refused before memory is allocated. The defaults are
+/// the limits of common OpenGL drivers: 16384 x 16384 texels.
 struct DecodeLimits {
     int maxExtent = 16384;                                     ///< along each axis
-    std::size_t maxPixels = std::size_t{16384} * 16384;        ///< of one level of one face, all slices
-    std::size_t maxBytes = std::size_t{16384} * 16384 * 4 * 2; ///< of everything that is decoded
-    /// false: an outline, for which no pixel is decoded and no memory for pixels is taken. Its surfaces have
-    /// their formats and extents, and no bytes. What only the pixels tell is missing: their damage, notes
-    /// about them, and whether bits that may be alpha are (they count as what the header says).
+    std::size_t maxPixels = std::size_t{16384} * 16384;        ///< of one level of one face, with all slices
+    std::size_t maxBytes = std::size_t{16384} * 16384 * 4 * 2; ///< of all decoded data
+    /// false: only an outline; no pixels are decoded and no memory for pixels is allocated. The surfaces have
+    /// formats and extents, but no bytes. Information that needs the pixels is missing: damage in them, notes
+    /// about them, and whether possible alpha bits are alpha (the header decides).
     bool pixels = true;
-    /// Every layer of an array, and what stands beside the picture (TextureImage::parts): for who writes it
-    /// again. Without it an array's first layer is read.
+    /// Whether to read every layer of an array and the data that is not pixels (TextureImage::parts), for
+    /// writing the file again. If false, only the first layer of an array is read.
     bool everything = false;
 };
 

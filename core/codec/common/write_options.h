@@ -5,19 +5,19 @@
 
 namespace texplorer {
 
-/// A text within a picture's file.
+/// A text in a picture's file.
 struct PictureText {
-    std::string keyword; ///< PNG: 1 to 79 letters of ASCII, single spaces between them
+    std::string keyword; ///< PNG: 1 to 79 ASCII letters with single spaces
     std::string text;    ///< UTF-8
 
     bool operator==(const PictureText&) const = default;
 };
 
-/// What a writer may be told; each takes what concerns it.
+/// The options of the encoders; each uses those of its format.
 struct WriteOptions {
     bool small = false;                  ///< PNG: smaller rather than faster
     bool runLengthCoded = false;         ///< TGA
-    std::vector<PictureText> texts = {}; ///< PNG, in front of the pixels
+    std::vector<PictureText> texts = {}; ///< PNG: written before the pixels
 };
 
 } // namespace texplorer

@@ -116,7 +116,7 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
         return texture;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("DDS: there is no memory for what the file's {} bytes hold", file.size()));
+                    fmt::format("DDS: not enough memory for what the file's {} bytes hold", file.size()));
     }
 }
 

@@ -65,7 +65,7 @@ public:
         const bool known = row != rows.end();
         return add(1, offset, 4, std::move(name),
                    fmt::format("{}{}", value, known ? ": " + std::string(row->name) : ""),
-                   known ? std::string(row->meaning) : "no known value");
+                   known ? std::string(row->meaning) : "unknown value");
     }
 
     static void blame(Field& field, const std::string& sentence) {
@@ -123,20 +123,20 @@ std::string describeMask(std::string_view channel, std::uint32_t mask) {
 }
 
 void addPixelFormat(Dissection& to, const Header& header) {
-    to.section(at::formatSize, formatSize, "DDS_PIXELFORMAT", "what a pixel is, within the header");
+    to.section(at::formatSize, formatSize, "DDS_PIXELFORMAT", "the pixel format, within the header");
     to.number(at::formatSize, "ddspf.dwSize", header.formatSize, "bytes of this structure: 32");
     to.bits(at::formatFlags, "ddspf.dwFlags", header.formatFlags, formatFlagRows);
     std::string code = "not a format that is read";
     if (header.fourCC == 0)
-        code = "none: the masks say it";
+        code = "none: the masks define the format";
     else if (header.fourCC == fourCC("DX10"))
-        code = "a DX10 header follows that says it";
+        code = "a DX10 header follows with the format";
     else if (const auto row = std::ranges::find(fourCCRows(), header.fourCC, &FourCCRow::code);
              row != fourCCRows().end())
         code = findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(row->format))->help;
     to.add(1, at::fourCC, 4, "ddspf.dwFourCC", header.fourCC == 0 ? "0" : spellFourCC(header.fourCC), code);
     to.number(at::bitCount, "ddspf.dwRGBBitCount", header.bitCount,
-              header.hasFourCC() ? "bits a pixel; without meaning beside a FourCC" : "bits a pixel");
+              header.hasFourCC() ? "bits a pixel; ignored with a FourCC" : "bits a pixel");
     constexpr std::array<std::string_view, 4> letters{"R", "G", "B", "A"};
     constexpr std::array<std::string_view, 4> channels{word("red"), word("green"), word("blue"),
                                                        word("alpha")};
@@ -155,7 +155,7 @@ void addHeader(Dissection& to, ByteView file, const Header& header) {
     Field& magic = to.add(0, 0, 4, "dwMagic", spellFourCC(wordAt(file, 0)), "\"DDS \" in every DDS file");
     if (file.size() >= 4 && wordAt(file, 0) != fourCC("DDS "))
         Dissection::blame(magic, "expected \"DDS \"");
-    to.section(at::size, headerSize, "DDS_HEADER", "the header that every DDS file has");
+    to.section(at::size, headerSize, "DDS_HEADER", "the header of every DDS file");
     Field& size = to.number(at::size, "dwSize", header.size, "bytes of this structure: 124");
     if (file.size() >= 8 && header.size != headerSize)
         Dissection::blame(size, "expected 124");
@@ -169,7 +169,9 @@ void addHeader(Dissection& to, ByteView file, const Header& header) {
                   : "neither DDSD_PITCH nor DDSD_LINEARSIZE is set: no meaning");
     to.number(at::depth, "dwDepth", header.depth, "slices of a volume");
     to.number(at::mipMapCount, "dwMipMapCount", header.mipMapCount, "levels, with level 0; 0 means one");
-    to.add(1, at::reserved, 44, "dwReserved1", reservedText(file), "not used; some programs sign here");
+    to.add(1, at::reserved, 44, "dwReserved1", reservedText(file),
+           "not used; some programs store their "
+           "name here");
     addPixelFormat(to, header);
     to.bits(at::caps, "dwCaps", header.caps, capsRows);
     to.bits(at::caps2, "dwCaps2", header.caps2, caps2Rows);
@@ -180,7 +182,7 @@ void addHeader(Dissection& to, ByteView file, const Header& header) {
 
 void addExtendedHeader(Dissection& to, const Header& header) {
     to.section(at::dxgiFormat, extendedEnd - legacyEnd, "DDS_HEADER_DXT10",
-               "what Direct3D 10 and later add: any DXGI format");
+               "the extension of Direct3D 10 and later: any DXGI format");
     const DxgiRow* format = findDxgi(header.dxgiFormat);
     to.add(1, at::dxgiFormat, 4, "dxgiFormat",
            fmt::format("{}{}", header.dxgiFormat, format ? ": " + std::string(format->name) : ""),
@@ -196,11 +198,11 @@ void addExtendedHeader(Dissection& to, const Header& header) {
 
 std::string describeLevel(const Layout& layout, const Level& level) {
     const auto blocks = [](int extent) { return std::to_string((extent + 3) / 4); };
-    const std::string slices = level.depth > 1 ? fmt::format(" x {}", level.depth) : "";
+    const std::string slices = level.depth > 1 ? fmt::format(" × {}", level.depth) : "";
     const BlockFormat* block = std::get_if<BlockFormat>(&layout.format.pixels);
     const UnreadPixels* unread = std::get_if<UnreadPixels>(&layout.format.pixels);
     if (block != nullptr || (unread != nullptr && unread->extent > 1))
-        return fmt::format("{} x {}{} blocks of {} bytes", blocks(level.width), blocks(level.height), slices,
+        return fmt::format("{} × {}{} blocks of {} bytes", blocks(level.width), blocks(level.height), slices,
                            block != nullptr ? bytesPerBlock(*block)
                                             : static_cast<std::size_t>(unread->bytes));
     return fmt::format("rows of {} bytes, top row first", level.size /
@@ -220,8 +222,8 @@ void addLevels(Dissection& to, const Layout& layout) {
                                                 : fmt::format("level {}", i);
             Field& field =
                 to.add(1, level.offset, level.size, std::move(name), "", describeLevel(layout, level));
-            field.value = fmt::format("{} x {}{}", level.width, level.height,
-                                      layout.depth > 1 ? fmt::format(" x {}", level.depth) : "");
+            field.value = fmt::format("{} × {}{}", level.width, level.height,
+                                      layout.depth > 1 ? fmt::format(" × {}", level.depth) : "");
         }
 }
 
@@ -250,10 +252,10 @@ Anatomy dissectDds(ByteView file) {
         if (elementsEnd > layout->end())
             dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
                            fmt::format("{} of the array", layout->elements - 1),
-                           "scenes show the first alone");
+                           "scenes show only the first");
         if (file.size() > elementsEnd)
             dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
-                           "belong to nothing");
+                           "not part of any level");
     }
     dissection.anatomy.damage = std::move(damage);
     return std::move(dissection.anatomy);

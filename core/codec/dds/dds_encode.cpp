@@ -29,7 +29,7 @@ tl::unexpected<Error> refuse(const std::string& message) {
 }
 
 std::string extentsOf(const Surface& surface) {
-    return fmt::format("{} x {} x {}", widthOf(surface), heightOf(surface), depthOf(surface));
+    return fmt::format("{} × {} × {}", widthOf(surface), heightOf(surface), depthOf(surface));
 }
 
 bool sameFormat(const Surface& a, const Surface& b) {
@@ -57,7 +57,7 @@ Result<void> check(const TextureImage& texture) {
     const int depth = depthOf(base);
     if (width < 1 || height < 1 || depth < 1)
         return refuse(
-            fmt::format("a texture has at least 1 x 1 x 1 texels, this one has {}", extentsOf(base)));
+            fmt::format("a texture has at least 1 × 1 × 1 texels, this one has {}", extentsOf(base)));
     if (texture.faces == 6 && (width != height || depth != 1))
         return refuse(fmt::format("the faces of a cube map are square, these are {}", extentsOf(base)));
     if (texture.layers > 1 && depth != 1)
@@ -308,7 +308,7 @@ Result<Bytes> encodeDds(const TextureImage& texture, const WriteOptions&) {
         }
         return file;
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "DDS: there is no memory for the file");
+        return fail(ErrorCode::TooLarge, "DDS: not enough memory for the file");
     }
 }
 

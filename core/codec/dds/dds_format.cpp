@@ -127,7 +127,8 @@ AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
     default:
         findings.push_back(
             {at::miscFlags2,
-             fmt::format("miscFlags2 has alpha mode {}, which doesn't exist; what alpha means is unknown",
+             fmt::format("miscFlags2 has alpha mode {}, which doesn't exist; the meaning of alpha is "
+                         "unknown",
                          mode)});
         return AlphaMeaning::Unknown;
     }
@@ -135,18 +136,17 @@ AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
 
 Result<Format> fromDxgi(const Header& header, Findings& findings) {
     const DxgiRow* row = findDxgi(header.dxgiFormat);
-    constexpr std::uint32_t highestDxgi = 191; // 0 is DXGI_FORMAT_UNKNOWN
-    if (header.dxgiFormat == 0 || header.dxgiFormat > highestDxgi)
+    constexpr std::uint32_t maxDxgi = 191; // 0 is DXGI_FORMAT_UNKNOWN
+    if (header.dxgiFormat == 0 || header.dxgiFormat > maxDxgi)
         return fail(ErrorCode::Malformed, fmt::format("DDS: DXGI formats are 1 to {}, dxgiFormat is {}",
-                                                      highestDxgi, header.dxgiFormat));
+                                                      maxDxgi, header.dxgiFormat));
     if (row == nullptr)
         return unsupported(fmt::format(
             "DXGI format {} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
             header.dxgiFormat));
     if (row->name.ends_with("_TYPELESS"))
-        findings.push_back({at::dxgiFormat,
-                            fmt::format("{} leaves open what its bits mean; read as UNORM", row->name),
-                            false});
+        findings.push_back(
+            {at::dxgiFormat, fmt::format("{} does not define its bits; read as UNORM", row->name), false});
     Format format{row->name, row->pixels, row->srgb, AlphaMeaning::None};
     const AlphaMeaning said = alphaMeaning(header.miscFlags2 & alphaModeMask, findings);
     if (mayHaveAlpha(format))
@@ -157,7 +157,7 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
 Result<Format> fromFourCC(const Header& header, Findings& findings) {
     if ((header.formatFlags & formatFourCC) == 0)
         findings.push_back(
-            {at::formatFlags, fmt::format("DDPF_FOURCC is not set although dwFourCC is {}; it is followed",
+            {at::formatFlags, fmt::format("DDPF_FOURCC is not set although dwFourCC is {}; dwFourCC is used",
                                           spellFourCC(header.fourCC))});
     if (header.extended())
         return fromDxgi(header, findings);
@@ -185,8 +185,8 @@ void swapMasksOfD3dx(MaskedPixels& pixels, Findings& findings) {
         return;
     std::swap(pixels.masks[0], pixels.masks[2]);
     findings.push_back({at::masks,
-                        "the masks of red and blue are the wrong way round, as D3DX writes those of "
-                        "10:10:10:2; red is read from the low bits"});
+                        "the masks of red and blue are swapped, as D3DX writes them for 10:10:10:2; red is "
+                        "read from the low bits"});
 }
 
 /// Of depth with or without stencil: the second mask is the depth's.
@@ -253,7 +253,7 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
             return fail(ErrorCode::Malformed, "DDS: the masks of red, green and blue are all 0");
         if ((flags & formatRgb) == 0)
             findings.push_back({at::formatFlags, "neither DDPF_RGB nor another kind of pixel is set; the "
-                                                 "masks are followed as if it were RGB"});
+                                                 "masks are used as RGB"});
         swapMasksOfD3dx(pixels, findings);
     }
     AlphaMeaning meaning = alpha || alphaAlone ? AlphaMeaning::Straight : AlphaMeaning::None;
@@ -311,7 +311,7 @@ Result<Format> formatOf(const Header& header, Findings& findings) {
                         spellBits(header.formatFlags & formatUnread, formatFlagRows)));
     if ((header.formatFlags & formatFourCC) != 0)
         findings.push_back(
-            {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are followed instead"});
+            {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are used instead"});
     return fromMasks(header, findings);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which pixels a DDS header means: a block format, or where the channels are within a pixel.
+// The pixels that a DDS header describes: a block format, or channels in each pixel.
 
 #include "core/base/result.h"
 #include "core/codec/dds/dds_header.h"
@@ -10,14 +10,14 @@
 
 namespace texplorer::dds {
 
-/// Uncompressed pixels: a little-endian number of `bits` bits each, with channels at any bits of it.
+/// Uncompressed pixels: little-endian numbers of `bits` bits, with channels at any of their bits.
 struct MaskedPixels {
     int bits = 0;                         ///< 8, 16, 24 or 32
-    std::array<std::uint32_t, 4> masks{}; ///< red (or luminance), green, blue, alpha; 0 for what isn't there
+    std::array<std::uint32_t, 4> masks{}; ///< red (or luminance), green, blue, alpha; 0 for a missing channel
     PixelFormat decoded = PixelFormat::Rgba8;
 
     [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(bits) / 8; }
-    [[nodiscard]] int widest() const { ///< bits of a channel
+    [[nodiscard]] int widest() const { ///< the most bits of a channel
         int most = 0;
         for (const std::uint32_t mask : masks)
             most = std::max(most, std::popcount(mask));
@@ -26,10 +26,10 @@ struct MaskedPixels {
     bool operator==(const MaskedPixels&) const = default;
 };
 
-/// Pixels that are known and not decoded: units of extent x extent texels.
+/// Pixels of a known format that is not decoded: units of extent x extent texels.
 struct UnreadPixels {
-    int bytes = 0;  ///< of a unit
-    int extent = 1; ///< 4 of blocks
+    int bytes = 0;  ///< per unit
+    int extent = 1; ///< 4 for blocks
     bool operator==(const UnreadPixels&) const = default;
 };
 
@@ -41,12 +41,12 @@ struct Format {
     bool srgb = false;
     AlphaMeaning alpha = AlphaMeaning::None;
 
-    /// Of a surface in the file, and of one that is decoded.
+    /// The size of a surface in the file, and decoded.
     [[nodiscard]] std::uint64_t surfaceBytes(int width, int height, int depth) const;
     [[nodiscard]] std::uint64_t decodedBytes(int width, int height, int depth) const;
 };
 
-/// A code of four characters that names a format.
+/// A four-character code of a format.
 struct FourCCRow {
     std::uint32_t code;
     BlockFormat format;
@@ -54,7 +54,7 @@ struct FourCCRow {
     std::string_view name;
 };
 
-/// A number of the DX10 header.
+/// A format number of the DX10 header.
 struct DxgiRow {
     std::uint32_t number;
     std::string_view name;
@@ -66,8 +66,9 @@ struct DxgiRow {
 [[nodiscard]] std::span<const DxgiRow> dxgiRows();
 [[nodiscard]] const DxgiRow* findDxgi(std::uint32_t number);
 
-/// What the header means, of formats that are not decoded, too; what was survived is added to `findings`.
-/// DXT1 is always BlockFormat::Dxt1, with what its alpha means if there is any: that only its blocks can say.
+/// Returns the header's format, also of formats that are not decoded. Tolerated errors are added to
+/// `findings`. DXT1 is always BlockFormat::Dxt1, with the meaning of its alpha if there is any: only the
+/// blocks tell.
 [[nodiscard]] Result<Format> formatOf(const Header& header, Findings& findings);
 
 } // namespace texplorer::dds

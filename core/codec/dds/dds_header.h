@@ -1,7 +1,7 @@
 #pragma once
 
-// The header of a DDS file as it lies in the file, and the names of its bits. What it means is worked out in
-// dds_format.h and dds_layout.h. Source: Microsoft's "Programming Guide for DDS".
+// The header of a DDS file, and the names of its bits. dds_format.h and dds_layout.h interpret it. Source:
+// Microsoft's "Programming Guide for DDS".
 
 #include "core/base/bytes.h"
 
@@ -15,11 +15,11 @@
 namespace texplorer::dds {
 
 inline constexpr std::size_t legacyEnd = 128;    ///< where the pixels begin
-inline constexpr std::size_t extendedEnd = 148;  ///< or here, where there is a DX10 header
+inline constexpr std::size_t extendedEnd = 148;  ///< or here, after a DX10 header
 inline constexpr std::uint32_t headerSize = 124; ///< without the magic number
-inline constexpr std::uint32_t formatSize = 32;  ///< of the pixel format within it
+inline constexpr std::uint32_t formatSize = 32;  ///< of the pixel format in it
 
-/// A four-character code as the number that is in the file.
+/// A four-character code as a number, as in the file.
 [[nodiscard]] constexpr std::uint32_t fourCC(const char (&text)[5]) {
     std::uint32_t code = 0;
     for (unsigned i = 0; i < 4; ++i)
@@ -27,7 +27,7 @@ inline constexpr std::uint32_t formatSize = 32;  ///< of the pixel format within
     return code;
 }
 
-/// Where each field is, counted from the beginning of the file; also how a finding names its field.
+/// The offset of each field from the beginning of the file; findings name their field by it.
 namespace at {
 inline constexpr std::size_t size = 4;
 inline constexpr std::size_t flags = 8;
@@ -72,14 +72,14 @@ struct Header {
     std::uint32_t caps = 0;
     std::uint32_t caps2 = 0;
 
-    // The DX10 header; 0 where there is none.
+    // The DX10 header; 0 without one.
     std::uint32_t dxgiFormat = 0;
     std::uint32_t dimension = 0;
     std::uint32_t miscFlag = 0;
     std::uint32_t arraySize = 0;
     std::uint32_t miscFlags2 = 0;
 
-    /// Whether dwFourCC says what the pixels are: it is there, and is flagged or nothing else is.
+    /// Whether dwFourCC defines the pixels: it is not 0, and its flag is set or no other one is.
     [[nodiscard]] bool hasFourCC() const;
     [[nodiscard]] bool extended() const; ///< whether a DX10 header follows
     [[nodiscard]] std::size_t end() const { return extended() ? extendedEnd : legacyEnd; }
@@ -88,18 +88,18 @@ struct Header {
 /// Fields beyond the end of the file are 0.
 [[nodiscard]] Header readHeader(ByteView file);
 
-/// The magic number and the headers: header.end() bytes.
+/// Returns the magic number and the headers: header.end() bytes.
 [[nodiscard]] Bytes writeHeader(const Header& header);
 
-/// Something that the header says and the rest of the file doesn't bear out, but that can be survived.
+/// A tolerated contradiction between the header and the rest of the file.
 struct Finding {
     std::uint64_t offset; ///< of the field, as in `at`
     std::string sentence;
-    bool isFault = true; ///< false: it is right, and not followed
+    bool isFault = true; ///< false: valid, but ignored
 };
 using Findings = std::vector<Finding>;
 
-/// A bit, or a number where the field holds one of several.
+/// A bit, or a value of a field that holds one of several.
 struct NameRow {
     std::uint32_t value;
     std::string_view name;
@@ -146,7 +146,7 @@ enum FormatFlags : std::uint32_t {
     formatBump = 0x80000,
 };
 
-/// The kinds of pixels that are not read.
+/// The unsupported kinds of pixels.
 inline constexpr std::uint32_t formatUnread = formatPalette1 | formatPalette2 | formatPalette4 |
                                               formatPalette8 | formatPaletteTo8 | formatYuv |
                                               formatBumpLuminance | formatBump;
@@ -154,17 +154,17 @@ inline constexpr std::uint32_t formatUnread = formatPalette1 | formatPalette2 | 
 inline constexpr std::array formatFlagRows{
     NameRow{formatAlphaPixels, "DDPF_ALPHAPIXELS", "pixels have alpha"},
     NameRow{formatAlpha, "DDPF_ALPHA", "pixels are alpha alone"},
-    NameRow{formatFourCC, "DDPF_FOURCC", "dwFourCC names the format"},
+    NameRow{formatFourCC, "DDPF_FOURCC", "dwFourCC is the format"},
     NameRow{formatPalette4, "DDPF_PALETTEINDEXED4", "4-bit palette indices"},
     NameRow{formatPaletteTo8, "DDPF_PALETTEINDEXEDTO8", "indices of a palette of 8-bit indices"},
     NameRow{formatPalette8, "DDPF_PALETTEINDEXED8", "8-bit palette indices"},
-    NameRow{formatRgb, "DDPF_RGB", "the masks say where red, green and blue are"},
+    NameRow{formatRgb, "DDPF_RGB", "red, green and blue by masks"},
     NameRow{formatYuv, "DDPF_YUV", "luma and chroma"},
-    NameRow{formatZBuffer, "DDPF_ZBUFFER", "the green mask says where the depth is"},
+    NameRow{formatZBuffer, "DDPF_ZBUFFER", "depth by the green mask"},
     NameRow{formatPalette1, "DDPF_PALETTEINDEXED1", "1-bit palette indices"},
     NameRow{formatPalette2, "DDPF_PALETTEINDEXED2", "2-bit palette indices"},
     NameRow{formatAlphaPremultiplied, "DDPF_ALPHAPREMULT", "colours are multiplied by alpha"},
-    NameRow{formatLuminance, "DDPF_LUMINANCE", "the red mask says where the luminance is"},
+    NameRow{formatLuminance, "DDPF_LUMINANCE", "luminance by the red mask"},
     NameRow{formatBumpLuminance, "DDPF_BUMPLUMINANCE", "a bump map with luminance"},
     NameRow{formatBump, "DDPF_BUMPDUDV", "a bump map of signed numbers"},
 };
@@ -197,7 +197,7 @@ inline constexpr std::array caps2Rows{
 enum Dimension : std::uint32_t { dimension1D = 2, dimension2D = 3, dimension3D = 4 };
 
 inline constexpr std::array dimensionRows{
-    NameRow{0, "D3D10_RESOURCE_DIMENSION_UNKNOWN", "not said"},
+    NameRow{0, "D3D10_RESOURCE_DIMENSION_UNKNOWN", "not specified"},
     NameRow{1, "D3D10_RESOURCE_DIMENSION_BUFFER", "no texture at all"},
     NameRow{dimension1D, "D3D10_RESOURCE_DIMENSION_TEXTURE1D", "a line"},
     NameRow{dimension2D, "D3D10_RESOURCE_DIMENSION_TEXTURE2D", "a picture or a cube map"},
@@ -217,14 +217,14 @@ enum AlphaMode : std::uint32_t {
     alphaOpaque = 3,
     alphaCustom = 4,
 };
-inline constexpr std::uint32_t alphaModeMask = 7; ///< the bits of miscFlags2 that hold it
+inline constexpr std::uint32_t alphaModeMask = 7; ///< the bits of miscFlags2 with the alpha mode
 
 inline constexpr std::array alphaModeRows{
-    NameRow{alphaUnknown, "DDS_ALPHA_MODE_UNKNOWN", "what alpha means is not said"},
-    NameRow{alphaStraight, "DDS_ALPHA_MODE_STRAIGHT", "colours are as they are, whatever alpha is"},
+    NameRow{alphaUnknown, "DDS_ALPHA_MODE_UNKNOWN", "the meaning of alpha is not specified"},
+    NameRow{alphaStraight, "DDS_ALPHA_MODE_STRAIGHT", "colours do not depend on alpha"},
     NameRow{alphaPremultiplied, "DDS_ALPHA_MODE_PREMULTIPLIED", "colours are multiplied by alpha"},
     NameRow{alphaOpaque, "DDS_ALPHA_MODE_OPAQUE", "alpha is 1 everywhere"},
-    NameRow{alphaCustom, "DDS_ALPHA_MODE_CUSTOM", "the fourth component is no alpha"},
+    NameRow{alphaCustom, "DDS_ALPHA_MODE_CUSTOM", "the fourth component is not alpha"},
 };
 
 /// "DDSD_CAPS | DDSD_WIDTH | 0x40"; "0" where no bit is set.
@@ -233,7 +233,7 @@ inline constexpr std::array alphaModeRows{
 /// "0x00FF0000"
 [[nodiscard]] std::string hex(std::uint32_t value);
 
-/// "DXT1" with its quotation marks where all four are printable, else hex.
+/// "DXT1" in quotation marks if all four characters are printable, else hex.
 [[nodiscard]] std::string spellFourCC(std::uint32_t code);
 
 } // namespace texplorer::dds

@@ -25,7 +25,7 @@ Result<void> checkHeaders(ByteView file, const Header& header) {
     if (file.size() < legacyEnd)
         return malformed(fmt::format("the headers need 128 bytes, the file has {}", file.size()));
     if (header.size != headerSize)
-        return malformed(fmt::format("a header has 124 bytes, dwSize says {}", header.size));
+        return malformed(fmt::format("a header has 124 bytes, dwSize is {}", header.size));
     if (file.size() < header.end())
         return malformed(
             fmt::format("the headers need 148 bytes with the DX10 one, the file has {}", file.size()));
@@ -59,7 +59,7 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     if (header.extended() && header.dimension >= dimension1D && header.dimension <= dimension3D) {
         const bool cube = (header.miscFlag & miscTextureCube) != 0;
         if (cube && header.dimension != dimension2D)
-            return malformed("miscFlag says that it is a cube map, resourceDimension that it is not");
+            return malformed("miscFlag means a cube map, but resourceDimension does not");
         if (cube)
             layout.faces = 6;
         if (header.dimension == dimension3D)
@@ -75,7 +75,7 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     if (header.extended())
         findings.push_back(
             {at::dimension,
-             fmt::format("resourceDimension is {}, which is no texture; dwCaps2 is followed instead",
+             fmt::format("resourceDimension is {}, which is not a texture; dwCaps2 is used instead",
                          header.dimension)});
 
     if (volumeCap || (depthFlag && header.depth > 1)) {
@@ -94,13 +94,13 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     }
     if (header.depth > 1)
         findings.push_back(
-            {at::depth, fmt::format("dwDepth is {} although nothing says that it is a volume; it is ignored",
+            {at::depth, fmt::format("dwDepth is {} although it is not marked as a volume; it is ignored",
                                     header.depth)});
     const std::uint32_t faces = header.caps2 & caps2AllFaces;
     if ((header.caps2 & caps2CubeMap) == 0) {
         if (faces != 0)
-            findings.push_back({at::caps2, "faces are named although DDSCAPS2_CUBEMAP is not set; it is "
-                                           "read as one picture"});
+            findings.push_back({at::caps2, "faces are set although DDSCAPS2_CUBEMAP is not; it is read as "
+                                           "one picture"});
         return {};
     }
     if (faces == 0)
@@ -114,22 +114,22 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
 }
 
 Result<void> checkExtents(const Layout& layout, const Header& header, const DecodeLimits& limits) {
-    std::string extents = fmt::format("{} x {}", header.width, header.height);
+    std::string extents = fmt::format("{} × {}", header.width, header.height);
     if (layout.depth != 1)
-        extents += fmt::format(" x {}", header.depth);
+        extents += fmt::format(" × {}", header.depth);
     if (header.width == 0 || layout.height == 0)
-        return malformed(fmt::format("a picture has at least 1 x 1 texels, this one says {}", extents));
-    const auto largest = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
+        return malformed(fmt::format("a picture has at least 1 × 1 texels, this one says {}", extents));
+    const auto maxExtent = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
     // Read as unsigned: what became negative is too large as well.
-    const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > largest; };
+    const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > maxExtent; };
     if (tooLarge(layout.width) || tooLarge(layout.height) || tooLarge(layout.depth))
         return fail(ErrorCode::TooLarge,
-                    fmt::format("DDS: at most {} texels along each axis are read, the file has {}", largest,
+                    fmt::format("DDS: at most {} texels along each axis are read, the file has {}", maxExtent,
                                 extents));
     if (layout.faces == 6 && layout.width != layout.height)
         return malformed(fmt::format("the faces of a cube map are square, these are {}", extents));
 
-    // So many that no product of them overflows, whatever the limits are.
+    // So many that no product of them overflows, for any limits.
     const std::uint64_t maxPixels = std::min<std::uint64_t>(limits.maxPixels, std::uint64_t{1} << 40);
     const std::uint64_t slice =
         static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
@@ -148,13 +148,15 @@ void readLevels(const Header& header, Layout& layout, Findings& findings) {
         findings.push_back(
             {at::mipMapCount, "dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level is read"});
     else if (said > full)
-        findings.push_back({at::mipMapCount,
-                            fmt::format("dwMipMapCount is {}, but the chain ends after {}; no more are read",
-                                        said, countOf(full, "level"))});
+        findings.push_back(
+            {at::mipMapCount, fmt::format("dwMipMapCount is {}, but the chain ends after {}; the others are "
+                                          "ignored",
+                                          said, countOf(full, "level"))});
     else if (said > 1 && !flagged)
         findings.push_back(
             {at::flags,
-             fmt::format("DDSD_MIPMAPCOUNT is not set although dwMipMapCount is {}; it is followed", said)});
+             fmt::format("DDSD_MIPMAPCOUNT is not set although dwMipMapCount is {}; the count is used",
+                         said)});
 }
 
 /// Nothing that these say is needed. Files without both are common and are left in peace.
@@ -168,18 +170,18 @@ void checkPitch(const Header& header, const Layout& layout, Findings& findings) 
     const std::uint64_t slice = level / static_cast<std::uint64_t>(layout.depth);
     if (linear && said != level && said != slice)
         findings.push_back({at::pitchOrLinearSize,
-                            fmt::format("dwPitchOrLinearSize is {} where level 0 has {}; it is ignored", said,
+                            fmt::format("dwPitchOrLinearSize is {}, but level 0 has {}; it is ignored", said,
                                         countOf(level, "byte"))});
     else if (!linear && pitch && said != row)
         findings.push_back(
-            {at::pitchOrLinearSize, fmt::format("dwPitchOrLinearSize is {} where a row has {}; it is ignored",
+            {at::pitchOrLinearSize, fmt::format("dwPitchOrLinearSize is {}, but a row has {}; it is ignored",
                                                 said, countOf(row, "byte"))});
 }
 
 void checkFlags(const Header& header, Findings& findings) {
     constexpr std::uint32_t required = flagCaps | flagHeight | flagWidth | flagPixelFormat;
     if ((header.flags & required) != required)
-        findings.push_back({at::flags, fmt::format("dwFlags lacks {}; the fields are followed all the same",
+        findings.push_back({at::flags, fmt::format("dwFlags lacks {}; the fields are used anyway",
                                                    spellBits(required & ~header.flags, flagRows))});
 }
 
@@ -200,8 +202,8 @@ Level Layout::at(int face, int level) const {
 
 std::uint64_t Layout::arrayEnd() const {
     const std::uint64_t element = end() - begin;
-    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-    return element > (most - begin) / elements ? most : begin + elements * element;
+    constexpr std::uint64_t max = std::numeric_limits<std::uint64_t>::max();
+    return element > (max - begin) / elements ? max : begin + elements * element;
 }
 
 std::uint64_t Layout::chainBytes(int count) const {

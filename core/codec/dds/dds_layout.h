@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the surfaces of a DDS file are, worked out from its header alone.
+// The positions of the surfaces of a DDS file, computed from its header alone.
 
 #include "core/codec/common/decode_limits.h"
 #include "core/codec/dds/dds_format.h"
@@ -16,10 +16,10 @@ struct Level {
     std::uint64_t size;
 };
 
-/// Direct3D 11's; an array of more is refused where every element is read.
+/// The limit of Direct3D 11; where all elements are read, longer arrays are refused.
 inline constexpr std::uint32_t maxElements = 2048;
 
-/// The faces follow each other, each with all its levels, largest first, without gaps; so do the elements of
+/// The faces follow each other without gaps, each with all its levels, largest first; so do the elements of
 /// an array.
 struct Layout {
     Format format;
@@ -27,32 +27,32 @@ struct Layout {
     int height = 0;
     int depth = 1;
     int faces = 1;
-    int levels = 1;             ///< that the header says, where it can be believed
-    std::uint32_t elements = 1; ///< of an array of such textures
+    int levels = 1;             ///< as the header says, if that is plausible
+    std::uint32_t elements = 1; ///< the number of such textures in an array
     std::uint64_t begin = legacyEnd;
 
-    /// level is below 31; the faces of an array are counted through its elements
+    /// level is below 31; in an array, faces are counted across elements
     [[nodiscard]] Level at(int face, int level) const;
-    /// Of `count` levels of one face.
+    /// The bytes of `count` levels of one face.
     [[nodiscard]] std::uint64_t chainBytes(int count) const;
-    /// Where the last face's last level ends, in an array that of the first element.
+    /// The end of the last face's last level; in an array, of the first element.
     [[nodiscard]] std::uint64_t end() const {
         return begin + static_cast<std::uint64_t>(faces) * chainBytes(levels);
     }
-    /// Where the last element ends; as much as there is where that is beyond all numbers.
+    /// The end of the last element; the largest number if that overflows.
     [[nodiscard]] std::uint64_t arrayEnd() const;
 };
 
 /// "+x" to "-z"
 [[nodiscard]] std::string_view faceName(int face);
 
-/// Refuses what is not read (partial cube maps, unknown formats) and what exceeds the limits;
-/// anything that Direct3D's loaders overlook is added to `findings`. The file's size is looked at only to
-/// choose between two readings of a wrong mip count, and to check that the headers are there.
+/// Refuses what is not supported (partial cube maps, unknown formats) and what exceeds the limits. Errors
+/// that Direct3D's loaders tolerate are added to `findings`. The file's size is used only to choose between
+/// two readings of a wrong mip count, and to check that the headers are complete.
 [[nodiscard]] Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& findings);
 
-/// How many levels of every face are whole in a file of this size, at most layout.levels. Refused where level
-/// 0 of a face isn't, or an array lacks anything.
+/// Returns how many levels of every face are complete in a file of this size, at most layout.levels. Errors:
+/// level 0 of a face, or any part of an array, is incomplete.
 [[nodiscard]] Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings);
 
 } // namespace texplorer::dds

@@ -60,7 +60,7 @@ Survey survey(ByteView file) {
 std::string samplingOf(const JpegFrame& frame) {
     std::string text;
     for (const JpegComponent& each : frame.components)
-        text.append(text.empty() ? "" : ", ").append(fmt::format("{} x {}", each.horizontal, each.vertical));
+        text.append(text.empty() ? "" : ", ").append(fmt::format("{} × {}", each.horizontal, each.vertical));
     return text;
 }
 
@@ -69,12 +69,12 @@ Error inJpeg(const Error& error) {
 }
 
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} x {} pixels", frame.width, frame.height);
+    const std::string extents = fmt::format("{} × {} pixels", frame.width, frame.height);
     if (frame.width < 1 || frame.height < 1)
-        return malformed(fmt::format("a picture has at least 1 x 1 pixels, this one says {}", extents));
+        return malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {}", extents));
     if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("JPEG: at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent,
+                    fmt::format("JPEG: at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent,
                                 extents));
     const std::uint64_t pixels = std::uint64_t{frame.width} * frame.height;
     if (pixels > limits.maxPixels)
@@ -91,10 +91,9 @@ Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimit
         });
     };
     if (!divides(&JpegComponent::horizontal) || !divides(&JpegComponent::vertical))
-        return fail(
-            ErrorCode::Unsupported,
-            fmt::format("JPEG: sampling factors that divide the largest are read, the components have {}",
-                        samplingOf(frame)));
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("JPEG: sampling factors must divide the largest, the components have {}",
+                                samplingOf(frame)));
     if (!frame.arithmetic() && frame.blocks() / 8 > file.size())
         return malformed(fmt::format("{} need {} coded blocks of at least 1 bit each, the file has {} bytes",
                                      extents, frame.blocks(), file.size()));
@@ -124,7 +123,7 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     // The second opinion counts: only extents that were checked may be allocated.
     if (header->width != static_cast<int>(found.frame->width) ||
         header->height != static_cast<int>(found.frame->height))
-        return malformed(fmt::format("its first frame says {} x {} pixels, another {} x {}",
+        return malformed(fmt::format("its first frame has {} × {} pixels, another {} × {}",
                                      found.frame->width, found.frame->height, header->width, header->height));
     const std::uint64_t needed = std::uint64_t{found.frame->width} * found.frame->height *
                                  static_cast<std::uint64_t>(bytesPerPixel(header->format));
@@ -150,16 +149,15 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     if (found.profile)
         texture.losses.push_back({"colorProfile", "the ICC profile", false});
     if (found.exif)
-        texture.losses.push_back({"metadata", "what the camera or a program noted (Exif, XMP)", false});
+        texture.losses.push_back({"metadata", "metadata (Exif, XMP)", false});
     if (found.comment)
         texture.losses.push_back({"metadata", "the comment", false});
     if (found.orientation > 1)
         texture.remarks.push_back(fmt::format(
-            "Exif says that the camera was turned (orientation {}); the picture stands as it is stored",
+            "Exif says that the camera was turned (orientation {}); the picture is read as stored",
             found.orientation));
     if (found.end != 0 && found.end < file.size())
-        texture.notes.push_back(
-            fmt::format("{} bytes behind the end (EOI) left out", file.size() - found.end));
+        texture.notes.push_back(fmt::format("{} bytes after the end (EOI) ignored", file.size() - found.end));
     return texture;
 }
 
@@ -179,7 +177,7 @@ Result<TextureImage> decodeJpeg(ByteView file, const DecodeLimits& limits) {
             return fail(checked.error());
         return decode(file, found, limits);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "JPEG: there is no memory for the pixels");
+        return fail(ErrorCode::TooLarge, "JPEG: not enough memory for the pixels");
     }
 }
 

@@ -12,8 +12,8 @@ namespace texplorer {
 
 namespace {
 
-constexpr std::size_t mostSegments = 200; // of at most sixteen fields each
-constexpr std::size_t mostComponents = 4;
+constexpr std::size_t maxSegments = 200; // of at most sixteen fields each
+constexpr std::size_t maxComponents = 4;
 
 std::string meaningOf(const JpegSegment& segment) {
     switch (segment.marker) {
@@ -54,12 +54,12 @@ void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
     add(5, 1, word("components"),
         std::to_string(segment.payload.size() > 5 ? std::to_integer<int>(segment.payload[5]) : 0),
         "1 grey, 3 colour, 4 CMYK");
-    for (std::size_t i = 0; i < std::min(frame.components.size(), mostComponents); ++i) {
+    for (std::size_t i = 0; i < std::min(frame.components.size(), maxComponents); ++i) {
         const JpegComponent& each = frame.components[i];
         const bool good =
             each.horizontal >= 1 && each.horizontal <= 4 && each.vertical >= 1 && each.vertical <= 4;
         add(6 + 3 * i, 3, fmt::format("component {}", each.id),
-            fmt::format("{} x {}", each.horizontal, each.vertical),
+            fmt::format("{} × {}", each.horizontal, each.vertical),
             fmt::format("sampling; quantization table {}", each.quantization),
             good ? "" : "expected factors from 1 to 4");
     }
@@ -79,7 +79,7 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
                           2,
                           word("length"),
                           std::to_string(segment.length + 2),
-                          "bytes, with these two",
+                          "bytes, including these two",
                           {},
                           1});
     if (segment.isFrame())
@@ -109,15 +109,15 @@ Anatomy dissectJpeg(ByteView file) {
     JpegSegments segments(file);
     bool ended = false;
     for (std::size_t index = 0; const std::optional<JpegSegment> segment = segments.next(); ++index) {
-        if (index == mostSegments)
+        if (index == maxSegments)
             anatomy.fields.push_back({segment->offset, 0, "More segments", {}, {}, {}, 0});
-        if (index < mostSegments) {
+        if (index < maxSegments) {
             describeSegment(*segment, anatomy.fields);
         } else {
             Field& more = anatomy.fields.back();
             more.size = segment->offset + segment->size() - more.offset;
-            more.value = std::to_string(index + 1 - mostSegments);
-            more.meaning = fmt::format("only the first {} are listed", mostSegments);
+            more.value = std::to_string(index + 1 - maxSegments);
+            more.meaning = fmt::format("only the first {} are listed", maxSegments);
         }
         if (!segment->complete()) {
             anatomy.damage =
@@ -134,8 +134,8 @@ Anatomy dissectJpeg(ByteView file) {
                                   file.size() - segments.offset(),
                                   "Trailing data",
                                   {},
-                                  "behind the end",
-                                  "no reader looks here",
+                                  "after the end",
+                                  "not read",
                                   0});
     return anatomy;
 }

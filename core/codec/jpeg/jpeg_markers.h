@@ -1,12 +1,12 @@
 #pragma once
 
-// The frame of a JPEG file (ITU-T T.81, annex B), read without decoding anything: what the decoder asks
-// before it allocates, and what the anatomy shows.
+// The structure of a JPEG file (ITU-T T.81, annex B), read without decoding: the decoder checks it before it
+// allocates memory, and the anatomy shows it.
 //
 //   FF marker   length (2, itself included)   payload        all numbers big-endian
 //
-// SOI, EOI and RSTn have no length; behind SOS's payload lies the entropy-coded data, in which FF is followed
-// by 00 or RSTn.
+// SOI, EOI and RSTn have no length. The payload of SOS is followed by the entropy-coded data, in which FF is
+// followed by 00 or RSTn.
 
 #include "core/base/bytes.h"
 
@@ -41,10 +41,10 @@ enum JpegMarker : std::uint8_t {
 struct JpegSegment {
     std::size_t offset = 0; ///< of the FF before the marker
     std::uint8_t marker = 0;
-    std::size_t length = 0;     ///< of the payload as the file says
+    std::size_t length = 0;     ///< of the payload, as the file says
     ByteView payload;           ///< shorter where the file ends
-    std::size_t codedBytes = 0; ///< SOS: of the entropy-coded data behind it
-    std::size_t strayBytes = 0; ///< before it, that belong to nothing
+    std::size_t codedBytes = 0; ///< SOS: bytes of entropy-coded data after it
+    std::size_t strayBytes = 0; ///< unknown bytes before it
 
     [[nodiscard]] bool hasLength() const;
     [[nodiscard]] std::size_t size() const { return 2 + (hasLength() ? 2 + length : 0); }
@@ -52,15 +52,15 @@ struct JpegSegment {
     [[nodiscard]] bool isFrame() const; ///< SOF0 … SOF15
 };
 
-/// Walks the segments of a file, from SOI on.
+/// Iterates over the segments of a file, from SOI on.
 class JpegSegments {
 public:
     explicit JpegSegments(ByteView file)
         : file_(file) {}
 
-    /// The next segment, or none behind EOI and where no marker follows any more.
+    /// Returns the next segment. Empty after EOI and if no further marker follows.
     [[nodiscard]] std::optional<JpegSegment> next();
-    [[nodiscard]] std::size_t offset() const { return offset_; } ///< behind the last segment and its data
+    [[nodiscard]] std::size_t offset() const { return offset_; } ///< after the last segment and its data
 
 private:
     ByteView file_;
@@ -80,16 +80,16 @@ struct JpegFrame {
     std::uint8_t precision = 0;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::vector<JpegComponent> components; ///< those that the segment holds
+    std::vector<JpegComponent> components; ///< those in the segment
 
     [[nodiscard]] bool arithmetic() const { return marker >= 0xC9; }
-    /// Blocks of 8 x 8 samples in all components.
+    /// The blocks of 8 x 8 samples of all components.
     [[nodiscard]] std::uint64_t blocks() const;
 };
 
 [[nodiscard]] JpegFrame readJpegFrame(const JpegSegment& segment);
 
-/// Exif's orientation (1 … 8) in an APP1 segment, or 0.
+/// Returns Exif's orientation (1 … 8) in an APP1 segment, or 0.
 [[nodiscard]] int exifOrientation(ByteView payload);
 
 /// "SOF2", "APP1", "DQT"

@@ -11,7 +11,7 @@ namespace texplorer {
 
 namespace {
 
-constexpr int mostScans = 500; // each goes through all coefficients again
+constexpr int maxScans = 500; // each goes through all coefficients again
 
 JpegReader& readerOf(j_common_ptr jpeg) {
     return *static_cast<JpegReader*>(jpeg->client_data);
@@ -21,7 +21,8 @@ JpegReader& readerOf(j_common_ptr jpeg) {
 
 Error unreadableComponents(std::size_t count) {
     return {ErrorCode::Unsupported,
-            fmt::format("pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has {}",
+            fmt::format("only pictures with 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one "
+                        "has {}",
                         count),
             {}};
 }
@@ -46,7 +47,7 @@ void JpegReader::keepMessage() noexcept {
     errors_.format_message(reinterpret_cast<j_common_ptr>(&jpeg_), text.data());
     try {
         if (errors_.msg_code == JWRN_EXTRANEOUS_DATA)
-            notes_.push_back(fmt::format("survived: {}", text.data()));
+            notes_.push_back(fmt::format("recovered: {}", text.data()));
         else
             error_ = text.data();
     } catch (const std::bad_alloc&) {
@@ -75,10 +76,10 @@ void JpegReader::onMessage(j_common_ptr jpeg, int level) {
 
 void JpegReader::onProgress(j_common_ptr jpeg) {
     JpegReader& reader = readerOf(jpeg);
-    if (reader.jpeg_.input_scan_number <= mostScans)
+    if (reader.jpeg_.input_scan_number <= maxScans)
         return;
     try {
-        reader.error_ = fmt::format("at most {} scans are read, the file has more", mostScans);
+        reader.error_ = fmt::format("at most {} scans are read, the file has more", maxScans);
     } catch (const std::bad_alloc&) {
         reader.outOfMemory_ = true;
     }
@@ -87,7 +88,7 @@ void JpegReader::onProgress(j_common_ptr jpeg) {
 
 Error JpegReader::failure() const {
     if (outOfMemory_)
-        return {ErrorCode::TooLarge, "there is no memory for the decoder", {}};
+        return {ErrorCode::TooLarge, "not enough memory for the decoder", {}};
     return {ErrorCode::Malformed, error_, {}};
 }
 

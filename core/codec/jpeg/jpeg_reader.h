@@ -1,6 +1,6 @@
 #pragma once
 
-// libjpeg-turbo, whose functions jump out of themselves where something is wrong, as functions that return.
+// Wraps libjpeg-turbo, which reports errors by longjmp, as functions that return errors.
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -15,10 +15,10 @@
 
 namespace texplorer {
 
-/// What is said of a picture whose number of components isn't 1, 3 or 4.
+/// The error for a picture whose number of components is not 1, 3 or 4.
 [[nodiscard]] Error unreadableComponents(std::size_t count);
 
-/// Reads one file: `readHeader`, then `readPixels`, and nothing more once one of them has failed.
+/// Reads one file: `readHeader`, then `readPixels`. After an error, no more calls.
 class JpegReader {
 public:
     /// `file` must outlive the reader.
@@ -30,23 +30,23 @@ public:
     struct Header {
         int width = 0;
         int height = 0;
-        /// Luminance8, Rgb8; or Rgba8, which holds cyan, magenta, yellow and black.
+        /// Luminance8, Rgb8; or Rgba8 for cyan, magenta, yellow and black.
         PixelFormat format = PixelFormat::Rgb8;
-        bool inks = false; ///< the latter
+        bool inks = false; ///< the format is cyan, magenta, yellow and black
     };
 
-    /// Everything up to the first scan; no memory for pixels is taken.
+    /// Reads up to the first scan; allocates no memory for pixels.
     [[nodiscard]] Result<Header> readHeader();
 
     /// Fills an image of the header's extents and format, bottom row first, and reads on to the end marker.
-    /// Any damage is an error but bytes that belong to nothing, which are noted.
+    /// All damage is an error, except unknown bytes, which are noted.
     [[nodiscard]] Result<void> readPixels(Image& image);
 
-    /// What was survived, as sentences.
+    /// What was tolerated, as sentences.
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-    // They jump, so that nothing with a destructor may live in them.
+    // These functions may longjmp, so they must not contain objects with destructors.
     bool begin() noexcept;
     bool fill(std::byte* topRow, std::size_t rowBytes) noexcept;
 

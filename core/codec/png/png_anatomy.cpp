@@ -15,7 +15,7 @@ namespace texplorer {
 
 namespace {
 
-constexpr std::size_t mostChunks = 400;                         // of at most ten fields each
+constexpr std::size_t maxChunks = 400;                          // of at most ten fields each
 constexpr std::size_t unpackedTextBytes = std::size_t{1} << 20; // of what is looked at
 constexpr std::size_t shownTextBytes = 60;
 
@@ -43,14 +43,14 @@ std::string meaningOf(const PngChunk& chunk) {
     for (const ChunkMeaning& each : chunkMeanings)
         if (each.type == chunk.type)
             return std::string(each.meaning);
-    return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown, and can't be skipped";
+    return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown and not skippable";
 }
 
 std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
     if ((index == 0) != (chunk.type == "IHDR"))
         return index == 0 ? "expected IHDR first" : "a second IHDR";
     if (chunk.type == "IDAT" && pixelsSeen && before != "IDAT")
-        return "the IDAT chunks are expected one behind the other";
+        return "the IDAT chunks must follow each other";
     if ((chunk.type == "PLTE" || chunk.type == "tRNS") && pixelsSeen)
         return "expected before the first IDAT";
     return {};
@@ -99,8 +99,8 @@ void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
         return;
     std::string meaning;
     if (text.packed && text.wrong.empty())
-        meaning = text.tooLong ? fmt::format("more than {} bytes once they are unpacked", unpackedTextBytes)
-                               : fmt::format("{} bytes once they are unpacked", text.text.size());
+        meaning = text.tooLong ? fmt::format("more than {} bytes uncompressed", unpackedTextBytes)
+                               : fmt::format("{} bytes uncompressed", text.text.size());
     fields.push_back({at + text.textOffset,
                       chunk.length - text.textOffset,
                       word("text"),
@@ -134,8 +134,7 @@ std::string faultOf(const PngChunk& chunk, const std::string& order) {
         return fmt::format("{} at {}: {}", printable(chunk.type), chunk.offset, order);
     if (!chunk.complete() || pngCrc(chunk) == *chunk.crc)
         return {};
-    return fmt::format("the CRC of {} at {} is another one than that of its bytes", printable(chunk.type),
-                       chunk.offset);
+    return fmt::format("the CRC of {} at {} does not match its bytes", printable(chunk.type), chunk.offset);
 }
 
 } // namespace
@@ -147,21 +146,21 @@ Anatomy dissectPng(ByteView file) {
                               "Signature",
                               {},
                               "89 50 4e 47 0d 0a 1a 0a",
-                              hasPngSignature(file) ? std::string() : "these are other bytes",
+                              hasPngSignature(file) ? std::string() : "wrong bytes",
                               0});
     PngChunks chunks(file);
     std::string before;
     bool pixelsSeen = false;
     for (std::size_t index = 0; const std::optional<PngChunk> chunk = chunks.next(); ++index) {
-        if (index == mostChunks)
+        if (index == maxChunks)
             anatomy.fields.push_back({chunk->offset, 0, "More chunks", {}, {}, {}, 0});
-        if (index < mostChunks) {
+        if (index < maxChunks) {
             describeChunk(*chunk, wrongOrder(*chunk, index, before, pixelsSeen), anatomy.fields);
         } else {
             Field& more = anatomy.fields.back();
             more.size = chunk->offset + chunk->size() - more.offset;
-            more.value = std::to_string(index + 1 - mostChunks);
-            more.meaning = fmt::format("only the first {} are listed", mostChunks);
+            more.value = std::to_string(index + 1 - maxChunks);
+            more.meaning = fmt::format("only the first {} are listed", maxChunks);
             if (more.wrong.empty())
                 more.wrong = faultOf(*chunk, wrongOrder(*chunk, index, before, pixelsSeen));
         }
@@ -180,7 +179,7 @@ Anatomy dissectPng(ByteView file) {
         anatomy.damage = fmt::format("the file ends at offset {} without an IEND", file.size());
     else if (end < file.size())
         anatomy.fields.push_back(
-            {end, file.size() - end, "Trailing data", {}, "behind the end", "no reader looks here", 0});
+            {end, file.size() - end, "Trailing data", {}, "after the end", "not read", 0});
     return anatomy;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The frame of a PNG file, read without unpacking anything: what the decoder asks before it allocates, and
-// what the anatomy shows.
+// The structure of a PNG file, read without decompression: the decoder checks it before it allocates memory,
+// and the anatomy shows it.
 //
 //   signature (8)   then chunks   length (4)   type (4)   data (length)   CRC of type and data (4)
 //
@@ -25,7 +25,7 @@ inline constexpr std::size_t pngHeaderEnd = 8 + 12 + 13; ///< of the signature a
 /// Whether an IHDR of 13 bytes follows the signature.
 [[nodiscard]] bool beginsWithPngHeader(ByteView file);
 
-/// The number in the four bytes at an offset; bytes beyond the end count as 0.
+/// Returns the number in the four bytes at an offset; bytes beyond the end count as 0.
 [[nodiscard]] std::uint32_t bigEndian32(ByteView bytes, std::size_t offset);
 
 struct PngHeader {
@@ -37,37 +37,37 @@ struct PngHeader {
     std::uint8_t filter = 0;
     std::uint8_t interlace = 0; ///< 0 none, 1 Adam7
 
-    /// What the compressed data holds: all rows of all passes, each with the byte that names its filter.
+    /// The size of the decompressed data: all rows of all passes, each with its filter byte.
     [[nodiscard]] std::uint64_t filteredBytes() const;
 };
 
-/// From the data of IHDR; what is missing is 0.
+/// Reads the data of IHDR; missing fields are 0.
 [[nodiscard]] PngHeader readPngHeader(ByteView data);
 
 struct PngChunk {
     std::size_t offset = 0; ///< of its length
     std::uint32_t length = 0;
     std::string type;
-    ByteView data;                    ///< shorter than `length` where the file ends
-    std::optional<std::uint32_t> crc; ///< none where the file ends before
+    ByteView data;                    ///< shorter than `length` if the file ends
+    std::optional<std::uint32_t> crc; ///< empty if the file ends before it
 
     [[nodiscard]] std::uint64_t size() const { return 12 + std::uint64_t{length}; } ///< of the whole chunk
     [[nodiscard]] bool complete() const { return crc.has_value(); }
 };
 
-/// The checksum that a complete chunk's type and data should have.
+/// The correct checksum of a complete chunk's type and data.
 [[nodiscard]] std::uint32_t pngCrc(const PngChunk& chunk);
 
-/// Walks the chunks of a file. The last may be incomplete.
+/// Iterates over the chunks of a file. The last may be incomplete.
 class PngChunks {
 public:
     explicit PngChunks(ByteView file)
         : file_(file)
         , offset_(std::min(pngSignature.size(), file.size())) {}
 
-    /// The next chunk, or none where fewer than the eight bytes of its head are left.
+    /// Returns the next chunk; empty if fewer than the eight bytes of its head are left.
     [[nodiscard]] std::optional<PngChunk> next();
-    /// Where the next chunk would begin: the end of the file after an incomplete one.
+    /// The offset of the next chunk: the end of the file after an incomplete one.
     [[nodiscard]] std::size_t offset() const { return offset_; }
 
 private:

@@ -72,14 +72,14 @@ Survey survey(ByteView file, bool everything) {
 }
 
 Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
+    const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
-        return malformed(fmt::format("a picture has at least 1 x 1 pixels, this one says {}", extents));
+        return malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {}", extents));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
     if (header.width > maxExtent || header.height > maxExtent)
         return fail(
             ErrorCode::TooLarge,
-            fmt::format("PNG: at most {0} x {0} pixels are read, the file has {1}", maxExtent, extents));
+            fmt::format("PNG: at most {0} × {0} pixels are read, the file has {1}", maxExtent, extents));
     const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
     if (pixels > limits.maxPixels)
         return fail(ErrorCode::TooLarge, fmt::format("PNG: at most {} pixels are read, the file has {}",
@@ -96,7 +96,7 @@ Result<void> checkColors(const PngHeader& header) {
         (depth & (depth - 1)) == 0)
         return {};
     return malformed(
-        fmt::format("colour type {} with {} bits a sample is none of the format's 15 combinations",
+        fmt::format("colour type {} with {} bits a sample is not one of the format's 15 combinations",
                     header.colorType, depth));
 }
 
@@ -113,7 +113,7 @@ Result<void> checkSurvey(const Survey& found, ByteView file, const DecodeLimits&
     const std::uint64_t needed = found.header.filteredBytes();
     if (needed / bestRatio > found.compressed)
         return malformed(fmt::format(
-            "{} x {} pixels need {} bytes, the file's {} bytes of pixel data can hold at most {}",
+            "{} × {} pixels need {} bytes, the file's {} bytes of pixel data can hold at most {}",
             found.header.width, found.header.height, needed, found.compressed, found.compressed * bestRatio));
     return {};
 }
@@ -171,7 +171,7 @@ void onWarning(png_structp png, png_const_charp message) {
     std::vector<std::string>& notes = decoderOf(png_get_error_ptr(png)).notes;
     try {
         if (notes.size() < enough)
-            notes.push_back(fmt::format("survived: {}", message));
+            notes.push_back(fmt::format("recovered: {}", message));
     } catch (const std::bad_alloc&) { // then without
         notes.clear();
     }
@@ -234,7 +234,7 @@ bool isRefused(const Decoder& decoder, std::string_view chunk) {
 }
 
 tl::unexpected<Error> failure(const Decoder& decoder) {
-    return malformed(decoder.error.empty() ? "libpng refused the file" : decoder.error);
+    return malformed(decoder.error.empty() ? "libpng rejected the file" : decoder.error);
 }
 
 Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& limits) {
@@ -243,7 +243,7 @@ Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& lim
     decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, onError, onWarning);
     decoder.info = decoder.png != nullptr ? png_create_info_struct(decoder.png) : nullptr;
     if (decoder.info == nullptr)
-        return fail(ErrorCode::TooLarge, "PNG: there is no memory for the decoder");
+        return fail(ErrorCode::TooLarge, "PNG: not enough memory for the decoder");
     if (!decoder.start(limits))
         return failure(decoder);
 
@@ -279,7 +279,7 @@ Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& lim
         texture.remarks.emplace_back("the file is an animation; its first picture is read");
     if (found.end != 0 && found.end < file.size())
         texture.notes.push_back(
-            fmt::format("{} behind the end (IEND) left out", countOf(file.size() - found.end, "byte")));
+            fmt::format("{} after the end (IEND) ignored", countOf(file.size() - found.end, "byte")));
     return texture;
 }
 
@@ -301,7 +301,7 @@ Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits) {
             return fail(checked.error());
         return decode(file, std::move(found), limits);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "PNG: there is no memory for the pixels");
+        return fail(ErrorCode::TooLarge, "PNG: not enough memory for the pixels");
     }
 }
 

@@ -61,8 +61,7 @@ struct Row {
 };
 
 // What each byte is predicted to be; `predict` gets the bytes to the left, above, and above on the left. The
-// row comes by value: bytes that are written could alias one that comes by reference, and nothing would be
-// vectorised.
+// row is passed by value: written bytes could alias a reference, and the loop would not be vectorised.
 template<class Predict>
 void filterWith(const Row row, std::uint8_t* to, Predict predict) {
     for (std::size_t i = 0; i < row.step; ++i)
@@ -182,11 +181,11 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const O
     if (!compressor)
         throw std::bad_alloc();
     const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), rows.size());
-    constexpr std::size_t longest = std::numeric_limits<std::int32_t>::max();
-    if (bound > longest)
+    constexpr std::size_t maxBytes = std::numeric_limits<std::int32_t>::max();
+    if (bound > maxBytes)
         return fail(
             ErrorCode::TooLarge,
-            fmt::format("PNG: a chunk holds at most {} bytes, this picture may need {}", longest, bound));
+            fmt::format("PNG: a chunk holds at most {} bytes, this picture may need {}", maxBytes, bound));
     std::size_t otherBytes = 0;
     for (const auto& [type, data] : others)
         otherBytes += chunkFrame + data.size();
@@ -227,7 +226,7 @@ Result<Bytes> checkAndEncode(const Image& image, bool small, const Result<OtherC
         return fail(others.error());
     if (image.width < 1 || image.height < 1 || image.empty())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("PNG: a picture has at least 1 x 1 pixels, this one has {} x {}", image.width,
+                    fmt::format("PNG: a picture has at least 1 × 1 pixels, this one has {} × {}", image.width,
                                 image.height));
     const std::size_t slice = image.rowBytes() * static_cast<std::size_t>(image.height);
     if (image.pixels.size() < slice)
@@ -236,8 +235,7 @@ Result<Bytes> checkAndEncode(const Image& image, bool small, const Result<OtherC
     try {
         return encode(image, small, *others);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge,
-                    fmt::format("PNG: there is no memory for {} bytes of pixels", slice));
+        return fail(ErrorCode::TooLarge, fmt::format("PNG: not enough memory for {} bytes of pixels", slice));
     }
 }
 
@@ -260,7 +258,7 @@ Result<Bytes> encodePng(const TextureImage& texture, const WriteOptions& options
         first.topFirst = texture.topFirst;
         return checkAndEncode(uprightImage(std::move(first)), options.small, others);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "PNG: there is no memory for the pixels");
+        return fail(ErrorCode::TooLarge, "PNG: not enough memory for the pixels");
     }
 }
 

@@ -14,7 +14,7 @@ namespace texplorer {
 
 namespace {
 
-constexpr std::size_t longestKeyword = 79;
+constexpr std::size_t maxKeywordBytes = 79;
 
 std::string charactersOf(ByteView bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -53,8 +53,8 @@ Result<Bytes> unpacked(ByteView stream, std::size_t maxBytes) {
     if (!decompressor)
         throw std::bad_alloc();
     constexpr std::size_t bestRatio = 1032; // of deflate
-    const std::size_t most = std::min<std::uint64_t>(maxBytes, std::uint64_t{stream.size()} * bestRatio);
-    for (std::size_t room = std::min<std::size_t>(most, 4096);; room = std::min(most, room * 4)) {
+    const std::size_t limit = std::min<std::uint64_t>(maxBytes, std::uint64_t{stream.size()} * bestRatio);
+    for (std::size_t room = std::min<std::size_t>(limit, 4096);; room = std::min(limit, room * 4)) {
         Bytes text;
         text.resize(room);
         std::size_t size = 0;
@@ -66,7 +66,7 @@ Result<Bytes> unpacked(ByteView stream, std::size_t maxBytes) {
         }
         if (result != LIBDEFLATE_INSUFFICIENT_SPACE)
             return fail(ErrorCode::Malformed, "the zlib stream is damaged");
-        if (room == most)
+        if (room == limit)
             return fail(ErrorCode::TooLarge, "it is too long");
     }
 }
@@ -91,11 +91,11 @@ Result<void> checkKeyword(std::string_view keyword) {
     const bool spaced = keyword.starts_with(' ') || keyword.ends_with(' ') ||
                         keyword.find("  ") != std::string_view::npos ||
                         keyword.find('\n') != std::string_view::npos;
-    if (!keyword.empty() && keyword.size() <= longestKeyword && isAscii(keyword) && !spaced)
+    if (!keyword.empty() && keyword.size() <= maxKeywordBytes && isAscii(keyword) && !spaced)
         return {};
     return fail(ErrorCode::OutOfRange,
                 fmt::format("PNG: a text's keyword has 1 to {} letters and single spaces, found \"{}\"",
-                            longestKeyword, keyword));
+                            maxKeywordBytes, keyword));
 }
 
 void append(Bytes& bytes, std::string_view text) {
@@ -130,9 +130,9 @@ PngText readTextChunk(const PngChunk& chunk, std::size_t maxBytes) {
     const ByteView data = chunk.data;
     const std::optional<std::size_t> end = endOf(data, 0);
     found.keywordBytes = std::min(end.value_or(data.size()), data.size());
-    found.keyword = fromLatin1(data.first(std::min(found.keywordBytes, longestKeyword)));
-    if (!end || *end == 0 || *end > longestKeyword) {
-        found.wrong = fmt::format("expected a keyword of 1 to {} letters and a 0 behind it", longestKeyword);
+    found.keyword = fromLatin1(data.first(std::min(found.keywordBytes, maxKeywordBytes)));
+    if (!end || *end == 0 || *end > maxKeywordBytes) {
+        found.wrong = fmt::format("expected a keyword of 1 to {} letters and a 0 after it", maxKeywordBytes);
         return found;
     }
     std::size_t at = *end + 1;
@@ -150,14 +150,14 @@ PngText readTextChunk(const PngChunk& chunk, std::size_t maxBytes) {
     const unsigned method = byteAt(international ? at + 1 : at);
     at += international ? 2 : 1;
     if (packed > 1 || method != 0) {
-        found.wrong = packed > 1 ? "expected 0 or 1 for whether it is compressed"
-                                 : "expected 0 for the method of compression";
+        found.wrong =
+            packed > 1 ? "expected 0 or 1 as the compression flag" : "expected compression method 0";
         return found;
     }
     for (int before = 0; international && before < 2; ++before) { // the language, the translated keyword
         const std::optional<std::size_t> stop = endOf(data, at);
         if (!stop) {
-            found.wrong = "expected a language and a translated keyword, each with a 0 behind it";
+            found.wrong = "expected a language and a translated keyword, each with a 0 after it";
             return found;
         }
         at = *stop + 1;
@@ -195,7 +195,7 @@ Result<std::pair<std::string, Bytes>> textChunk(const PictureText& text) {
 Result<std::optional<std::string>> findPngText(ByteView file, std::string_view keyword,
                                                std::size_t maxBytes) {
     if (!hasPngSignature(file))
-        return fail(ErrorCode::Malformed, "PNG: it doesn't begin as one");
+        return fail(ErrorCode::Malformed, "PNG: it doesn't begin as a PNG");
     for (PngChunks chunks(file); const std::optional<PngChunk> chunk = chunks.next();) {
         if (!isTextChunk(*chunk) ||
             !fromLatin1(chunk->data.first(std::min(chunk->data.size(), keyword.size()))).starts_with(keyword))

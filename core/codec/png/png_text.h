@@ -4,8 +4,7 @@
 //
 //   tEXt   keyword  0  text in Latin-1
 //   zTXt   keyword  0  method (0)  zlib stream of text in Latin-1
-//   iTXt   keyword  0  compressed (0, 1)  method (0)  language  0  translated keyword  0  UTF-8, or its zlib
-//   stream
+//   iTXt   keyword  0  compressed (0, 1)  method (0)  language  0  translated keyword  0  UTF-8 or zlib of it
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -18,30 +17,30 @@
 
 namespace texplorer {
 
-/// What of a text is worth packing: what is shorter is read as it stands by any tool.
+/// Texts from this size on are compressed; shorter ones stay readable for any tool.
 inline constexpr std::size_t packedTextBytes = 512;
 
 struct PngText {
     std::string keyword;          ///< UTF-8
-    std::string text;             ///< UTF-8 of what was Latin-1; of iTXt as it stands, checked by nobody
+    std::string text;             ///< Latin-1 converted to UTF-8; the text of iTXt unchanged and unchecked
     std::size_t keywordBytes = 0; ///< of the chunk's data, without the 0
-    std::size_t textOffset = 0;   ///< of the text or its zlib stream in the chunk's data
+    std::size_t textOffset = 0;   ///< of the text or its zlib stream, in the chunk's data
     bool packed = false;          ///< it is compressed
     bool tooLong = false;         ///< there is more than was asked for
-    std::string wrong{};          ///< empty, or why there is no text
+    std::string wrong{};          ///< empty, or why the text could not be read
 };
 
 [[nodiscard]] bool isTextChunk(const PngChunk& chunk);
 
-/// What the chunk says; a text that needs more than `maxBytes` unpacked is none.
+/// Reads a text chunk; no text if it needs more than `maxBytes` decompressed.
 [[nodiscard]] PngText readTextChunk(const PngChunk& chunk, std::size_t maxBytes);
 
-/// Type and data of the chunk that says this: tEXt where it is ASCII and short, else iTXt, packed where it is
-/// long. The error: a keyword that PNG has none of.
+/// Returns type and data of a text chunk: tEXt if the text is short ASCII, else iTXt, compressed if long.
+/// Error: a keyword that PNG does not allow.
 [[nodiscard]] Result<std::pair<std::string, Bytes>> textChunk(const PictureText& text);
 
-/// The first text of a PNG with this keyword; none where there is none. Errors: the file is no PNG, the text
-/// is damaged or takes more than `maxBytes`.
+/// Finds the first text of a PNG with this keyword; empty if there is none. Errors: the file is not a PNG, or
+/// the text is damaged or longer than `maxBytes`.
 [[nodiscard]] Result<std::optional<std::string>> findPngText(ByteView file, std::string_view keyword,
                                                              std::size_t maxBytes);
 

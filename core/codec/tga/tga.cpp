@@ -43,10 +43,10 @@ Result<void> checkHeader(const Header& header, std::vector<std::string>& notes) 
 }
 
 Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
+    const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
-            fmt::format("at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent, extents));
+            fmt::format("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     if (header.pixelCount() > limits.maxPixels)
         return tooLarge(
             fmt::format("at most {} pixels are read, the file has {}", limits.maxPixels, extents));
@@ -69,7 +69,7 @@ Result<void> checkData(const Header& header, ByteView file, ByteView data) {
     if (header.pixelOffset() > file.size())
         return malformed(fmt::format("the image ID and the colour map end at offset {}, the file has {}",
                                      header.pixelOffset(), countOf(file.size(), "byte")));
-    const std::uint64_t needed = leastDataBytes(header);
+    const std::uint64_t needed = minDataBytes(header);
     if (data.size() < needed)
         return malformed(shortage(header, needed, data.size()));
     return {};
@@ -161,7 +161,7 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
         texture.surfaces.emplace_back(std::move(image));
         return texture;
     } catch (const std::bad_alloc&) {
-        return tooLarge(fmt::format("there is no memory for {} pixels", header.pixelCount()));
+        return tooLarge(fmt::format("not enough memory for {} pixels", header.pixelCount()));
     }
 }
 

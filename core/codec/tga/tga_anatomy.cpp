@@ -16,9 +16,9 @@ namespace {
 
 using namespace tga;
 
-constexpr std::size_t mostEntries = 256; // of a colour map, one field each
-constexpr std::size_t mostPackets = 64;
-constexpr std::size_t mostTags = 64; // of the developer directory
+constexpr std::size_t maxMapEntries = 256; // of a colour map, one field each
+constexpr std::size_t maxPackets = 64;
+constexpr std::size_t maxTags = 64; // of the developer directory
 
 using Fields = std::vector<Field>;
 
@@ -86,7 +86,7 @@ Fields describeColorMap(ByteView file, const Header& header) {
                           fmt::format("{} entries of {} bits", header.mapLength, header.entryBits),
                           header.mapped() ? "the colours" : "not used by this picture",
                           beyond(header.mapOffset(), header.mapBytes(), file.size()))};
-    for (std::size_t i = 0; i < std::min<std::size_t>(header.mapLength, mostEntries); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(header.mapLength, maxMapEntries); ++i) {
         const std::size_t offset = header.mapOffset() + i * size;
         if (size > 4 || !beyond(offset, size, file.size()).empty())
             break;
@@ -115,7 +115,7 @@ Packets walkPackets(ByteView data, const Header& header) {
         const std::size_t column = packets.pixels % header.width;
         const bool crosses = column + pixels > header.width;
         const bool cut = size > data.size() - packets.bytes;
-        if (packets.count < mostPackets || cut)
+        if (packets.count < maxPackets || cut)
             packets.first.push_back(
                 field(fmt::format("Packet {}", packets.count), header.pixelOffset() + packets.bytes, size,
                       head >= 128 ? fmt::format("{} times the same pixel", pixels)
@@ -123,7 +123,7 @@ Packets walkPackets(ByteView data, const Header& header) {
                       fmt::format("from column {} of row {}", column, packets.pixels / header.width),
                       cut       ? fmt::format("needs {}, {} are left", countOf(size, "byte"),
                                               countOf(data.size() - packets.bytes, "byte"))
-                      : crosses ? "runs beyond the end of its row, which version 2 forbids"
+                      : crosses ? "continues beyond the end of its row, which version 2 forbids"
                                 : ""));
         packets.cut = cut;
         if (cut)
@@ -146,7 +146,7 @@ Fields describePackets(ByteView data, const Header& header, std::string& damage)
         damage =
             fmt::format("the packets end at offset {}, after {}", header.pixelOffset() + packets.bytes, got);
     } else if (packets.crossing > 0) {
-        wrong = fmt::format("{} packets run beyond the end of a row", packets.crossing);
+        wrong = fmt::format("{} packets continue beyond the end of a row", packets.crossing);
     }
     Fields fields{section("Image Data", header.pixelOffset(), packets.bytes,
                           fmt::format("{} packets", packets.count),
@@ -258,19 +258,19 @@ Fields describeExtension(ByteView file, const Footer& footer) {
     add("Author Name", chars(41));
     for (const int line : {1, 2, 3, 4})
         add(fmt::format("Author Comments, line {}", line), chars(81));
-    add("Date/Time Stamp", dateTime, "when it was saved");
+    add("Date/Time Stamp", dateTime, "time of saving");
     add("Job Name/ID", chars(41));
-    add("Job Time", elapsed, "worked on it");
+    add("Job Time", elapsed, "working time");
     add("Software ID", chars(41));
     add("Software Version", version);
-    add("Key Color", keyColor, "the background's");
+    add("Key Color", keyColor, "colour of the background");
     add("Pixel Aspect Ratio", ratio, "width / height");
     add("Gamma Value", ratio);
     add("Color Correction Offset", offset32);
     add("Postage Stamp Offset", offset32);
     add("Scan Line Offset", offset32);
     add(
-        "Attributes Type", [](ByteReader& r) { return std::to_string(r.u8()); }, "what alpha means");
+        "Attributes Type", [](ByteReader& r) { return std::to_string(r.u8()); }, "meaning of alpha");
     if (Field& last = fields.back(); last.name == "Attributes Type") {
         const int type = std::to_integer<int>(bytesOf(last, file).front());
         last.meaning = attributesMeaning(type);
@@ -288,7 +288,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
     const std::size_t tags = reader.u16();
     Fields fields{section("Developer Directory", begin, 2 + 10 * tags, fmt::format("{} tags", tags), {},
                           beyond(begin, 2 + 10 * tags, file.size()))};
-    for (std::size_t i = 0; i < std::min(tags, mostTags); ++i) {
+    for (std::size_t i = 0; i < std::min(tags, maxTags); ++i) {
         const std::size_t offset = begin + reader.position();
         const std::string tag = number16(reader);
         const std::uint64_t where = reader.u32();
@@ -297,7 +297,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
             break;
         fields.push_back(field(fmt::format("Tag {}", tag), offset, 10,
                                fmt::format("{} at offset {}", countOf(size, "byte"), where),
-                               "for the program that knows it", beyond(where, size, file.size())));
+                               "for programs that know it", beyond(where, size, file.size())));
     }
     return fields;
 }
@@ -312,7 +312,7 @@ std::string wrongOffset(std::size_t offset, std::size_t fileSize) {
 Fields describeFooter(ByteView file, const Footer& footer) {
     const std::size_t begin = file.size() - Footer::bytes;
     const auto shown = [](std::uint32_t offset) { return offset == 0 ? "0 (none)" : std::to_string(offset); };
-    return {section("Footer", begin, Footer::bytes, {}, "this is version 2"),
+    return {section("Footer", begin, Footer::bytes, {}, "version 2"),
             field("Extension Area Offset", begin, 4, shown(footer.extensionOffset), {},
                   wrongOffset(footer.extensionOffset, file.size())),
             field("Developer Directory Offset", begin + 4, 4, shown(footer.developerOffset), {},

@@ -18,7 +18,7 @@ namespace {
 
 using namespace tga;
 
-constexpr std::size_t longestPacket = 128;
+constexpr std::size_t maxPacket = 128;
 
 bool hasAlpha(PixelFormat format) {
     return format == PixelFormat::Rgba8 || format == PixelFormat::LuminanceAlpha8;
@@ -99,7 +99,7 @@ std::byte* packRow(const std::byte* row, std::size_t width, std::byte* to) {
     std::size_t rawBegin = 0;
     const auto flushRaw = [&](std::size_t end) {
         while (rawBegin < end) {
-            const std::size_t count = std::min(longestPacket, end - rawBegin);
+            const std::size_t count = std::min(maxPacket, end - rawBegin);
             *to++ = static_cast<std::byte>(count - 1);
             std::memcpy(to, row + rawBegin * Size, count * Size);
             to += count * Size;
@@ -107,7 +107,7 @@ std::byte* packRow(const std::byte* row, std::size_t width, std::byte* to) {
         }
     };
     for (std::size_t x = 0; x < width;) {
-        const std::size_t run = runAt<Size>(row + x * Size, std::min(longestPacket, width - x));
+        const std::size_t run = runAt<Size>(row + x * Size, std::min(maxPacket, width - x));
         if (run >= worthwhileRun<Size>) {
             flushRaw(x);
             *to++ = static_cast<std::byte>(128 + run - 1);
@@ -147,16 +147,16 @@ std::byte* writePacked(const Image& image, std::byte* to) {
 Bytes write(const Image& image, AlphaMeaning alpha, bool topFirst, bool runLengthCoded) {
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
-    const std::size_t longestRow =
-        image.rowBytes() + (runLengthCoded ? (width + longestPacket - 1) / longestPacket : 0);
-    Bytes file(Header::headerBytes + longestRow * height + extensionBytes + Footer::bytes);
+    const std::size_t maxRowBytes =
+        image.rowBytes() + (runLengthCoded ? (width + maxPacket - 1) / maxPacket : 0);
+    Bytes file(Header::headerBytes + maxRowBytes * height + extensionBytes + Footer::bytes);
     writeHeader(image, topFirst, runLengthCoded, file.data());
     std::byte* end = file.data() + Header::headerBytes;
     if (runLengthCoded) {
         end = writePacked(image, end);
     } else {
         convertRow(image.format, image.pixels.data(), end, width * height);
-        end += longestRow * height;
+        end += maxRowBytes * height;
     }
     const auto pixelEnd = static_cast<std::size_t>(end - file.data());
     writeTail(pixelEnd, attributesType(image, alpha), end);
@@ -170,11 +170,11 @@ Result<Bytes> encodeTga(const TextureImage& texture, const WriteOptions& options
     if (texture.surfaces.empty())
         return fail(ErrorCode::OutOfRange, "TGA: there is no picture to write");
     const Surface& surface = texture.surfaces.front();
-    constexpr int longest = 65535;
-    if (widthOf(surface) < 1 || heightOf(surface) < 1 || widthOf(surface) > longest ||
-        heightOf(surface) > longest)
+    constexpr int maxExtent = 65535;
+    if (widthOf(surface) < 1 || heightOf(surface) < 1 || widthOf(surface) > maxExtent ||
+        heightOf(surface) > maxExtent)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("TGA: a picture has 1 to 65535 pixels along each axis, this one has {} x {}",
+                    fmt::format("TGA: a picture has 1 to 65535 pixels along each axis, this one has {} × {}",
                                 widthOf(surface), heightOf(surface)));
     try {
         std::optional<Image> converted; // most pictures are written from where they are
@@ -191,7 +191,7 @@ Result<Bytes> encodeTga(const TextureImage& texture, const WriteOptions& options
             image = &converted.emplace(withoutMeaninglessAlpha(*image));
         return write(*image, texture.alpha, texture.topFirst, options.runLengthCoded);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "TGA: there is no memory for the file");
+        return fail(ErrorCode::TooLarge, "TGA: not enough memory for the file");
     }
 }
 

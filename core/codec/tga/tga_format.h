@@ -1,6 +1,6 @@
 #pragma once
 
-// The parts of a TGA file besides its pixels, as decodeTga and dissectTga both read them.
+// The parts of a TGA file other than its pixels, for decodeTga and dissectTga.
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -52,28 +52,28 @@ struct Header {
     [[nodiscard]] std::size_t pixelOffset() const { return mapOffset() + mapBytes(); }
     [[nodiscard]] std::uint64_t pixelCount() const { return std::uint64_t{width} * height; }
 
-    /// How many bits of a colour could be alpha: 8 of 32, 1 of 16, 8 of grey with 16.
+    /// The number of bits of a colour that can be alpha: 8 of 32, 1 of 16, 8 of grey with 16.
     [[nodiscard]] int alphaBits() const;
 
     static constexpr std::size_t headerBytes = 18;
 };
 
-/// Fields beyond the file's end are 0.
+/// Fields beyond the end of the file are 0.
 [[nodiscard]] Header readHeader(ByteView file);
 
 enum class Severity : std::uint8_t {
-    Odd,         ///< survived
-    Malformed,   ///< contradicts the format
-    Unsupported, ///< a variant that is not read
+    Odd,         ///< tolerated
+    Malformed,   ///< violates the format
+    Unsupported, ///< an unsupported variant
 };
 
-/// What is wrong with a field: "expected 8 or 16 bits for grey, found 24".
+/// An error in a field: "expected 8 or 16 bits for grey, found 24".
 struct Complaint {
     Severity severity;
     std::string text;
 };
 
-/// One row per field of the header: the decoder refuses by them, the anatomy shows them.
+/// The fields of the header: the decoder checks them by these rows, the anatomy shows them.
 struct HeaderRow {
     std::size_t offset;
     std::size_t size;
@@ -87,8 +87,8 @@ struct HeaderRow {
 
 /// The last 26 bytes of a file of version 2.
 struct Footer {
-    std::uint32_t extensionOffset = 0; ///< 0: there is none
-    std::uint32_t developerOffset = 0; ///< 0: there is none
+    std::uint32_t extensionOffset = 0; ///< 0: none
+    std::uint32_t developerOffset = 0; ///< 0: none
 
     static constexpr std::size_t bytes = 26;
     static constexpr std::string_view signature{"TRUEVISION-XFILE.\0", 18};
@@ -96,16 +96,16 @@ struct Footer {
 
 [[nodiscard]] std::optional<Footer> readFooter(ByteView file);
 
-/// What an extension area says and no other file of the picture gets: its gamma, and what people wrote.
+/// What an extension area contains and no other format stores: gamma, and the author's texts.
 [[nodiscard]] std::vector<Loss> lossesOf(ByteView extension);
 
 inline constexpr std::size_t extensionBytes = 495;
-inline constexpr std::size_t attributesTypeOffset = 494; ///< within the extension area
+inline constexpr std::size_t attributesTypeOffset = 494; ///< in the extension area
 
-/// The extension area, or nothing where there is none of the full size within the file.
+/// Returns the extension area; empty if there is none or the file ends in it.
 [[nodiscard]] ByteView findExtension(ByteView file, const std::optional<Footer>& footer);
 
-/// What may be pixel data: from the header's pixelOffset to the footer or the end.
+/// Returns the bytes that can be pixel data: from the header's pixelOffset to the footer or the end.
 [[nodiscard]] ByteView pixelData(ByteView file, const Header& header, const std::optional<Footer>& footer);
 
 } // namespace texplorer::tga

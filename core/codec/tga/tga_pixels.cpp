@@ -174,18 +174,17 @@ void fill(Packed pixel, std::byte* to, std::size_t count, std::size_t room) {
 AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std::string>& notes) {
     if (header.alphaBits() == 0)
         return {AlphaRule::Absent, {}};
-    // The one bit of a colour of 16 is set for whatever a program likes, and most leave it 0 and mean
-    // nothing.
+    // The one bit of a 16-bit colour has different meanings in different programs; most leave it 0 without
+    // a meaning.
     const std::string meaningless =
-        header.alphaBits() == 1 ? "nothing says what the attribute bit means" : "";
+        header.alphaBits() == 1 ? "the meaning of the attribute bit is not specified" : "";
     if (!extension.empty()) {
         switch (const auto type = std::to_integer<int>(extension[attributesTypeOffset])) {
         case 0:
             if (header.attributeBits() == 0)
                 return {AlphaRule::Ignore, {}};
-            return {AlphaRule::Unknown,
-                    fmt::format("the extension area says that there is no alpha, the descriptor says {}",
-                                countOf(header.attributeBits(), "bit"))};
+            return {AlphaRule::Unknown, fmt::format("the extension area says no alpha, the descriptor {}",
+                                                    countOf(header.attributeBits(), "bit"))};
         case 1:
             return {AlphaRule::Ignore, {}};
         case 2:
@@ -196,14 +195,14 @@ AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std
             return {AlphaRule::Premultiplied, {}};
         default:
             notes.push_back(
-                fmt::format("the extension area's attributes type is {}, 0 to 4 are known: ignored", type));
+                fmt::format("the extension area's attributes type is {}, expected 0 to 4: ignored", type));
         }
     }
     if (header.attributeBits() != 0)
         return {AlphaRule::Straight, meaningless};
     if (header.alphaBits() == 1)
         return {AlphaRule::Ignore, {}};
-    return {AlphaRule::Unknown, "the descriptor says 0 attribute bits"};
+    return {AlphaRule::Unknown, "the descriptor has 0 attribute bits"};
 }
 
 AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format) {
@@ -250,7 +249,7 @@ PixelFormat decodedFormat(const Header& header, AlphaRule rule) {
     return hasAlpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8;
 }
 
-std::uint64_t leastDataBytes(const Header& header) {
+std::uint64_t minDataBytes(const Header& header) {
     const std::uint64_t pixels = header.pixelCount();
     return header.runLengthCoded() ? (pixels + 127) / 128 * (1 + header.pixelBytes())
                                    : pixels * header.pixelBytes();
@@ -345,11 +344,11 @@ bool PixelReader::readPackets(std::byte* to, std::size_t count) {
 void PixelReader::describeStrays(std::vector<std::string>& notes) const {
     if (map_.strays > 0) {
         const std::size_t last = map_.firstEntry + map_.entries.size() - 1;
-        notes.push_back(map_.strays == 1
-                            ? fmt::format("1 pixel names no entry of the colour map ({} to {}): black",
-                                          map_.firstEntry, last)
-                            : fmt::format("{} pixels name no entry of the colour map ({} to {}): black",
-                                          map_.strays, map_.firstEntry, last));
+        notes.push_back(
+            map_.strays == 1
+                ? fmt::format("1 pixel is outside the colour map ({} to {}): black", map_.firstEntry, last)
+                : fmt::format("{} pixels are outside the colour map ({} to {}): black", map_.strays,
+                              map_.firstEntry, last));
     }
 }
 

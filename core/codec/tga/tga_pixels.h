@@ -1,6 +1,6 @@
 #pragma once
 
-// From the pixels of a TGA file to those of an Image, in the file's order.
+// Converts the pixels of a TGA file to those of an Image, in the file's order.
 
 #include "core/codec/tga/tga_format.h"
 #include "core/image/texture_image.h"
@@ -9,10 +9,10 @@
 
 namespace texplorer::tga {
 
-/// What becomes of the bits that could be alpha.
+/// How the bits that could be alpha are treated.
 enum class AlphaRule : std::uint8_t {
-    Absent, ///< there are none
-    Ignore, ///< they mean nothing: 255 instead
+    Absent, ///< there are no such bits
+    Ignore, ///< meaningless: replaced by 255
     Straight,
     Premultiplied,
     Unknown,
@@ -20,52 +20,54 @@ enum class AlphaRule : std::uint8_t {
 
 struct AlphaReading {
     AlphaRule rule;
-    /// Why they may be padding after all: "the descriptor says 0 attribute bits". Then Ignore takes the
-    /// rule's place where all of them are 0. Empty: there is no doubt.
+    /// Why the bits may be padding: "the descriptor says 0 attribute bits". In that case Ignore replaces the
+    /// rule if all of them are 0. Empty: no doubt.
     std::string doubt;
 };
 
 [[nodiscard]] AlphaReading readAlpha(const Header& header, ByteView extension,
                                      std::vector<std::string>& notes);
 
-/// What a picture's alpha means by a rule without doubt.
+/// The meaning of a picture's alpha under a rule without doubt.
 [[nodiscard]] AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format);
 
-/// Carries the rule out on a decoded picture.
+/// Applies the rule to a decoded picture.
 [[nodiscard]] AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image,
                                       std::vector<std::string>& notes);
 
-/// For a header without fatal complaints.
+/// For a header without fatal errors.
 [[nodiscard]] PixelFormat decodedFormat(const Header& header, AlphaRule rule);
 
-/// The fewest bytes that hold the picture: a packet of 1 + pixelBytes gives 128 pixels at most.
-[[nodiscard]] std::uint64_t leastDataBytes(const Header& header);
+/// The minimum number of bytes of the picture's data: a packet of 1 + pixelBytes gives at most 128 pixels.
+[[nodiscard]] std::uint64_t minDataBytes(const Header& header);
 
-/// Reads raw or run-length coded pixels one after the other.
+/// Reads raw or run-length coded pixels in sequence.
 class PixelReader {
 public:
-    /// `map` and `data` must outlive the reader; of raw pixels `data` must hold all that will be read.
+    /// `map` and `data` must outlive the reader; for raw pixels, `data` must hold all pixels that will be
+    /// read.
     PixelReader(const Header& header, PixelFormat format, ByteView map, ByteView data);
 
-    /// The next `count` pixels, in `format`. False where the data ends before; then some are not written.
+    /// Reads the next `count` pixels in `format`. Returns false if the data ends before; some pixels are then
+    /// not written.
     [[nodiscard]] bool read(std::byte* to, std::size_t count);
 
-    /// Adds a note where pixels named entries that the colour map doesn't have.
+    /// Adds a note if pixels used entries that the colour map does not have.
     void describeStrays(std::vector<std::string>& notes) const;
 
-    /// A pixel of `format` in a register: its first component in the lowest eight bits.
+    /// A pixel of `format` as a number: its first component in the lowest eight bits.
     using Packed = std::uint32_t;
 
     struct ColorMap {
         std::vector<Packed> entries;
         std::size_t firstEntry = 0;
-        std::size_t strays = 0; ///< pixels that named no entry
+        std::size_t strays = 0; ///< pixels with a missing entry
     };
 
 private:
     using Read = bool (PixelReader::*)(std::byte* to, std::size_t count);
 
-    // A Format says how many bytes a pixel takes here and there, and how one becomes the other.
+    // A Format defines the bytes per pixel on both sides, and the conversion.
     template<class Format>
     [[nodiscard]] Read readerOf() const;
     template<class Format>
@@ -80,10 +82,10 @@ private:
     Read read_;
 
     struct Packet {
-        std::size_t pixels = 0; // that it still has
+        std::size_t pixels = 0; // left in the packet
         bool isRun = false;
         Packed pixel = 0;           // of a run
-        std::size_t straysEach = 0; // 1 where that pixel names no entry
+        std::size_t straysEach = 0; // 1 if the entry of that pixel is missing
     };
     Packet packet_;
 };

@@ -9,7 +9,7 @@ namespace texplorer {
 
 using Color = std::array<std::uint8_t, 4>; ///< red, green, blue, alpha
 
-/// Rounds to the nearest number from 0 to 255.
+/// Rounds to nearest and clamps to 0 … 255.
 [[nodiscard]] std::uint8_t toByte(float value);
 
 /// `from` at 0, `to` at 1; the amount is clamped to [0, 1].
@@ -18,7 +18,7 @@ using Color = std::array<std::uint8_t, 4>; ///< red, green, blue, alpha
 /// The colour times a factor; alpha stays.
 [[nodiscard]] Color shade(Color color, float factor);
 
-/// An Rgba8 image that is drawn on; y grows upwards. What falls outside is left away.
+/// An Rgba8 image to draw on; y grows upwards. Pixels outside are clipped.
 class Canvas {
 public:
     Canvas(int width, int height, int depth = 1);
@@ -27,7 +27,8 @@ public:
     void set(int x, int y, int z, Color color);
     [[nodiscard]] Color get(int x, int y, int z = 0) const; ///< inside of the image only
 
-    void blend(int x, int y, Color color, float amount); ///< over what is there; its alpha grows accordingly
+    void blend(int x, int y, Color color,
+               float amount); ///< over the existing colour; its alpha grows accordingly
     void fill(int x, int y, int width, int height, Color color);
 
     [[nodiscard]] Image take() && { return std::move(image_); }

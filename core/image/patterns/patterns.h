@@ -1,6 +1,6 @@
 #pragma once
 
-// One function per pattern; drawPattern is the only caller outside of the tests.
+// One function per pattern; called only by drawPattern and the tests.
 
 #include "core/image/image.h"
 

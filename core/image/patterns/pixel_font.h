@@ -8,7 +8,7 @@ namespace texplorer {
 
 inline constexpr int glyphHeight = 7;
 
-/// How many font pixels a text is wide; a character that the font lacks counts as a space.
+/// The width of a text in font pixels; characters that the font lacks count as spaces.
 [[nodiscard]] int textWidth(std::string_view text);
 
 /// Draws a text with its lower left corner at (x, y), each font pixel as a square of `scale` texels.

@@ -16,7 +16,7 @@ namespace texplorer::reference {
 namespace {
 
 /// From here on a power of ten is shorter.
-constexpr float largest = 1e6F;
+constexpr float maxPlain = 1e6F;
 
 std::string vectorText(glm::vec3 v) {
     return fmt::format("({}, {}, {})", columnText(v.x), columnText(v.y), columnText(v.z));
@@ -77,7 +77,7 @@ Step triangleStep(const FragmentExplanation& fragment) {
         perCorner("w", fragment, [](const auto& v) { return columnText(v.clip.w); })};
     if (fragment.clipped)
         step.rows.push_back(
-            {"It reaches out of the view and was clipped; the shares are those of its own corners."});
+            {"It extends beyond the view and was clipped. The shares are those of the original vertices."});
     return step;
 }
 
@@ -158,7 +158,7 @@ Step environmentStep(const UnitExplanation& unit) {
     if (unit.equations.undefined)
         step.rows.push_back(
             {unit.mode == EnvMode::Combine
-                 ? std::string("Undefined: an argument is the texture of a unit that samples nothing. The "
+                 ? std::string("Undefined: an argument is the texture of a unit without a texture. The "
                                "incoming colour is passed on.")
                  : fmt::format("{} is undefined for {}: the incoming colour is passed on.",
                                nameOf(rowOf(unit.mode)), nameOf(rowOf(unit.format))),
@@ -199,7 +199,7 @@ Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
                            inNumbers("f * Cr + (1 - f) * Cf",
                                      {{"f", fog.factor}, {"Cr", fragment.summed[i]}, {"Cf", color[i]}}),
                            numberText(fragment.color[i]))}}});
-    step.rows.push_back({"Alpha stays."});
+    step.rows.push_back({"Alpha is unchanged."});
     return step;
 }
 
@@ -273,7 +273,7 @@ Step framebufferStep(const FragmentExplanation& fragment) {
 } // namespace
 
 std::string numberText(float value) {
-    if (std::abs(value) < largest || !std::isfinite(value))
+    if (std::abs(value) < maxPlain || !std::isfinite(value))
         return shortNumber(value);
     return fmt::format("{:.3g}", value);
 }
@@ -297,7 +297,7 @@ std::string amountText(float value) {
 }
 
 std::string columnText(float value, int digits) {
-    if (!(std::abs(value) < largest))
+    if (!(std::abs(value) < maxPlain))
         return numberText(value);
     const std::string number = fmt::format("{:.{}f}", value, digits);
     const bool isZero = number.find_first_of("123456789") == std::string::npos;
@@ -366,9 +366,9 @@ std::string cutSentence(const Explanation& explanation) {
     const std::size_t count = explanation.fragments.size();
     return count == explanation.fragmentCount
                ? std::string()
-               : fmt::format("{} fragments cover it. Explained are numbers {} to {}: at most {}.",
+               : fmt::format("{} fragments cover it. Numbers {} to {} are explained (at most {}).",
                              explanation.fragmentCount, explanation.firstFragment + 1,
-                             explanation.firstFragment + count, mostExplainedFragments);
+                             explanation.firstFragment + count, maxExplainedFragments);
 }
 
 int differenceOf(const PixelBytes& one, const PixelBytes& other) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// An Explanation in words, for a terminal and for a window alike: what OpenGL did, in its order, as steps
-// that can be folded.
+// An Explanation as text, for terminals and windows: the stages of OpenGL in order, as steps that can be
+// collapsed.
 
 #include "core/base/word.h"
 #include "core/reference/explain/explanation.h"
@@ -14,7 +14,7 @@
 
 namespace texplorer::reference {
 
-/// What colour a reader gives a number: s is red, t green and r blue everywhere.
+/// The colour of a number: s is red, t green and r blue everywhere.
 enum class Ink : std::uint8_t { Plain, S, T, R, Q, Dim, Good, Bad };
 
 struct StepCell {
@@ -22,12 +22,12 @@ struct StepCell {
     Ink ink = Ink::Plain;
 };
 
-/// A line of a small table, or a sentence: the label alone.
+/// A row of a small table; or a sentence, as a label without cells.
 struct StepRow {
     std::string label;
     std::vector<StepCell> cells{};
-    std::optional<glm::vec4> swatch{}; ///< the colour that the line is about
-    bool heading = false;              ///< names the columns of the rows below
+    std::optional<glm::vec4> swatch{}; ///< the colour that the row describes
+    bool heading = false;              ///< contains the headings of the rows below
     Ink ink = Ink::Plain;              ///< of the label
 };
 
@@ -50,9 +50,9 @@ enum class StepKind : std::uint8_t {
 
 struct Step {
     StepKind kind = StepKind::Triangle;
-    int unit = -1; ///< the texture unit that it is about; -1: none
+    int unit = -1; ///< the texture unit that it describes; -1: none
     std::string title;
-    std::string summary;               ///< what came of it
+    std::string summary;               ///< the result
     std::optional<glm::vec4> swatch{}; ///< the same as a colour
     std::vector<StepRow> rows{};
 };
@@ -67,40 +67,41 @@ struct FragmentSteps {
 [[nodiscard]] FragmentSteps stepsOf(const FragmentExplanation& fragment);
 [[nodiscard]] std::vector<FragmentSteps> stepsOf(const Explanation& explanation);
 
-/// Which of a pixel's fragments are explained; empty: all.
+/// Tells which of a pixel's fragments are explained; empty: all.
 [[nodiscard]] std::string cutSentence(const Explanation& explanation);
 
-/// Whether a renderer's pixel is what the reference has where ties fall otherwise, within `tolerance`.
+/// Whether a renderer's pixel is a correct result of the reference with other decisions of ties, within
+/// `tolerance`.
 [[nodiscard]] bool isAsRight(const Explanation& explanation, const PixelBytes& bytes, int tolerance);
 
 /// The largest difference of a component.
 [[nodiscard]] int differenceOf(const PixelBytes& one, const PixelBytes& other);
 
-/// The components of a colour, as readers know them.
+/// The names of colour components that users read.
 inline constexpr std::array componentNames{word("red"), word("green"), word("blue"), word("alpha")};
 
-/// A label that is told by the spaces before it to belong to what stands above.
+/// A label with leading spaces, which mark it as part of the row above.
 [[nodiscard]] std::string indented(std::string_view label);
 
-/// A line with the components' names above their columns.
+/// A row of component names as headings.
 [[nodiscard]] StepRow componentHeading(std::string label);
 
 /// "181 90 12 255".
 [[nodiscard]] std::string bytesText(const PixelBytes& bytes);
 
-/// A number for a reader: at most four digits after the point, a power of ten for what is large.
+/// A number for users: at most four decimal places; large numbers with an exponent.
 [[nodiscard]] std::string numberText(float value);
 
-/// The same, with as many digits as tell it from `other`, which it is compared with.
+/// The same, with enough digits to distinguish it from `other`.
 [[nodiscard]] std::string numberText(float value, float other);
 
-/// "12.5", of a share of 0.125. What isn't 0 or 100 doesn't read so: "< 0.1".
+/// "12.5" for a share of 0.125. Values other than 0 and 1 never read 0 or 100: "< 0.1".
 [[nodiscard]] std::string percentText(float share);
 
-/// The same, of which one wants to know that it isn't 0: "< 0.0001".
+/// The same for amounts, where it matters that they are not 0: "< 0.0001".
 [[nodiscard]] std::string amountText(float value);
 
-/// With so many digits after the point that numbers in a column stand below each other.
+/// With a fixed number of decimal places, so that a column is aligned.
 [[nodiscard]] std::string columnText(float value, int digits = 4);
 
 } // namespace texplorer::reference

@@ -18,7 +18,7 @@ constexpr std::array<Ink, 4> coordinateInks{Ink::S, Ink::T, Ink::R, Ink::Q};
 
 /// A filter of so many samples or fewer is shown as it is, tap by tap.
 constexpr std::size_t fewTaps = 8;
-constexpr std::size_t mostTapsShown = 48;
+constexpr std::size_t maxTapsShown = 48;
 
 StepRow heading(const char* label, int count) {
     StepRow row{label, {}, {}, true};
@@ -89,16 +89,16 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
                         glm::vec4(place, 0), 2));
         for (const Tie& tie : unit.ties.ties)
             if (tie.between == Tie::Between::Faces)
-                step.rows.push_back({fmt::format("It hits the edge of face {}: either face is right.",
+                step.rows.push_back({fmt::format("It hits the edge of face {}: either face is correct.",
                                                  rowOf(cubeFaceAt(tie.other)).label)});
     }
     if (unit.pixel.transformed.q < 0)
-        step.rows.push_back({"q is below 0: this point lies behind what projects the image."});
+        step.rows.push_back({"q is below 0: this point is behind the projector."});
     if (!std::isfinite(unit.coords.s) || (axes > 1 && !std::isfinite(unit.coords.t)) ||
         (axes > 2 && !std::isfinite(unit.coords.r)))
         step.rows.push_back(
             {unit.pixel.transformed.q == 0
-                 ? "q is 0: the quotient is undefined. What is not a number counts as 0 here."
+                 ? "q is 0: the quotient is undefined. Values that are not numbers count as 0 here."
                  : "A coordinate is infinite or not a number: undefined. It counts as 0 here.",
              {},
              {},
@@ -137,7 +137,7 @@ Step lodStep(const UnitExplanation& unit) {
     else if (lod.probes > 1)
         value(fmt::format("anisotropic, up to {}: probes", numberText(unit.sampler.maxAnisotropy)),
               static_cast<float>(lod.probes));
-    value(lod.probes > 1                   ? "rho = the longer, over the probes"
+    value(lod.probes > 1                   ? "rho = the longer, divided by the probes"
           : lod.ellipse                    ? "rho"
           : lod.method == RhoMethod::Lower ? "rho = the largest derivative of u, v and w"
           : lod.method == RhoMethod::Upper ? "rho = the largest derivatives of u, v and w, added"
@@ -161,17 +161,17 @@ Step lodStep(const UnitExplanation& unit) {
     for (const Tie& tie : unit.ties.ties) {
         if (tie.between == Tie::Between::Levels)
             step.rows.push_back(
-                {fmt::format("lambda is half-way between level {} and level {}, within 1/64: "
-                             "either is right.",
+                {fmt::format("lambda is half-way between level {} and level {}, within 1/64: either is "
+                             "correct.",
                              std::min(tie.chosen, tie.other), std::max(tie.chosen, tie.other))});
         else if (tie.between == Tie::Between::Filters)
             step.rows.push_back(
-                {fmt::format("lambda is where {} meets {}, within 1/64: either is right.",
+                {fmt::format("lambda is at the limit between {} and {}, within 1/64: either is correct.",
                              rowOf(unit.sampler.magFilter).name, rowOf(unit.sampler.minFilter).name)});
     }
     if (lod.undefined)
         step.rows.push_back({unit.sampler.minLod > unit.sampler.maxLod
-                                 ? "The least LOD is above the greatest: undefined. The greatest wins here."
+                                 ? "The min LOD is above the max LOD: undefined. The max LOD is used here."
                                  : "A derivative is infinite or not a number: undefined. rho is 1 here.",
                              {},
                              {},
@@ -257,7 +257,7 @@ Step wrapStep(const UnitExplanation& unit) {
     for (const LevelExtent& extent : unit.extents) {
         std::string size = std::to_string(extent.size.x);
         for (int axis = 1; axis < axesOf(unit.target); ++axis)
-            size += fmt::format(" x {}", extent.size[axis]);
+            size += fmt::format(" × {}", extent.size[axis]);
         step.rows.push_back(
             {fmt::format("level {}", extent.level), {{fmt::format("{} texels", size)}}, {}, true});
         for (int axis = 0; axis < axesOf(unit.target); ++axis) {
@@ -282,17 +282,17 @@ Step wrapStep(const UnitExplanation& unit) {
             });
             if (tie != unit.ties.ties.end())
                 step.rows.push_back({"",
-                                     {{fmt::format("on the edge of {} and {}: either is right",
+                                     {{fmt::format("on the edge of {} and {}: either is correct",
                                                    texelText(tie->chosen, row, seamless),
                                                    texelText(tie->other, row, seamless)),
                                        coordinateInks.at(i)}}});
         }
         if (isAtCorner(unit, extent.level, extent.size.x))
             step.rows.push_back(
-                {"Three faces meet here: the mean of their texels stands for the fourth, which there isn't."});
+                {"Three faces meet here: the mean of their texels replaces the missing fourth."});
     }
     if (unit.sample.probes.size() > 1)
-        step.rows.push_back({fmt::format("Shown is the first of {} probes.", unit.sample.probes.size())});
+        step.rows.push_back({fmt::format("The first of {} probes is shown.", unit.sample.probes.size())});
     return step;
 }
 
@@ -306,7 +306,7 @@ std::string placeText(const Tap& tap, Target target, bool severalLevels) {
                                      : place;
 }
 
-/// Three digits are enough to tell colours apart, and leave room beside them.
+/// Three digits are enough to distinguish colours, and leave room next to them.
 std::string shorter(float value) {
     return columnText(value, 3);
 }
@@ -316,8 +316,7 @@ StepRow storedRow(const StoredTexel& stored) {
     StepRow row{indented(word("stored")), {{}}};
     for (std::size_t c = 0; c < stored.numbers.size(); ++c)
         row.cells.push_back(
-            {stored.largest[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.largest[c]),
-             Ink::Dim});
+            {stored.max[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.max[c]), Ink::Dim});
     return row;
 }
 
@@ -326,14 +325,14 @@ std::string preparedSentence(const UnitExplanation& unit) {
     std::string names;
     for (const ImageOp op : unit.preparation)
         names += (names.empty() ? "" : ", ") + std::string(rowOf(op).label);
-    return names.empty() ? names : fmt::format("The image was prepared before: {}.", names);
+    return names.empty() ? names : fmt::format("The image was prepared: {}.", names);
 }
 
 /// Section 3.8.14.
 Step depthsStep(const UnitExplanation& unit) {
     const bool asks = compares(unit);
     const glm::vec4 color = unit.sample.color;
-    // Whatever the depth is shown as, one of the first and the last component has it.
+    // In any format, the first or the last component has the depth.
     const float result = unit.format == BaseFormat::Alpha ? color.a : color.r;
     Step step{StepKind::Texels, unit.unit, asks ? "Depths, compared" : "Depths", {}};
     step.swatch = color;
@@ -354,7 +353,7 @@ Step depthsStep(const UnitExplanation& unit) {
     step.rows.push_back(std::move(head));
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     const auto depthText = [&](float depth) { return columnText(depth, digits); };
-    for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
+    for (std::size_t i = 0; i < std::min(taps.size(), maxTapsShown); ++i) {
         const Tap& tap = taps[i];
         const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
         StepRow row{tap.border ? fmt::format("{} border", place) : place,
@@ -366,8 +365,8 @@ Step depthsStep(const UnitExplanation& unit) {
         }
         step.rows.push_back(std::move(row));
     }
-    if (taps.size() > mostTapsShown)
-        step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
+    if (taps.size() > maxTapsShown)
+        step.rows.push_back({fmt::format("and {} more with less weight", taps.size() - maxTapsShown)});
     if (const std::string sentence = preparedSentence(unit); !sentence.empty())
         step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     step.rows.push_back(
@@ -391,7 +390,7 @@ Step texelsStep(const UnitExplanation& unit) {
     head.cells.insert(head.cells.begin(), {word("weight"), Ink::Dim});
     step.rows.push_back(std::move(head));
     const std::vector<Tap> taps = mergedTaps(unit.sample);
-    for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
+    for (std::size_t i = 0; i < std::min(taps.size(), maxTapsShown); ++i) {
         const Tap& tap = taps[i];
         const bool across = unit.sample.seamless && tap.index.z != unit.sample.cube->face;
         const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
@@ -406,8 +405,8 @@ Step texelsStep(const UnitExplanation& unit) {
         if (const auto stored = storedTexel(unit.internalFormat, tap.color); stored && !tap.border)
             step.rows.push_back(storedRow(*stored));
     }
-    if (taps.size() > mostTapsShown)
-        step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
+    if (taps.size() > maxTapsShown)
+        step.rows.push_back({fmt::format("and {} more with less weight", taps.size() - maxTapsShown)});
     for (const std::string& sentence : {preparedSentence(unit), storedSentence(unit.internalFormat)}) {
         if (!sentence.empty())
             step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
@@ -418,7 +417,7 @@ Step texelsStep(const UnitExplanation& unit) {
     step.rows.push_back(std::move(sum));
     for (const Tap& tap : unit.ties.others) {
         StepRow row{
-            fmt::format("as right: {}", placeText(tap, unit.target, true)), {{"", Ink::Dim}}, tap.color};
+            fmt::format("also correct: {}", placeText(tap, unit.target, true)), {{"", Ink::Dim}}, tap.color};
         for (int c = 0; c < 4; ++c)
             row.cells.push_back({shorter(tap.color[c]), Ink::Dim});
         step.rows.push_back(std::move(row));

@@ -4,20 +4,21 @@
 
 namespace texplorer::reference {
 
-/// From texture coordinates to a filtered colour: four steps.
+/// The four steps from texture coordinates to a filtered colour.
 [[nodiscard]] std::vector<Step> samplingSteps(const FragmentExplanation& fragment,
                                               const UnitExplanation& unit);
 
-/// Lambda, with as many digits as tell on which side it is of what decides.
+/// Lambda, with enough digits to show on which side of a limit it is.
 [[nodiscard]] std::string lambdaText(const Lod& lod);
 
 /// Why the sample is magnified or minified, as a sentence.
 [[nodiscard]] std::string whyMagnified(const UnitExplanation& unit);
 
-/// The taps with those of one texel added up, the heaviest first where there are many.
+/// Merges taps of the same texel; if there are many, sorted by weight.
 [[nodiscard]] std::vector<Tap> mergedTaps(const SampleRecord& sample);
 
-/// How many texels were read: one that several taps read, or a wrap mode makes of several, counts once.
+/// The number of different texels that were read: a texel that several taps read, also because of wrapping,
+/// counts once.
 [[nodiscard]] std::size_t texelCount(const SampleRecord& sample);
 
 } // namespace texplorer::reference

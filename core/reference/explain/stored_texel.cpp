@@ -47,11 +47,10 @@ std::optional<StoredTexel> storedTexel(InternalFormat format, glm::vec4 color) {
         if (bits[i] == 0)
             continue;
         const float value = color[static_cast<int>(i)];
-        stored.largest[i] = largestNumber(bits[i]);
-        stored.numbers[i] =
-            isSrgb(format) && i < 3
-                ? srgbByte(value)
-                : static_cast<int>(std::lround(value * static_cast<float>(stored.largest[i])));
+        stored.max[i] = maxNumber(bits[i]);
+        stored.numbers[i] = isSrgb(format) && i < 3
+                                ? srgbByte(value)
+                                : static_cast<int>(std::lround(value * static_cast<float>(stored.max[i])));
     }
     return stored;
 }
@@ -62,8 +61,8 @@ std::string storedSentence(InternalFormat format) {
     const std::string name(rowOf(format).name);
     if (isSrgb(format))
         return fmt::format(
-            "{} makes light of colours: c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4.", name);
-    return fmt::format("{} has few bits: a stored number stands for itself over the largest.", name);
+            "{} converts colours to light: c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4.", name);
+    return fmt::format("{} has few bits: a stored number is divided by the largest.", name);
 }
 
 } // namespace texplorer::reference

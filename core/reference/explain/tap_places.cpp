@@ -94,7 +94,7 @@ LevelPatch patchOf(const SampledTexture& texture, const Level& level, const Samp
     for (const PlacedTap& tap : patch.taps) {
         const glm::ivec2 l = glm::min(low, tap.at);
         const glm::ivec2 h = glm::max(high, tap.at);
-        if (h.x - l.x < largestPatch - 2 && h.y - l.y < largestPatch - 2) {
+        if (h.x - l.x < maxPatch - 2 && h.y - l.y < maxPatch - 2) {
             low = l;
             high = h;
         }
@@ -107,7 +107,7 @@ LevelPatch patchOf(const SampledTexture& texture, const Level& level, const Samp
         patch.layer = sample.cube->face;
     patch.seamless = sample.seamless;
     constexpr int margin = 1;
-    const int side = std::min(largestPatch, std::max(high.x - low.x, high.y - low.y) + 1 + 2 * margin);
+    const int side = std::min(maxPatch, std::max(high.x - low.x, high.y - low.y) + 1 + 2 * margin);
     patch.size = {side, axes > 1 ? side : 1};
     patch.low = {(low.x + high.x + 1 - side) / 2, axes > 1 ? (low.y + high.y + 1 - side) / 2 : 0};
     const bool linear = !sample.lod.ellipse && chooseLevels(texture, sample.lod).linear;

@@ -17,7 +17,7 @@ namespace {
 constexpr float coordinateSlack = 1e-5F;
 constexpr float lambdaSlack = 1.0F / 64;
 constexpr float timesAsFar = 2; ///< lies the other answer
-constexpr std::size_t mostOthers = 16;
+constexpr std::size_t maxOthers = 16;
 
 /// By how much a coordinate may be off.
 float slackOf(float coordinate) {
@@ -107,7 +107,7 @@ Ties tiesOf(const SampledTexture& texture, glm::vec3 coords, const Derivatives& 
         const SampleRecord other = explainSample(texture, rounded(texture.target, coords, signs), derivatives,
                                                  rounded(options, signs));
         for (const Tap& tap : other.taps)
-            if (found.others.size() < mostOthers && tap.weight > 0 && !isKnown(sample.taps, tap) &&
+            if (found.others.size() < maxOthers && tap.weight > 0 && !isKnown(sample.taps, tap) &&
                 !isKnown(found.others, tap))
                 found.others.push_back(tap);
     }

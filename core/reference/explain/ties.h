@@ -1,6 +1,6 @@
 #pragma once
 
-// Where rounding decides which texels a sample reads: on a tie one answer is as right as the other.
+// Ties: where rounding decides which texels a sample reads, several results are correct.
 
 #include "core/reference/sampling/sample_record.h"
 
@@ -11,40 +11,40 @@
 
 namespace texplorer::reference {
 
-/// A choice that falls otherwise where coordinates differ by 1e-5 of themselves, which OpenGL 2.1, 2.1.1
-/// allows every operation, or lambda by 1/64, which dEQP allows (lodBits = 6).
+/// A choice that changes if coordinates change by 1e-5 of their value, which OpenGL 2.1, 2.1.1 allows for
+/// every operation, or lambda by 1/64, which dEQP allows (lodBits = 6).
 struct Tie {
     enum class Between : std::uint8_t {
-        Texels,  ///< under GL_NEAREST, of an axis of a level
+        Texels,  ///< under GL_NEAREST, for an axis of a level
         Levels,  ///< under GL_..._MIPMAP_NEAREST
-        Filters, ///< of magnification and minification
+        Filters, ///< magnification or minification
         Faces,   ///< of a cube map
     };
     Between between = Between::Texels;
-    int chosen = 0; ///< index, level or face; of Filters the level
-    int other = 0;  ///< what is as right
-    int level = 0;  ///< of Texels
-    int axis = 0;   ///< of Texels: 0 for s
+    int chosen = 0; ///< index, level or face; for Filters the level
+    int other = 0;  ///< the other correct choice
+    int level = 0;  ///< for Texels
+    int axis = 0;   ///< for Texels: 0 for s
 
     bool operator==(const Tie&) const = default;
 };
 
 struct Ties {
     std::vector<Tie> ties;
-    std::vector<Tap> others; ///< the texels that a sample reads then and not now, the first few
+    std::vector<Tap> others; ///< texels that are read only with the other choice; the first few
 };
 
-/// Of a sample that explainSample has made with the other arguments.
+/// The ties of a sample that explainSample made with the other arguments.
 [[nodiscard]] Ties tiesOf(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
                           const SampleOptions& options, const SampleRecord& sample);
 
-/// Which of s, t, r and lambda have to change so that ties fall otherwise; 0: it hasn't to.
+/// Which of s, t, r and lambda must change to decide ties differently.
 [[nodiscard]] glm::bvec4 tiedIn(const std::vector<Tie>& ties, Target target);
 
-/// Every way in which these may be rounded: a sign for each, 0 for what isn't tied.
+/// All combinations of rounding: a sign for each tied value, 0 for the others.
 [[nodiscard]] std::vector<glm::vec4> roundingsOf(glm::bvec4 tied);
 
-/// Coordinates, and the bias of lambda, beyond any tie in the direction of these signs.
+/// Returns coordinates, and the bias of lambda, moved beyond all ties in the direction of these signs.
 [[nodiscard]] glm::vec3 rounded(Target target, glm::vec3 coords, glm::vec4 signs);
 [[nodiscard]] SampleOptions rounded(SampleOptions options, glm::vec4 signs);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// From shaded vertices to what is rasterised: flat colours, clipping, set-up.
+// Primitive assembly: flat colours, clipping and set-up of shaded vertices.
 
 #include "core/mesh/mesh.h"
 #include "core/reference/raster/triangle.h"
@@ -12,7 +12,7 @@
 namespace texplorer::reference {
 
 /// Calls work(indices of the 1 to 3 vertices, number of the part) for the triangles, lines or points of a
-/// mesh, in the order of drawing.
+/// mesh, in drawing order.
 template<class Work>
 void eachPart(const Mesh& mesh, const Work& work) {
     const auto visit = [&](const std::vector<std::uint32_t>& indices, std::size_t corners) {
@@ -24,10 +24,10 @@ void eachPart(const Mesh& mesh, const Work& work) {
     visit(mesh.points, 1);
 }
 
-/// What clipping leaves of parts of one model in one pass, set up.
+/// Clips and sets up parts of one model in one pass.
 class Assembly {
 public:
-    /// `work` is called for each.
+    /// `work` is called for each resulting triangle.
     Assembly(const PassState& pass, const Model& model, Viewport viewport,
              const std::function<void(const Triangle&)>& work)
         : pass_(pass)
@@ -39,7 +39,7 @@ public:
     void add(const ShadedVertex& a, const ShadedVertex& b) const;                        ///< a line
     void add(const ShadedVertex& a) const;                                               ///< a point
 
-    /// A part with these corners, 1 to 3.
+    /// Adds a part with these corners, 1 to 3.
     void add(std::span<const ShadedVertex> corners) const;
 
 private:

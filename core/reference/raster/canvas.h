@@ -11,11 +11,11 @@
 
 namespace texplorer::reference {
 
-/// A picture being drawn: eight bits a component and 24 bits of depth, as the GL framebuffer. The rasteriser
-/// clears it, with what it draws first: a tile that is in a processor's cache is drawn at once.
+/// The framebuffer of a picture: eight bits per component and 24 bits of depth, as in OpenGL. The rasteriser
+/// clears each tile right before it draws there, while it is in the processor's cache.
 struct Canvas {
     Image color;                      ///< Rgba8, bottom row first
-    std::vector<std::uint32_t> depth; ///< one a pixel, if more is to be drawn over it; else empty
+    std::vector<std::uint32_t> depth; ///< one per pixel, if more will be drawn over it; else empty
     std::uint32_t background = 0;     ///< a pixel's four bytes
     bool cleared = false;
 

@@ -10,7 +10,7 @@
 
 namespace texplorer::reference {
 
-inline constexpr int subPixels = 256; // as llvmpipe; the specification asks for some
+inline constexpr int subPixels = 256; // as in llvmpipe; the specification leaves the number open
 
 struct Corner {
     const ShadedVertex* vertex;
@@ -23,7 +23,7 @@ struct Corner {
 
 [[nodiscard]] Corner cornerOf(const ShadedVertex& vertex, Viewport viewport, bool perspective);
 
-/// The pixels whose centres a range of snapped positions holds.
+/// The range of pixels whose centres are in a range of snapped positions.
 [[nodiscard]] constexpr int pixelAtOrAfter(std::int64_t snapped) {
     return static_cast<int>((snapped + subPixels - 1) >> 8);
 }

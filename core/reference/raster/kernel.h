@@ -1,11 +1,10 @@
 #pragma once
 
-// Fragments of a whole picture: the same bytes as shade.h and raster.cpp's literal fragment, which are the
-// text to read, for several pixels of a row at a time.
+// Draws fragments of several pixels of a row at once. The bytes are the same as from shade.h and the literal
+// fragment of raster.cpp, which are easier to read.
 //
-// lanes.inl, sample.inl and shade.inl are the program. It is compiled once for each length of
-// vectors that a processor may have (four_lanes.cpp, eight_lanes.cpp); which one is used is decided at run
-// time.
+// lanes.inl, sample.inl and shade.inl are the source. It is compiled once for each vector length
+// (four_lanes.cpp, eight_lanes.cpp); the one for the processor is chosen at run time.
 
 #include "core/reference/raster/triangle.h"
 #include "core/reference/sampling/fast_sampler.h"
@@ -16,10 +15,10 @@
 
 namespace texplorer::reference {
 
-/// How many pixels are drawn together at most.
+/// The maximum number of pixels that are drawn together.
 inline constexpr int rowCapacity = SampleRow::capacity;
 
-/// Neighbouring pixels of one row of the picture, and where they are kept.
+/// Adjacent pixels of a row of the picture, and their memory.
 struct PixelRow {
     int x; ///< of the first
     int y;
@@ -28,33 +27,32 @@ struct PixelRow {
     std::byte* colors;    ///< four bytes each
 };
 
-/// Whole vectors are read and written: so many pixels beyond the end of a row, at most, are written as they
-/// were.
+/// Whole vectors are read and written: up to so many pixels after the end of a row are rewritten unchanged.
 inline constexpr int rowSlack = 8;
 
-inline constexpr std::uint32_t noTriangle = ~0U; ///< owns a pixel that no triangle covers
+inline constexpr std::uint32_t noTriangle = ~0U; ///< the owner of a pixel without a triangle
 
 struct Kernel {
-    int lanes; ///< how many pixels are computed at once
+    int lanes; ///< number of pixels that are computed at once
 
-    /// The colours of the first `count` places (at most SampleRow::capacity). Room for as many, rounded up to
-    /// a multiple of `lanes`.
+    /// Computes the colours of the first `count` places (at most SampleRow::capacity). The output needs room
+    /// for `count` rounded up to a multiple of `lanes`.
     void (*sample)(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors);
 
     /// Draws pixels of a triangle: depth test, texturing, colour sum, fog, alpha test, blending.
     void (*draw)(const Triangle& triangle, const PixelRow& row);
 
-    /// The same in two steps, for passes that neither blend nor test alpha: first the depth test alone, which
-    /// puts `number` where it succeeds. When all triangles have been marked, what a pixel was given last owns
-    /// it, and no hidden pixel is ever shaded.
+    /// The same in two steps, for passes without blending and alpha test: first the depth test alone, which
+    /// writes `number` where it passes. When all triangles are marked, the last mark of a pixel is its owner,
+    /// so hidden pixels are never shaded.
     void (*mark)(const Triangle& triangle, std::uint32_t number, const PixelRow& row, std::uint32_t* owners);
     void (*shade)(std::span<const Triangle> triangles, const std::uint32_t* owners, const PixelRow& row);
 };
 
-/// Of all lengths that this processor has, the longest first. Never empty.
+/// The kernels that this processor supports, the longest vectors first. Never empty.
 [[nodiscard]] std::span<const Kernel* const> kernels();
 
-/// What kernels() is made of: for every processor; with AVX2, nullptr where it is missing.
+/// The kernels: for every processor; and with AVX2, nullptr if it is missing.
 [[nodiscard]] const Kernel* fourLanes();
 [[nodiscard]] const Kernel* eightLanes();
 

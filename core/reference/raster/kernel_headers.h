@@ -1,7 +1,7 @@
 #pragma once
 
-// What the kernel's text needs. All of it is read before the text, because nothing from outside of it may be
-// compiled for a processor that is not there.
+// The headers of the kernel's source. They are included before it, because code from outside must not be
+// compiled for a processor that may be missing.
 
 #include "core/reference/raster/canvas.h"
 #include "core/reference/raster/kernel.h"

@@ -14,16 +14,16 @@ namespace texplorer::reference {
 
 struct Kernel; // see raster/kernel.h
 
-/// Whether more triangles will be drawn: if none, the depths of the picture are not kept.
+/// Whether more triangles will be drawn later; if not, depths are not stored.
 enum class Remaining { None, More };
 
-/// Draws triangles in their order. Tiles of the picture are drawn by up to `threads` threads; the result is
-/// the same with any number. Stops early when it is asked to. Without a kernel: pixel by pixel, as shade.h
-/// has it; the bytes are the same, only later.
+/// Draws triangles in order. Tiles of the picture are drawn by up to `threads` threads; the result does not
+/// depend on their number. Ends early after a stop request. Without a kernel, pixels are drawn one by one as
+/// in shade.h; the bytes are the same.
 void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Remaining remaining, const Kernel* kernel,
                unsigned threads, const std::stop_token& stop);
 
-/// Pixels of the picture, the limits included; none where one of the first is greater than its last.
+/// A range of pixels, limits included; empty if a first one is greater than its last.
 struct Box {
     int left;
     int right;
@@ -31,12 +31,12 @@ struct Box {
     int top;
 };
 
-/// What a triangle covers of a box, row by row.
+/// The pixels of a box that a triangle covers, row by row.
 class Coverage {
 public:
     Coverage(const Triangle& triangle, Box box);
 
-    /// Whether there is a row left, which the others then describe. It may be one without pixels.
+    /// Whether a current row exists, which the other functions describe. It may have no pixels.
     [[nodiscard]] bool isAtRow() const { return box_.low <= box_.top; }
     [[nodiscard]] int y() const { return box_.low; }
     [[nodiscard]] int first() const {
@@ -60,8 +60,7 @@ public:
     }
 
 private:
-    /// An edge function at x = 0, divided by how it changes along the row: from row to row by additions
-    /// alone.
+    /// An edge function at x = 0, divided by its change per pixel, updated from row to row by additions only.
     struct Side {
         std::int64_t quotient;
         std::int64_t rest; ///< 0 to divisor - 1
@@ -80,13 +79,13 @@ private:
     };
 
     Box box_;
-    std::array<Side, 3> left_; ///< inside is to the right of them
+    std::array<Side, 3> left_; ///< the inside is to their right
     std::array<Side, 3> right_;
     std::size_t leftCount_ = 0;
     std::size_t rightCount_ = 0;
 };
 
-/// Calls work(first x, y, count) for every row of the box in which the triangle covers pixels, upwards.
+/// Calls work(first x, y, count) for every row of the box with covered pixels, upwards.
 template<class Work>
 void eachCoveredRow(const Triangle& triangle, Box box, const Work& work) {
     for (Coverage coverage(triangle, box); coverage.isAtRow(); coverage.next()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The triangles, lines and points of a scene, ready for rasterising, in the order in which OpenGL draws them:
-// pass by pass, in each model by model.
+// The triangles, lines and points of a scene, set up for rasterising, in OpenGL's drawing order: by pass,
+// then by model.
 
 #include "core/reference/raster/triangle.h"
 #include "core/reference/shading/pass_state.h"
@@ -14,7 +14,7 @@
 namespace texplorer::reference {
 
 /// Calls `work` for each, clipped and set up. Their `pass` points into `passes`, which must outlive them.
-/// Leaves out the rest after a stop request.
+/// Ends early after a stop request.
 void eachTriangle(const Scene& scene, std::span<const PassState> passes, double time, Viewport viewport,
                   const std::stop_token& stop, const std::function<void(const Triangle&)>& work);
 

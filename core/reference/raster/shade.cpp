@@ -26,7 +26,7 @@ TexturePlace texturePlace(const Triangle& triangle, std::size_t unit, glm::vec2 
 }
 
 glm::vec4 primaryColor(const Triangle& triangle, glm::vec2 offset) {
-    // A pixel's centre can lie just outside of the unsnapped triangle: hence the clamp.
+    // A pixel's centre can be just outside of the unsnapped triangle, so the colour is clamped.
     if (triangle.evenPrimary)
         return glm::clamp(*triangle.evenPrimary, 0.0F, 1.0F);
     return glm::clamp(triangle.primary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);

@@ -1,7 +1,7 @@
 #pragma once
 
-// A fragment's colour: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum), 3.10 (fog) and 4.1 (what
-// becomes of it).
+// The colour of a fragment: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum), 3.10 (fog) and 4.1
+// (per-fragment operations).
 
 #include "core/reference/raster/canvas.h"
 #include "core/reference/raster/triangle.h"
@@ -13,15 +13,15 @@
 
 namespace texplorer::reference {
 
-/// What a unit samples at: coordinates over q, and how they change from pixel to pixel.
+/// Where a unit samples: coordinates divided by q, and their change per pixel.
 struct TexturePlace {
-    glm::vec4 homogeneous{0}; ///< s, t, r, q as interpolated
+    glm::vec4 homogeneous{0}; ///< s, t, r, q, interpolated
     glm::vec3 coords{0};
     Derivatives derivatives;
 };
 
-/// `offset` is the pixel's centre, relative to the triangle's origin. With q = 0 the coordinates are infinite
-/// or NaN, which the sampler defines.
+/// `offset` is the pixel's centre relative to the triangle's origin. For q = 0 the coordinates are infinite
+/// or NaN, which the sampler handles.
 [[nodiscard]] TexturePlace texturePlace(const Triangle& triangle, std::size_t unit, glm::vec2 offset);
 
 /// Section 2.14.9: clamped to [0, 1].
@@ -30,8 +30,8 @@ struct TexturePlace {
 /// The colour after texturing and colour sum.
 [[nodiscard]] glm::vec4 summedColor(const Triangle& triangle, glm::vec2 offset);
 
-/// Section 3.10: how far a fragment is from the eye's plane. The specification allows it in the place of the
-/// distance from the eye itself. Only for passes with fog.
+/// Section 3.10: the distance of a fragment from the eye's plane, which the specification allows instead of
+/// the distance from the eye. Only for passes with fog.
 [[nodiscard]] float fogDistance(const Triangle& triangle, glm::vec2 offset);
 
 /// The colour after texturing, colour sum and fog.

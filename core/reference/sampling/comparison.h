@@ -4,7 +4,7 @@
 
 namespace texplorer::reference {
 
-/// OpenGL 2.1, sections 3.8.14 and 4.1.6: whether `value` compares with `with` as the function asks.
+/// Whether the comparison of `value` with `with` passes: OpenGL 2.1, sections 3.8.14 and 4.1.6.
 template<class T>
 [[nodiscard]] constexpr bool passes(CompareFunc function, T value, T with) {
     switch (function) {

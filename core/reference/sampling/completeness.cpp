@@ -13,7 +13,7 @@ namespace {
 std::string extents(glm::ivec3 size, int axes) {
     std::string text = std::to_string(size.x);
     for (int axis = 1; axis < axes; ++axis)
-        text += fmt::format(" x {}", size[axis]);
+        text += fmt::format(" × {}", size[axis]);
     return text;
 }
 
@@ -56,8 +56,7 @@ Completeness checkCompleteness(const SampledTexture& texture) {
     const Level* base = texture.level(first);
     if (!base)
         return {Rule::BaseLevelMissing, first,
-                fmt::format("the texture is incomplete: its base level is {}, and there is no such level",
-                            first)};
+                fmt::format("the texture is incomplete: its base level is {}, which does not exist", first)};
     if (Completeness faces = checkFaces(texture, first); !faces.complete())
         return faces;
     if (!wantsMipmaps(texture.minFilter))

@@ -8,20 +8,20 @@ namespace texplorer::reference {
 
 enum class CompletenessRule : std::uint8_t {
     Complete,
-    BaseLevelMissing,  ///< the level that GL_TEXTURE_BASE_LEVEL names does not exist
+    BaseLevelMissing,  ///< the level GL_TEXTURE_BASE_LEVEL does not exist
     BaseAboveMaxLevel, ///< GL_TEXTURE_BASE_LEVEL exceeds GL_TEXTURE_MAX_LEVEL
-    LevelMissing,      ///< the minification filter uses mipmaps, and one is not there
-    LevelSize,         ///< a level has not half the extents of the one before
-    LevelBorder,       ///< a level has another border than the base level
+    LevelMissing,      ///< the minification filter uses mipmaps, and a level is missing
+    LevelSize,         ///< the extents of a level are not half of those of the level before
+    LevelBorder,       ///< a level's border differs from the base level's
     CubeFaces,         ///< the six faces of a cube map are not squares of one size, or one is missing
 };
 
-/// Whether a texture is complete, or which rule it breaks at which level. A texture that is not complete is
-/// drawn as if texturing were switched off for its unit.
+/// Whether a texture is complete, or which rule it violates at which level. A unit with an incomplete texture
+/// is drawn as if texturing were disabled.
 struct Completeness {
     CompletenessRule rule = CompletenessRule::Complete;
-    int level = 0;        ///< where it breaks
-    std::string reason{}; ///< a sentence, with what would mend it; empty where it is complete
+    int level = 0;        ///< the level of the violation
+    std::string reason{}; ///< a sentence with a way to fix it; empty for a complete texture
 
     [[nodiscard]] bool complete() const { return rule == CompletenessRule::Complete; }
 };

@@ -66,8 +66,8 @@ glm::ivec2 indexOf(glm::ivec3 centre, int face, int size) {
 
 /// What is finite stays so: beyond the range of a float it becomes the largest one.
 float asFloat(double value) {
-    constexpr double most = std::numeric_limits<float>::max();
-    return static_cast<float>(std::isfinite(value) ? std::clamp(value, -most, most) : value);
+    constexpr double max = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isfinite(value) ? std::clamp(value, -max, max) : value);
 }
 
 } // namespace

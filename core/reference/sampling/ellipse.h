@@ -1,8 +1,7 @@
 #pragma once
 
 // Anisotropic filtering as an elliptical weighted average (Paul Heckbert, "Fundamentals of Texture Mapping
-// and Image Warping", 1989): what a round pixel sees of a plane is an ellipse of texels, with a Gaussian
-// weight.
+// and Image Warping", 1989): a round pixel projects to an ellipse of texels, weighted by a Gaussian.
 
 #include "core/reference/sampling/depth_texel.h"
 #include "core/reference/sampling/sample_record.h"
@@ -22,11 +21,11 @@ namespace texplorer::reference {
 /// The texels (u, v) around the ellipse's centre with A u^2 + B u v + C v^2 < F, where
 ///     A = (dv/dx)^2 + (dv/dy)^2 + 1, B = -2 (du/dx dv/dx + du/dy dv/dy), C = (du/dx)^2 + (du/dy)^2 + 1 and
 ///     F = A C - B^2 / 4:
-/// one texel is added to both axes, so that the ellipse always holds some. Both sides are written as sums of
-/// squares, which no rounding makes negative, however long and thin it is; doubles hold them all.
+/// one texel is added to both axes, so that the ellipse always contains a texel. Both sides are computed as
+/// sums of squares, which stay positive under rounding for any shape; doubles can represent them.
 class Ellipse {
 public:
-    /// `x` and `y`: how far the sample moves per pixel, in texels.
+    /// `x` and `y`: the change of the position per pixel, in texels.
     Ellipse(glm::dvec2 x, glm::dvec2 y)
         : x_(x)
         , y_(y) {
@@ -34,11 +33,11 @@ public:
         f_ = area * area + glm::dot(x, x) + glm::dot(y, y) + 1;
     }
 
-    /// The halves of the box around it: the roots of C and A.
+    /// Half the size of its bounding box: the roots of C and A.
     [[nodiscard]] glm::dvec2 halfExtent() const {
         return {std::sqrt(x_.x * x_.x + y_.x * y_.x + 1), std::sqrt(x_.y * x_.y + y_.y * y_.y + 1)};
     }
-    /// 0 at the centre, 1 on the rim.
+    /// 0 at the centre, 1 at the edge.
     [[nodiscard]] double radius2(glm::dvec2 at) const {
         const double acrossX = x_.y * at.x - x_.x * at.y;
         const double acrossY = y_.y * at.x - y_.x * at.y;
@@ -51,14 +50,13 @@ private:
     double f_;
 };
 
-/// A texel's index after wrapping, from one that counts on beyond the level: the texel that NEAREST takes at
-/// its centre.
+/// Wraps a texel's index: the texel that NEAREST reads at its centre.
 [[nodiscard]] inline int wrappedTexel(Wrap wrap, int index, int size) {
     const float centre = (static_cast<float>(index) + 0.5F) / static_cast<float>(size);
     return nearestTexel(wrapCoordinate(wrap, centre, size), size);
 }
 
-/// The weighted mean of a level's texels in the pixel's footprint. A picture only.
+/// The weighted mean of a level's texels in the pixel's footprint. Pictures only.
 template<class Recorder>
 glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec3 coords,
                              const Derivatives& derivatives, const Recorder& recorder) {
@@ -70,9 +68,9 @@ glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec
                           glm::dvec2(derivatives.dy) * glm::dvec2(size));
     const glm::vec2 centre(definedCoordinate(coords.s) * size.x - 0.5F,
                            definedCoordinate(coords.t) * size.y - 0.5F);
-    // An extreme footprint has no end of texels; the average of so many tells enough.
-    constexpr double most = 64;
-    const glm::vec2 extent(glm::min(ellipse.halfExtent(), most));
+    // An extreme footprint covers a huge number of texels; the mean of this extent is accurate enough.
+    constexpr double maxExtent = 64;
+    const glm::vec2 extent(glm::min(ellipse.halfExtent(), maxExtent));
     const int u0 = floorToInt(centre.x - extent.x);
     const int u1 = floorToInt(centre.x + extent.x) + 1;
     const int v0 = floorToInt(centre.y - extent.y);
@@ -103,7 +101,7 @@ glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec
     };
     if (total > 0)
         visit([&](glm::ivec3 index, float weight) { take(index, weight / total); });
-    else // so far outside that floats no longer tell texels apart
+    else // so far outside that floats cannot distinguish texels
         take({nearestTexel(wrapCoordinate(texture.wrapS, coords.s, level->width), level->width),
               nearestTexel(wrapCoordinate(texture.wrapT, coords.t, level->height), level->height), 0},
              1);

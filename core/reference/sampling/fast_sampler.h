@@ -7,7 +7,7 @@
 
 namespace texplorer::reference {
 
-/// Places that are sampled together: neighbours in a row of pixels, whose footprints are much alike.
+/// Positions that are sampled together: adjacent pixels of a row, with similar footprints.
 struct SampleRow {
     static constexpr int capacity = 32;
     using Numbers = std::array<float, capacity>;
@@ -23,11 +23,11 @@ struct SampleRow {
     Numbers drdy;
 };
 
-/// A texture and the options of a unit, made ready once for sampling many places. The texture must outlive
-/// it, unchanged.
+/// A texture with a unit's options, prepared for sampling many positions. The texture must outlive it and
+/// stay unchanged.
 struct FastSampler {
-    /// What is to be done for a place: one level or several, of a texture with one axis or two. The rest is
-    /// left to the literal sampler.
+    /// The kind of sampling: one or several levels of a texture with one or two axes. Other cases use the
+    /// literal sampler.
     enum class Kind : std::uint8_t {
         Literal,
         BaseOfOneAxis,
@@ -36,10 +36,10 @@ struct FastSampler {
         LevelsOfTwoAxes,
     };
 
-    /// A level as it is read.
+    /// A level in the form in which it is read.
     struct Plane {
         const glm::vec4* texels = nullptr;
-        const std::int32_t* bytes = nullptr; ///< the same, where the level has them
+        const std::int32_t* bytes = nullptr; ///< the same as bytes, if the level has them
         int width = 1;
         int height = 1;
         float fWidth = 1;
@@ -54,7 +54,7 @@ struct FastSampler {
     bool readsR = true; ///< of a SampleRow: r and its derivatives
     bool readsDerivatives = true;
     std::array<Plane, maxLevels> planes{}; ///< from the base level on
-    float lastStep = 0;                    ///< the last of them that minification uses
+    float lastStep = 0;                    ///< the last level that minification uses
     float bias = 0;
     float switchOver = 0;
     float maxProbes = 1;
@@ -63,7 +63,7 @@ struct FastSampler {
     FastSampler(const SampledTexture& texture, const SampleOptions& options);
 };
 
-/// sample() of sampler.h for `count` places from `first` on.
+/// Calls sample() of sampler.h for `count` positions from `first` on.
 void sampleLiterally(const FastSampler& sampler, const SampleRow& row, int first, int count,
                      glm::vec4* colors);
 

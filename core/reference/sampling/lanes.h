@@ -1,6 +1,6 @@
 #pragma once
 
-// Four numbers at a time, which every processor can: SSE2 on x86-64.
+// Four numbers at a time, which every processor supports: SSE2 on x86-64.
 
 #include <glm/vec4.hpp>
 

@@ -36,7 +36,7 @@ int probeCount(double longer, double shorter, float limit) {
     return std::max(1, static_cast<int>(std::min({ratio, limit, 1024.0F})));
 }
 
-/// Mesa's ellipse is for pictures, whatever their filters are; other targets take the probes.
+/// Mesa's ellipse is for pictures with any filters; other targets use the probes.
 bool averagesOverEllipse(const SampledTexture& texture, const SampleOptions& options) {
     return options.anisotropy == AnisotropyMethod::Ellipse && texture.target == Target::Texture2D;
 }

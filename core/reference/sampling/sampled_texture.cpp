@@ -26,10 +26,10 @@ Values valuesOf(const FormatFacts& facts, std::size_t component) {
     if (facts.encoding == Encoding::Srgb && component < 3)
         return LinearLight::table().exactLight;
     const int bits = facts.bits.at(component) == 0 ? 8 : std::min<int>(facts.bits.at(component), 8);
-    const auto largest = static_cast<float>(largestNumber(bits));
+    const auto max = static_cast<float>(maxNumber(bits));
     Values values{};
     for (std::size_t byte = 0; byte < values.size(); ++byte)
-        values[byte] = static_cast<float>(storedNumber(static_cast<int>(byte), bits)) / largest;
+        values[byte] = static_cast<float>(storedNumber(static_cast<int>(byte), bits)) / max;
     return values;
 }
 
@@ -157,9 +157,8 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
             level.bytes = bytesOf(level.texels);
     }
     if (levels.driverFormat)
-        notes.push_back(fmt::format(
-            "what a driver compresses to is its own affair: compressed to {} by Texplorer's encoder",
-            rowOf(*levels.driverFormat).name));
+        notes.push_back(fmt::format("drivers compress differently: compressed to {} by Texplorer's encoder",
+                                    rowOf(*levels.driverFormat).name));
     setParameters(sampled, texture, levels.lastLevel);
     return sampled;
 }

@@ -6,8 +6,8 @@
 
 namespace texplorer::reference {
 
-/// Whether a texel lies neither in the level nor in its own border: then the border colour stands for it
-/// (OpenGL 2.1, section 3.8.8, below equation 3.23).
+/// Whether a texel is neither in the level nor in its border image: then the border colour is used (OpenGL
+/// 2.1, section 3.8.8, below equation 3.23).
 [[nodiscard]] inline bool isBeyond(const Level& level, glm::ivec3 index, int axes) {
     for (int axis = 0; axis < axes; ++axis) {
         if (index[axis] < -level.border || index[axis] >= level.size()[axis] + level.border)

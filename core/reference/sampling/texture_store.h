@@ -10,31 +10,31 @@
 
 namespace texplorer::reference {
 
-/// A texture that is ready to be sampled, and what is left to do for it.
+/// A texture prepared for sampling.
 struct StoredTexture {
     SampledTexture sampled;
     LateFlip lateFlip = LateFlip::None;
-    bool complete = false; ///< where it isn't, the unit is drawn as if it were off
+    bool complete = false; ///< if false, the unit is drawn as if it were disabled
 };
 
-/// The sampled textures of a scene, one for each texture and target. Levels are made again when the pixels or
-/// what is made of them changed (imageSettings).
+/// The sampled textures of a scene, one for each texture and target. Levels are made again if the pixels or
+/// the settings that change them (imageSettings) have changed.
 class TextureStore {
 public:
-    /// Brings one of the scene's textures up to date; nullptr where it can't be drawn, or the work was
-    /// stopped. What was returned before stays valid until `keepOnly`. Sentences about what stands in the
-    /// way, or was done otherwise than asked for, are added to `problems`.
+    /// Updates one of the scene's textures; returns nullptr if it cannot be drawn or the work was stopped.
+    /// Earlier results stay valid until `keepOnly`. Sentences about errors and changed settings are added to
+    /// `problems`.
     [[nodiscard]] const StoredTexture* prepare(const Scene& scene, std::size_t index, Target target,
                                                const ImageSource& images, const LevelWork& work,
                                                std::vector<std::string>& problems);
 
-    /// Forgets what no unit of the scene samples: at 16 bytes a texel, it is not kept for later.
+    /// Removes textures that no unit of the scene samples: at 16 bytes per texel, they are not cached.
     void keepOnly(const Scene& scene);
 
 private:
     struct Slot {
-        TexturePictures pictures; ///< held, so that no others can come to have these addresses
-        Texture settings;         // those of imageSettings
+        TexturePictures pictures; ///< held, so that their addresses are not reused
+        Texture settings;         // from imageSettings
         StoredTexture texture;
         int lastLevel = 1000;
         std::vector<std::string> notes; // repeated with every picture

@@ -1,9 +1,9 @@
 #pragma once
 
-// Texture wrap modes: OpenGL 2.1, section 3.8.7, and the choice of texels in 3.8.8.
+// Texture wrap modes: OpenGL 2.1, section 3.8.7, and the selection of texels in 3.8.8.
 //
-// The specification clamps a coordinate s and then multiplies it by the number of texels N. Here u = s N is
-// clamped, to the limits times N: the same in mathematics, and 1/2 is exact where 1/(2 N) is not.
+// The specification clamps a coordinate s and then multiplies it by the number of texels N. Here, u = s N is
+// clamped to the limits times N: mathematically the same, but 1/2 is exact and 1/(2 N) is not.
 
 #include "core/gl/sampling.h"
 
@@ -12,25 +12,26 @@
 
 namespace texplorer::reference {
 
-/// A coordinate that is NaN or infinite has no place in a texture; it counts as 0.
+/// NaN and infinite coordinates become 0.
 [[nodiscard]] inline float definedCoordinate(float coordinate) {
     return std::isfinite(coordinate) ? coordinate : 0.0F;
 }
 
-/// Rounds down to an int; what no int can hold becomes the nearest that we let occur, NaN becomes 0.
+/// Rounds down to an int; values out of range become the nearest allowed one, NaN becomes 0.
 [[nodiscard]] inline int floorToInt(float value) {
     constexpr float limit = 0x1p30F;
     return static_cast<int>(std::floor(value >= -limit ? std::min(value, limit) : value < 0 ? -limit : 0.0F));
 }
 
-/// The distance of s from the nearest even integer, in [0, 1]: 0.25 stays, 1.25 becomes 0.75, -0.25 0.25.
+/// The distance of s from the nearest even integer, in [0, 1]: 0.25 stays, 1.25 becomes 0.75, -0.25 becomes
+/// 0.25.
 [[nodiscard]] inline float mirror(float s) {
     const float whole = std::floor(s);
     const float fraction = s - whole;
     return std::fmod(whole, 2.0F) == 0.0F ? fraction : 1 - fraction;
 }
 
-/// u: where the coordinate lies in a row of `size` texels, texel i reaching from i to i + 1.
+/// u: the position of the coordinate in a row of `size` texels; texel i reaches from i to i + 1.
 [[nodiscard]] inline float wrapCoordinate(Wrap wrap, float coordinate, int size) {
     const float s = definedCoordinate(coordinate);
     const auto n = static_cast<float>(size);
@@ -49,13 +50,13 @@ namespace texplorer::reference {
     return 0;
 }
 
-/// Under NEAREST: the texel that holds u. u = N, the far rim, still belongs to the last one.
+/// Under NEAREST: the texel that contains u. u = N, the end, belongs to the last one.
 [[nodiscard]] inline int nearestTexel(float u, int size) {
     return u == static_cast<float>(size) ? size - 1 : floorToInt(u);
 }
 
-/// Under LINEAR: the texels on both sides of u, and how far it is from the centre of the first to that of the
-/// second. Indices outside of [0, size) lie in the border, but for GL_REPEAT, where the rims are neighbours.
+/// Under LINEAR: the texels on both sides of u, and its position between their centres. Indices outside of
+/// [0, size) are border, except for GL_REPEAT, where the ends are adjacent.
 struct TexelPair {
     int first;
     int second;

@@ -1,6 +1,6 @@
 #pragma once
 
-// GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25, with crossbar: an argument may be the texture
+// GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25, with crossbar: an argument can be the texture
 // colour of any unit.
 
 #include "core/gl/combine.h"
@@ -10,8 +10,8 @@
 
 namespace texplorer::reference {
 
-/// `textures` are the texture source colours of all units, for the crossbar; one that is not there (its unit
-/// is off) makes the result undefined: the incoming colour is passed on.
+/// `textures` are the texture source colours of all units, for the crossbar. If one is missing (its unit is
+/// off), the result is undefined: the incoming colour is returned.
 [[nodiscard]] EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inputs,
                                          std::span<const glm::vec4* const> textures = {});
 
@@ -19,8 +19,8 @@ namespace texplorer::reference {
 [[nodiscard]] EnvironmentResult evaluateUnclamped(const Combine& combine, const EnvironmentInputs& inputs,
                                                   std::span<const glm::vec4* const> textures = {});
 
-/// The equations of the colour and of alpha, the arguments spelled as what they are: Cs and As of the
-/// texture, Cs2 of unit 2's, Cp of the incoming colour, Cf of the primary one, Cc of the constant.
+/// The equations of the colour and of alpha with their actual arguments: Cs and As of the texture, Cs2 of
+/// unit 2's, Cp the incoming colour, Cf the primary colour, Cc the constant.
 [[nodiscard]] EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs& inputs,
                                                std::span<const glm::vec4* const> textures = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// From the coordinates that a vertex is given to those that its unit looks texels up with: OpenGL 2.1,
-// sections 2.11.4 (generation) and 2.11.2 (texture matrix).
+// From a vertex's texture coordinates to those that its unit samples at: OpenGL 2.1, sections 2.11.4
+// (generation) and 2.11.2 (texture matrix).
 
 #include "core/mesh/mesh.h"
 #include "core/reference/shading/tex_gen.h"
@@ -12,7 +12,7 @@
 
 namespace texplorer::reference {
 
-/// From a model's vertices to eye coordinates.
+/// Transforms a model's vertices to eye coordinates.
 class EyeSpace {
 public:
     explicit EyeSpace(const glm::mat4& modelview);
@@ -21,13 +21,13 @@ public:
 
 private:
     glm::mat4 modelview_;
-    glm::mat3 normal_; ///< the inverse transpose of modelview (section 2.11.3), but for a factor
+    glm::mat3 normal_; ///< the inverse transpose of modelview (section 2.11.3), up to a factor
 };
 
-/// t becomes q - t: upside down, as a matrix.
+/// The matrix that flips an image: t becomes q - t.
 [[nodiscard]] glm::mat4 upsideDown();
 
-/// What a unit multiplies by: GL_TEXTURE, and before it, where the picture is turned so, the flip.
+/// The matrix of a unit: GL_TEXTURE, after the flip if the image is flipped by the matrix.
 [[nodiscard]] glm::mat4 coordinateMatrix(const Unit& unit, LateFlip flip, double time, const Light& light);
 
 /// The coordinates before the matrix.

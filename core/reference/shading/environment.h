@@ -1,6 +1,6 @@
 #pragma once
 
-// What a texture unit makes of the incoming colour and the filtered one: OpenGL 2.1, section 3.8.13.
+// The texture environment: OpenGL 2.1, section 3.8.13.
 
 #include "core/gl/environment.h"
 
@@ -12,42 +12,43 @@
 
 namespace texplorer::reference {
 
-/// The colours that an environment can see, each clamped to [0, 1].
+/// The inputs of an environment, each clamped to [0, 1].
 struct EnvironmentInputs {
-    glm::vec4 previous{1}; ///< Cp, Ap: of the unit before; of unit 0 the primary colour (Cf, Af)
-    glm::vec4 source{1};   ///< Cs, As: the texture source colour (table 3.20)
+    glm::vec4 previous{
+        1};              ///< Cp, Ap: the colour of the previous unit; for unit 0 the primary colour (Cf, Af)
+    glm::vec4 source{1}; ///< Cs, As: the texture source colour (table 3.20)
     glm::vec4 constant{0}; ///< Cc, Ac: GL_TEXTURE_ENV_COLOR
-    glm::vec4 primary{1};  ///< Cf, Af: seen by COMBINE alone
+    glm::vec4 primary{1};  ///< Cf, Af: used only by COMBINE
 };
 
 struct EnvironmentResult {
     glm::vec4 color{0};
-    /// The specification leaves this combination undefined: the incoming colour is passed on.
+    /// The specification leaves this combination undefined; the incoming colour is returned.
     bool undefined = false;
 };
 
-/// Everything that tables 3.21 and 3.22 compute, of one component or of alpha.
+/// All functions of tables 3.21 and 3.22, for a colour component or for alpha.
 enum class EnvFunction : std::uint8_t { Previous, Source, Product, Sum, Decal, Blend, Undefined };
 
-/// A cell of the tables: what becomes of the colour, and what of alpha. Both Undefined where the
-/// specification says so, and for COMBINE.
+/// A cell of the tables: the functions of colour and alpha. Both are Undefined where the specification says
+/// so, and for COMBINE.
 struct EnvCell {
     EnvFunction color;
     EnvFunction alpha;
 };
 [[nodiscard]] EnvCell environmentCell(EnvMode mode, BaseFormat format);
 
-/// Tables 3.21 (REPLACE, MODULATE, DECAL) and 3.22 (BLEND, ADD). COMBINE has more state: see combine.h; here
-/// it counts as undefined.
+/// Tables 3.21 (REPLACE, MODULATE, DECAL) and 3.22 (BLEND, ADD). COMBINE has more state (see combine.h); here
+/// it is undefined.
 [[nodiscard]] EnvironmentResult evaluate(EnvMode mode, BaseFormat format, const EnvironmentInputs& inputs);
 
-/// One line of an equation, for a reader: "Cv = Cp * Cs" and, for red, "0.5 * 0.4 = 0.2".
+/// An equation for users: "Cv = Cp * Cs" and, for red, "0.5 * 0.4 = 0.2".
 struct Equation {
     std::string symbols;
-    std::vector<std::string> numbers; ///< one for each component that the line computes: 3 or 1
+    std::vector<std::string> numbers; ///< one for each component: 3 or 1
 };
 
-/// The equations of the colour and of alpha; with their numbers.
+/// The equations of the colour and of alpha, with their numbers.
 struct EnvironmentEquations {
     Equation color;
     Equation alpha;

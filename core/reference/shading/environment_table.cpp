@@ -80,7 +80,7 @@ std::string printedEquation(std::string_view symbols) {
     std::string printed;
     for (std::size_t at = 0; at < symbols.size(); ++at) {
         if (symbols[at] == '*')
-            ++at; // what stands beside each other is multiplied
+            ++at; // adjacent symbols are multiplied
         else if (symbols[at] == '-')
             printed += "−";
         else

@@ -11,20 +11,19 @@ struct Operand {
     float value;
 };
 
-/// The equation with every symbol replaced by its value. Symbols stand in words of their own: "Cp * (1 -
-/// Cs)".
+/// Replaces every symbol of the equation by its value. Symbols are separate words: "Cp * (1 - Cs)".
 [[nodiscard]] std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands);
 
-/// "0.5 * 0.4 = 0.2", with the clamp to 0 … 1 where it takes effect.
+/// "0.5 * 0.4 = 0.2", with the clamp to 0 … 1 if it changes the result.
 [[nodiscard]] std::string withResult(std::string_view numbers, float result);
 
-/// With the signs that one writes by hand: "Cp × (1 − Cs)".
+/// Replaces the operators by those of handwriting: "Cp × (1 − Cs)".
 [[nodiscard]] std::string withHandSigns(std::string equation);
 
-/// "0.25", "1", "0.3333": at most four digits after the point.
+/// "0.25", "1", "0.3333": at most four decimal places.
 [[nodiscard]] std::string shortNumber(float value);
 
-/// The same, with as many digits as tell it from `other`: 0.50001 isn't 0.5.
+/// The same, with enough digits to distinguish it from `other`: 0.50001 does not read 0.5.
 [[nodiscard]] std::string shortNumber(float value, float other);
 
 } // namespace texplorer::reference

@@ -9,8 +9,8 @@
 
 namespace texplorer::reference {
 
-/// Section 4.1.4: alpha and the reference are compared as fixed-point numbers, with the eight bits that the
-/// framebuffer has for alpha (section 2.14.9). NaN counts as 0.
+/// Section 4.1.4: alpha and the reference are compared as fixed-point numbers with the framebuffer's eight
+/// bits of alpha (section 2.14.9). NaN becomes 0.
 [[nodiscard]] constexpr bool passes(CompareFunc function, float alpha, float reference) {
     const auto fixedPoint = [](float value) {
         return value > 0 ? static_cast<int>((value < 1 ? value : 1) * 255 + 0.5F) : 0;

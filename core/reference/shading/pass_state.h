@@ -1,6 +1,6 @@
 #pragma once
 
-// A pass as the reference draws it: what a Scene says, looked up once.
+// The state of a pass for the reference: evaluated once from a Scene.
 
 #include "core/reference/sampling/fast_sampler.h"
 #include "core/reference/sampling/lod.h"
@@ -16,39 +16,39 @@
 
 namespace texplorer::reference {
 
-/// A unit that takes part. Its coordinates are matrix * coordinate.
+/// A unit that is used. Its coordinates are matrix * coordinate.
 struct UnitState {
-    const SampledTexture* texture = nullptr; ///< nullptr: the unit is off, or its texture incomplete
-    const Unit* unit = nullptr;              ///< what the scene says of it
+    const SampledTexture* texture = nullptr; ///< nullptr: the unit is off, or its texture is incomplete
+    const Unit* unit = nullptr;              ///< the unit in the scene
     glm::vec4 envColor{0};                   ///< clamped
     SampleOptions sampling{};
     FastSampler sampler{}; ///< of `texture`, with `sampling`
     glm::mat4 matrix{1};
-    LateFlip flip = LateFlip::None; ///< with Coordinates t becomes q - t before generation
+    LateFlip flip = LateFlip::None; ///< for Coordinates, t becomes q - t before generation
 };
 
-/// What a unit that has a texture does to the colour.
+/// What a unit with a texture does to the colour.
 struct TextureStep {
     std::size_t unit = 0;
-    EnvCell cell{}; ///< undefined if it combines
+    EnvCell cell{}; ///< undefined for COMBINE
     bool combines = false;
 };
 
 struct PassState {
     const Pass* pass = nullptr;
     std::array<UnitState, maxUnits> units{};
-    int unitsUsed = 0; ///< one more than the last unit that takes part
+    int unitsUsed = 0; ///< one more than the last unit that is used
     std::array<TextureStep, maxUnits> steps{};
     std::size_t stepCount = 0;
     bool flat = false;
-    bool perspective = true;       ///< off: GL_PERSPECTIVE_CORRECTION_HINT is GL_FASTEST
+    bool perspective = true;       ///< false: GL_PERSPECTIVE_CORRECTION_HINT is GL_FASTEST
     bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)
     const Fog* fog = nullptr;      ///< nullptr: none
-    bool twoSided = false;         ///< what is seen from behind has colours of its own (section 2.14.1)
+    bool twoSided = false;         ///< back faces have colours of their own (section 2.14.1)
 };
 
-/// Every pass of the scene; `sampling` is what all units share. Sentences about what could not be drawn are
-/// added to `problems`.
+/// Every pass of the scene; `sampling` has the options common to all units. Sentences about what could not be
+/// drawn are added to `problems`.
 [[nodiscard]] std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
                                                 const LevelWork& work, const SampleOptions& sampling,
                                                 TextureStore& store, std::vector<std::string>& problems);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The framebuffer's eight bits a component.
+// The framebuffer's eight bits per component.
 
 #include <glm/vec4.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace texplorer::reference {
 
-/// Section 2.14.9: clamped, and rounded to the nearest of 256 values. NaN becomes 0.
+/// Section 2.14.9: clamps, and rounds to the nearest of 256 values. NaN becomes 0.
 inline void store(glm::vec4 color, std::byte* pixel) {
     for (int i = 0; i < 4; ++i) {
         const float value = color[i] > 0 ? std::min(color[i], 1.0F) : 0;

@@ -9,7 +9,7 @@
 
 namespace texplorer::reference {
 
-/// What generation starts from. The normal is in eye coordinates, of unit length.
+/// The inputs of generation. The normal is in eye coordinates and has unit length.
 struct GenerationInputs {
     glm::vec4 object{0, 0, 0, 1};
     glm::vec4 eye{0, 0, 0, 1};
@@ -19,8 +19,8 @@ struct GenerationInputs {
 /// The reflection vector r = u - 2 n (n . u), where u points from the eye to the vertex.
 [[nodiscard]] glm::vec3 reflectionVector(const GenerationInputs& inputs);
 
-/// `given` with each of s, t, r and q that the unit generates in its place. A mode that GL refuses for a
-/// coordinate (a sphere map for r) leaves GL's initial one, GL_EYE_LINEAR.
+/// Returns `given` with the coordinates that the unit generates replaced. A mode that GL refuses for a
+/// coordinate (a sphere map for r) leaves GL's initial mode, GL_EYE_LINEAR.
 [[nodiscard]] glm::vec4 generateCoordinates(const Unit& unit, glm::vec4 given,
                                             const GenerationInputs& inputs);
 

@@ -12,32 +12,32 @@
 
 namespace texplorer::reference {
 
-/// A vertex with everything that it went through.
+/// A vertex with all intermediate values.
 struct VertexRecord {
     glm::vec4 eye{0, 0, 0, 1};
     glm::vec3 normal{0};                         ///< in eye coordinates, of unit length
-    LightingTerms lighting{};                    ///< where the pass is lit
-    LightingTerms backLighting{};                ///< the same from behind, where both sides are lit
+    LightingTerms lighting{};                    ///< if the pass is lit
+    LightingTerms backLighting{};                ///< the same for back faces, with two-sided lighting
     std::array<glm::vec4, maxUnits> generated{}; ///< coordinates before the texture matrix
     ShadedVertex shaded;
 };
 
-/// Where corners may lie: a driver that has `bits` of GL_SUBPIXEL_BITS and computes everything from corners
-/// that it has snapped to as many, in a picture of these pixels. 0 bits: anywhere.
+/// The grid of corner positions: for a driver that has `bits` of GL_SUBPIXEL_BITS and computes everything
+/// from snapped corners, in a picture of this size. 0 bits: no grid.
 struct CornerGrid {
     int width = 1;
     int height = 1;
     int bits = 0;
 };
 
-/// One vertex of a model: clip coordinates, colours and generated coordinates. `modelview` and `projection`
-/// as in section 2.11.
+/// Transforms and lights the vertices of a model: clip coordinates, colours and generated coordinates.
+/// `modelview` and `projection` as in section 2.11.
 class VertexStage {
 public:
     VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
                 const glm::mat4& modelview, const glm::mat4& projection, const CornerGrid& grid);
 
-    /// `texCoords` holds one coordinate a unit, as the scene gives them.
+    /// `texCoords` has one coordinate per unit, as given by the scene.
     [[nodiscard]] ShadedVertex operator()(const Vertex& vertex,
                                           const std::array<glm::vec4, maxUnits>& texCoords) const {
         return explain(vertex, texCoords).shaded;
@@ -46,24 +46,24 @@ public:
     [[nodiscard]] VertexRecord explain(const Vertex& vertex,
                                        const std::array<glm::vec4, maxUnits>& texCoords) const;
 
-    /// The clip coordinates alone.
+    /// Only the clip coordinates.
     [[nodiscard]] glm::vec4 clip(const Vertex& vertex) const;
 
 private:
     const Scene& scene_;
     const PassState& pass_;
     const Material& material_;
-    bool colored_; ///< whether a vertex's colour takes the place of glColor
+    bool colored_; ///< a vertex's colour replaces glColor
     EyeSpace eye_;
     glm::mat4 clip_;
     CornerGrid grid_;
 };
 
-/// The coordinates of a model's vertices, a list for each unit that takes part in a pass.
+/// The coordinates of a model's vertices, a list for each unit that a pass uses.
 [[nodiscard]] std::array<TexCoords, maxUnits>
 givenTexCoords(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh, double time);
 
-/// All vertices of a model, as a pass draws it.
+/// All vertices of a model in a pass.
 [[nodiscard]] std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Mesh& mesh,
                                                       const std::array<TexCoords, maxUnits>& lists,
                                                       const PassState& pass);

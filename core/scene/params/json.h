@@ -10,26 +10,25 @@ namespace texplorer {
 
 inline constexpr int sceneFormatVersion = 1;
 
-/// What the name of a scene file ends in, by which a desktop knows it. Any ".json" is read.
+/// The extension of scene files, which desktops recognise. Any ".json" can be read.
 inline constexpr std::string_view sceneExtension = ".texplorer.json";
 
-/// The longest file that parseScene looks at.
+/// The longest text that parseScene accepts.
 inline constexpr std::size_t maxSceneBytes = std::size_t{16} << 20;
 
-/// Reads a scene file; any number of threads may at once. What a file leaves out keeps its value in
-/// defaultScene(); a list that is present replaces the default's list, and its elements begin with GL's
-/// initial values. Refused, with the JSON pointer in Error::where: unknown and repeated keys, wrong types,
-/// numbers out of range, unknown names, too many elements, a version from the future, coordinates that don't
-/// fit their mesh, an enabled unit without a texture, key frames of what isn't there. Where the text isn't
-/// JSON, `where` is a line and a column.
+/// Parses a scene file; thread-safe. Missing members have their value in defaultScene(); a list that is
+/// present replaces the default list, and its elements begin with GL's initial values. Errors, with the JSON
+/// pointer in Error::where: unknown and repeated keys, wrong types, numbers out of range, unknown names, too
+/// many elements, a later version, coordinates that do not fit their mesh, an enabled unit without a texture,
+/// key frames of parameters that do not exist. If the text is not JSON, `where` is a line and a column.
 [[nodiscard]] Result<Scene> parseScene(std::string_view json);
 
-/// The whole scene with the name of its schema, every parameter written out (a timeline where it has keys);
-/// parseScene(writeScene(s)) == s for every scene that parseScene would accept. Left out: lists of texture
-/// coordinates that are empty or don't fit their mesh, and key frames that don't fit the scene.
+/// Writes the whole scene with the name of its schema and every parameter (the timeline only if it has keys);
+/// parseScene(writeScene(s)) == s for every scene that parseScene accepts. Left out: lists of texture
+/// coordinates that are empty or do not fit their mesh, and key frames that do not fit the scene.
 [[nodiscard]] std::string writeScene(const Scene& scene);
 
-/// The same scene with the fewest words: only what differs from what a file stands for that doesn't say it.
+/// The same scene in its shortest form: only parameters that differ from the values of a file without them.
 [[nodiscard]] std::string writeShortScene(const Scene& scene);
 
 } // namespace texplorer

@@ -46,7 +46,7 @@ ElementNumbers numbersOf(Kind kind) {
 bool isKeyValue(const ParamRow* row) {
     return row && row->member == memberId<&KeyFrame::value>;
 }
-constexpr std::size_t mostNumbersOfAKey = 16; // of such an array: a matrix
+constexpr std::size_t maxNumbersOfKey = 16; // of such an array: a matrix
 
 /// An object or array that has begun and not ended.
 struct Frame {
@@ -174,9 +174,9 @@ std::string Reader::expected() const {
         return "a number between -3.4e38 and 3.4e38";
     case Frame::Kind::Elements: {
         const ElementNumbers numbers = *elementNumbers(frame.row->kind);
-        return numbers.least == numbers.most
-                   ? fmt::format("an array of {} numbers", numbers.most)
-                   : fmt::format("an array of {} to {} numbers", numbers.least, numbers.most);
+        return numbers.min == numbers.max
+                   ? fmt::format("an array of {} numbers", numbers.max)
+                   : fmt::format("an array of {} to {} numbers", numbers.min, numbers.max);
     }
     case Frame::Kind::Indices:
         return "a whole number";
@@ -194,7 +194,7 @@ bool Reader::store(const ParamRow& row, const Value& value) {
 bool Reader::version(std::optional<std::int64_t> number, const std::string& text) {
     if (number && *number > sceneFormatVersion)
         return stop(ErrorCode::Unsupported,
-                    fmt::format("the file has version {}, this Texplorer reads versions up to {}", text,
+                    fmt::format("the file has version {}, but this Texplorer reads versions up to {}", text,
                                 sceneFormatVersion));
     return number && *number >= 1 ? true : refuse(text);
 }
@@ -202,7 +202,7 @@ bool Reader::version(std::optional<std::int64_t> number, const std::string& text
 bool Reader::number(float value, std::optional<std::int64_t> whole, const std::string& text) {
     if (!frames_.empty() && frames_.back().kind == Frame::Kind::Numbers) {
         Frame& frame = frames_.back();
-        const std::size_t limit = isKeyValue(frame.row) ? mostNumbersOfAKey : numbersOf(frame.row->kind).most;
+        const std::size_t limit = isKeyValue(frame.row) ? maxNumbersOfKey : numbersOf(frame.row->kind).max;
         if (frame.count == limit)
             return stop(ErrorCode::OutOfRange,
                         fmt::format("expected {}, found more than {}", describeAccepted(*frame.row), limit));
@@ -316,7 +316,7 @@ bool Reader::start_array(std::size_t) {
         frames_.push_back({.kind = kind, .owner = frame.owner, .row = row});
         return true;
     }
-    if (row && (numbersOf(row->kind).most > 0 || isKeyValue(row))) {
+    if (row && (numbersOf(row->kind).max > 0 || isKeyValue(row))) {
         frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = row});
         return true;
     }
@@ -347,7 +347,7 @@ bool Reader::end_array() {
     case Frame::Kind::Indices:
         // Kept apart from a pass that says nothing, which draws all.
         if (ended.indices.empty() && ended.row->member == memberId<&Pass::models>)
-            return refuse("an empty array; a pass that doesn't name its models draws all");
+            return refuse("an empty array; a pass without a list of models draws all");
         return store(*ended.row, ended.indices);
     case Frame::Kind::Numbers:
         return numbersEnded(ended);
@@ -359,7 +359,7 @@ bool Reader::numbersEnded(const Frame& ended) {
     if (isKeyValue(ended.row))
         return store(*ended.row, formatNumbers({ended.numbers.data(), ended.count}));
     const ElementNumbers expected = numbersOf(ended.row->kind);
-    if (ended.count < expected.least)
+    if (ended.count < expected.min)
         return refuse(std::to_string(ended.count));
     glm::vec4 first = expected.rest;
     std::copy_n(ended.numbers.begin(), std::min<std::size_t>(ended.count, 4), &first.x);

@@ -51,7 +51,7 @@ std::string readableProblem(std::string_view said) {
     if (place == places.end())
         return std::string(said);
     if (problem == "invalid literal") // neither a word nor a sign that JSON has
-        return fmt::format("expected {}, found what is no part of JSON", place->expected);
+        return fmt::format("expected {}, found invalid JSON", place->expected);
     if (!problem.starts_with(unexpected)) // "invalid string: missing closing quote"
         return std::string(problem);
     problem.remove_prefix(unexpected.size());

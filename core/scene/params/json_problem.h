@@ -5,9 +5,9 @@
 
 namespace texplorer {
 
-/// What the JSON library says of a mistake in the grammar ("syntax error while parsing object key -
-/// unexpected end of input; expected string literal"), in words for somebody who wrote the file: "the file
-/// ends in the middle of an object; expected a key in quotes". What isn't understood stays as it is.
+/// Rewrites the JSON library's message about a syntax error ("syntax error while parsing object key -
+/// unexpected end of input; expected string literal") for authors of files: "the file ends in the middle of
+/// an object; expected a key in quotes". Unknown messages are returned unchanged.
 [[nodiscard]] std::string readableProblem(std::string_view said);
 
 } // namespace texplorer

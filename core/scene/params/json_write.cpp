@@ -64,8 +64,8 @@ std::string keyValue(std::string_view text) {
             break;
         rest.remove_prefix(comma + 1);
     }
-    constexpr std::size_t mostNumbers = 16; // a matrix
-    if (parts.size() > mostNumbers || !std::ranges::all_of(parts, isShortestNumber))
+    constexpr std::size_t maxNumbers = 16; // a matrix
+    if (parts.size() > maxNumbers || !std::ranges::all_of(parts, isShortestNumber))
         return jsonText(text);
     if (parts.size() > 1)
         return fmt::format("[{}]", fmt::join(parts, ", "));

@@ -1,7 +1,6 @@
 #pragma once
 
-// The keys of the parameters, taken from their rows by the members: a key is typed in its row and nowhere
-// else.
+// The keys of parameters, looked up in their rows by member, so that each key is written only in its row.
 
 #include "core/scene/params/params.h"
 
@@ -13,12 +12,12 @@
 
 namespace texplorer {
 
-// The keys of a scene file that are no parameters.
+// The keys of a scene file that are not parameters.
 inline constexpr std::string_view versionKey = "version";
-inline constexpr std::string_view schemaKey = "$schema"; ///< for editors that check while one types
+inline constexpr std::string_view schemaKey = "$schema"; ///< for editors that validate files
 
-/// The key in the row of a member. A member with several rows (Model::texCoords) has `element` of them before
-/// it.
+/// The key in the row of a member. For a member with several rows (Model::texCoords), `element` is the index
+/// among them.
 [[nodiscard]] std::string_view findKey(MemberId member, std::size_t element = 0);
 
 /// keyOf<&Texture::minFilter>() is "minFilter", keyOf<&Scene::light>() is "light".
@@ -28,7 +27,7 @@ template<auto Member>
     return key;
 }
 
-/// For tables of keys, which are known when a program runs.
+/// For tables of keys, which are evaluated at run time.
 using Key = const std::string& (*)();
 
 /// pathOf<&Scene::light, &Light::ambient>() is "light.ambient".

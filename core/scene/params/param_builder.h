@@ -1,7 +1,7 @@
 #pragma once
 
-// How the tables of params_*.cpp are written: param<&Texture::minFilter>(…) generates a row's read, write and
-// kind from the member itself, so that a row can't disagree with its struct. Only those files include this.
+// The functions for the tables of params_*.cpp: param<&Texture::minFilter>(…) makes a row's read, write and
+// kind from the member itself, so that a row always agrees with its struct. Included only by those files.
 
 #include "core/scene/params/params.h"
 
@@ -18,7 +18,7 @@ struct MemberOf<T O::*> {
     using Owner = O;
     using Type = T;
 };
-/// The struct whose table has the members of `T`: itself, but for a base that has no table of its own.
+/// The struct whose table contains the members of `T`: itself, except for a base without its own table.
 template<class T>
 struct TableOf {
     using Struct = T;
@@ -95,7 +95,7 @@ constexpr std::span<const EnumRow> choicesOf() {
         return {};
 }
 
-/// A row for a member. Numbers need a range; the others leave it out.
+/// A row for a member. Numbers need a range; other types have none.
 template<auto Member>
 constexpr ParamRow param(std::string_view key, std::string_view group, std::string_view label,
                          std::string_view glCall, std::string_view help, Range range = {}) {
@@ -112,7 +112,7 @@ constexpr ParamRow param(std::string_view key, std::string_view group, std::stri
             write<Member>};
 }
 
-/// A row for a vec4 that is a colour: 0 to 1 in each component, as GL clamps it.
+/// A row for a vec4 that is a colour: each component from 0 to 1, GL's clamp.
 template<auto Member>
 constexpr ParamRow color(std::string_view key, std::string_view group, std::string_view label,
                          std::string_view glCall, std::string_view help) {
@@ -153,7 +153,7 @@ constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::
             Kind::TexCoordList, {},  {},    readList, writeList, maxTexCoords};
 }
 
-/// A member that is one struct. Its initial value is the one that its owner gives it.
+/// A member that is one struct. Its initial value is that of its owner.
 template<auto Member>
 ChildRow single(std::string_view key, std::string_view label, const StructTable& table) {
     return {memberId<Member>,
@@ -198,14 +198,14 @@ ChildRow many(std::string_view key, std::string_view label, const StructTable& t
             [](const void* owner, std::size_t index) { return get<Member>(owner)[index] == T{}; }};
 }
 
-/// Stands for any member while members are counted.
+/// Converts to any type, to count members.
 struct Anything {
     template<class T>
     operator T() const;
 };
 
-/// How many members an aggregate has, its base being one: the longest list of initialisers that it takes. A
-/// table whose static_assert compares with it can't forget a member.
+/// The number of members of an aggregate, with its base as one: the longest list of initialisers that it
+/// accepts. A static_assert with it makes sure that a table lacks no member.
 template<class T, class... Initialisers>
 consteval std::size_t memberCount() {
     if constexpr (requires { T{Initialisers{}..., Anything{}}; })

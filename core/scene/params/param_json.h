@@ -6,11 +6,11 @@
 
 namespace texplorer {
 
-/// Keeps the order of its members, and floats as short as they are.
+/// Keeps the order of its members, and writes floats with the fewest digits.
 using OrderedJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
                                          std::uint64_t, float>;
 
-/// The value as scene files hold it; a list of what each vertex has is empty.
+/// The value as in scene files; lists of per-vertex values are written empty.
 [[nodiscard]] OrderedJson jsonValue(const ParamRow& row, const Value& value);
 
 } // namespace texplorer

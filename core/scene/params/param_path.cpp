@@ -57,13 +57,13 @@ std::string pathBelow(const StructTable& table, std::string_view key) {
         std::string path;
         int depth;
     };
-    constexpr int deepest = 4; // of a table that has itself below it there is no end
+    constexpr int maxDepth = 4; // of a table that has itself below it there is no end
     std::deque<Below> waiting{{&table, {}, 0}};
     for (; !waiting.empty(); waiting.pop_front()) {
         const Below at = waiting.front();
         if (findParam(*at.table, key) != nullptr)
             return at.path + std::string(key);
-        if (at.depth == deepest)
+        if (at.depth == maxDepth)
             continue;
         for (const ChildRow& child : at.table->children)
             waiting.push_back({child.table,
@@ -126,13 +126,13 @@ private:
 
     Result<void> enter(const ParamRow& row, const Part& part) {
         if (dotted_)
-            return refuse("it is a value and has no parts, expected the path to end here");
+            return refuse("it is a value without parts: expected the path to end here");
         place_.row = &row;
         if (!part.index)
             return {};
         if (row.member != memberId<&Model::texCoords>)
-            return refuse(isList(row.kind) ? "it is set as a whole, expected no index"
-                                           : "it is a single value, expected no index");
+            return refuse(isList(row.kind) ? "it is set as a whole: expected no index"
+                                           : "it is a single value: expected no index");
         const Model& model = *static_cast<const Model*>(place_.owner);
         const std::size_t count = vertexCountOf(model);
         place_.vertex = parseIndex(*part.index);
@@ -150,7 +150,7 @@ private:
         if (child.indexed != part.index.has_value())
             return refuse(child.indexed
                               ? fmt::format("an index is needed, as in {}[0]; {}", child.key, has(child))
-                              : "it is not a list, expected no index");
+                              : "it is not a list: expected no index");
         std::size_t index = 0;
         if (part.index) {
             const auto parsed = parseIndex(*part.index);
@@ -158,8 +158,7 @@ private:
                 return refuse(
                     fmt::format("expected a number in the brackets, found {}", inQuotes(*part.index)));
             if (*parsed >= child.size(place_.owner))
-                return refuse(
-                    fmt::format("expected the number of one that exists, counted from 0; {}", has(child)));
+                return refuse(fmt::format("expected an existing index, counted from 0; {}", has(child)));
             index = *parsed;
         }
         place_.owner = child.at(place_.owner, index);
@@ -197,7 +196,7 @@ TexCoords filledTexCoords(const Place& place) {
     return list;
 }
 
-/// Positions may come first, whatever the other lists have: those count for nothing until they fit.
+/// Positions may be set first, with any other lists: those have no effect until they fit.
 Result<void> checkMesh(const MeshData& mesh, const ParamRow& row) {
     return row.member == memberId<&MeshData::positions> ? Result<void>() : checkMeshList(mesh, row);
 }

@@ -27,10 +27,10 @@ std::string formatNumbers(std::span<const float> numbers, std::string_view separ
 }
 
 std::string shortened(std::string_view text) {
-    constexpr std::size_t longest = 40;
+    constexpr std::size_t maxNameBytes = 40;
     std::string out;
     while (!text.empty()) {
-        if (out.size() >= longest)
+        if (out.size() >= maxNameBytes)
             return out + "...";
         const std::size_t bytes = std::max<std::size_t>(firstCharacter(text).bytes, 1);
         out += printable(text.substr(0, bytes));

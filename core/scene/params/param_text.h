@@ -1,7 +1,6 @@
 #pragma once
 
-// The pieces that messages about parameters are made of. Input from outside is quoted, cut and made
-// printable.
+// Parts of messages about parameters. Untrusted text is quoted, shortened and made printable.
 
 #include "core/scene/params/params.h"
 
@@ -15,41 +14,40 @@
 
 namespace texplorer {
 
-/// The shortest digits that read back as the same float: "0.1", "1000", "1e-05". Independent of the locale.
+/// The fewest digits that read back as the same float: "0.1", "1000", "1e-05". Independent of the locale.
 [[nodiscard]] std::string formatNumber(float number);
 
-/// Such numbers, one after the other.
+/// Formats several numbers, with a separator.
 [[nodiscard]] std::string formatNumbers(std::span<const float> numbers, std::string_view separator = ",");
 
-/// The text in double quotes, at most about 40 bytes of it, printable
-/// (core/base/printable.h).
+/// The text in double quotes, shortened to about 40 bytes, printable (core/base/printable.h).
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// The same without the quotes, for a name inside a path.
+/// The same without quotes, for a name in a path.
 [[nodiscard]] std::string shortened(std::string_view text);
 
 /// `did you mean "minFilter"?`, or else `expected one of a, b, c`.
 [[nodiscard]] std::string suggestName(std::string_view text, const std::vector<std::string_view>& names);
 
-/// The numbers that an element of a list has for each vertex: so many, or the last ones left out where they
-/// are those of `rest`.
+/// How many numbers per vertex an element of a list has: up to `max`; the last ones beyond `min` can be left
+/// out if they equal those of `rest`.
 struct ElementNumbers {
-    std::size_t least;
-    std::size_t most;
+    std::size_t min;
+    std::size_t max;
     glm::vec4 rest{0, 0, 0, 1};
 
-    /// How many of this element have to be written.
+    /// How many components of this element must be written.
     [[nodiscard]] std::size_t needed(glm::vec4 element) const;
 };
 
-/// Nothing where the kind isn't a list of vectors.
+/// Empty if the kind is not a list of vectors.
 [[nodiscard]] std::optional<ElementNumbers> elementNumbers(Kind kind);
 
-/// The elements of such a list, and back.
+/// Converts such a list to its elements, and back.
 [[nodiscard]] std::vector<glm::vec4> elementsOf(const Value& value);
 [[nodiscard]] Value listOf(Kind kind, const std::vector<glm::vec4>& elements);
 
-/// How many elements a list of any kind has; 0 for what is no list.
+/// The number of elements of a list of any kind; 0 for other values.
 [[nodiscard]] std::size_t listSize(const Value& value);
 [[nodiscard]] bool isList(Kind kind);
 

@@ -167,7 +167,7 @@ std::optional<Value> readElements(Kind kind, const ElementNumbers& numbers, std:
     if (text.empty())
         return listOf(kind, list);
     for (const std::string_view vertex : split(text, ';')) {
-        const auto element = parseVector(vertex, numbers.least, numbers.most, numbers.rest);
+        const auto element = parseVector(vertex, numbers.min, numbers.max, numbers.rest);
         if (!element)
             return std::nullopt;
         list.push_back(*element);
@@ -251,8 +251,8 @@ constexpr ElementNumbers texCoordNumbers{2, 4};
 } // namespace
 
 std::size_t ElementNumbers::needed(glm::vec4 element) const {
-    std::size_t count = most;
-    while (count > least && element[static_cast<int>(count) - 1] == rest[static_cast<int>(count) - 1])
+    std::size_t count = max;
+    while (count > min && element[static_cast<int>(count) - 1] == rest[static_cast<int>(count) - 1])
         --count;
     return count;
 }
@@ -306,8 +306,7 @@ std::string formatTexCoord(glm::vec4 coord) {
 }
 
 Result<glm::vec4> parseTexCoord(std::string_view text) {
-    if (const auto coord =
-            parseVector(text, texCoordNumbers.least, texCoordNumbers.most, texCoordNumbers.rest))
+    if (const auto coord = parseVector(text, texCoordNumbers.min, texCoordNumbers.max, texCoordNumbers.rest))
         return *coord;
     return fail(ErrorCode::OutOfRange,
                 fmt::format("expected 2 to 4 finite numbers separated by commas, found {}", inQuotes(text)));

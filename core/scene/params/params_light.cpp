@@ -9,31 +9,31 @@ using build::param;
 constexpr std::array lightRows{
     param<&Light::position>(
         "position", "Light 0", "Position", "glLightfv(GL_LIGHT0, GL_POSITION, {})",
-        "In eye coordinates: the light travels with the camera. With w = 0 it is a direction "
-        "towards a light that is infinitely far away.",
+        "In eye coordinates, so the light moves with the camera. With w = 0 it is the direction towards an "
+        "infinitely distant light.",
         {-1000, 1000, 0.01F, {}}),
     color<&Light::ambient>("ambient", "Light 0", "Ambient", "glLightfv(GL_LIGHT0, GL_AMBIENT, {})",
-                           "What this light adds everywhere, also on faces that look away from it."),
+                           "The light that this source adds everywhere, also on faces that look away from "
+                           "it."),
     color<&Light::diffuse>(
         "diffuse", "Light 0", "Diffuse", "glLightfv(GL_LIGHT0, GL_DIFFUSE, {})",
-        "The light that a face scatters: the more it looks towards the light, the brighter."),
+        "The light that a face scatters. The more the face looks towards the light, the brighter it is."),
     color<&Light::specular>(
         "specular", "Light 0", "Specular", "glLightfv(GL_LIGHT0, GL_SPECULAR, {})",
-        "The colour of highlights; it shows only where the material's specular isn't black."),
+        "The colour of highlights. It shows only where the material's specular isn't black."),
     color<&Light::modelAmbient>("modelAmbient", "Light model", "Scene ambient",
                                 "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, {})",
-                                "Light that is there without any light source, everywhere the same."),
+                                "Light that needs no light source and is the same everywhere."),
     param<&Light::colorControl>(
         "colorControl", "Light model", "Highlight colour", "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, {})",
-        "Whether the highlight is added before texturing, where the texture dims it, or "
-        "afterwards, where it stays bright."),
+        "Whether the highlight is added before texturing, which dims it, or after texturing, where it "
+        "stays bright."),
     param<&Light::localViewer>(
         "localViewer", "Light model", "Local viewer", "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, {})",
-        "Highlights follow the real direction to the eye instead of one that is the same "
-        "for the whole scene."),
+        "Highlights use the real direction to the eye instead of one direction for the whole scene."),
     param<&Light::twoSide>(
         "twoSide", "Light model", "Two sides", "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, {})",
-        "Faces that look away from the eye are lit with the opposite normal, as the inside of a cup."),
+        "Faces that look away from the eye are lit with the opposite normal, such as the inside of a cup."),
 };
 
 constexpr std::array projectorRows{
@@ -41,12 +41,13 @@ constexpr std::array projectorRows{
                               "The point that the light looks at, in eye coordinates.",
                               {-1000, 1000, 0.01F, {}}),
     param<&Projector::fieldOfView>("fieldOfView", "Projector", "Field of view", "",
-                                   "How wide the light's square picture is, from edge to edge.",
+                                   "The angle of the light's square picture, from edge to edge.",
                                    {1, 160, 0.25F, "deg"}),
     param<&Projector::nearest>("nearest", "Projector", "Near", "",
                                "The distance from the light whose depth is 0.", {0.001F, 1000, 0.01F, {}}),
     param<&Projector::farthest>("farthest", "Projector", "Far", "",
-                                "The distance from the light whose depth is 1; beyond the near one.",
+                                "The distance from the light whose depth is 1. It is greater than the near "
+                                "one.",
                                 {0.001F, 10000, 0.05F, {}}),
 };
 static_assert(projectorRows.size() == 4 && projectorRows.size() == build::memberCount<Projector>());
@@ -54,12 +55,12 @@ static_assert(projectorRows.size() == 4 && projectorRows.size() == build::member
 constexpr std::array materialRows{
     color<&Material::color>(
         "color", "Material", "glColor", "glColor4f({})",
-        "The fragment's colour before texturing. Under lighting it is the ambient and diffuse "
-        "reflectance where the next switch says so."),
+        "The fragment's colour before texturing. With lighting it is the ambient and diffuse reflectance "
+        "if the next switch is on."),
     param<&Material::colorMaterial>(
         "colorMaterial", "Material", "Colour material", "glEnable(GL_COLOR_MATERIAL)",
-        "Whether glColor is the ambient and diffuse reflectance under lighting. Without it those below are, "
-        "and glColor counts for nothing there."),
+        "With lighting, glColor sets the ambient and diffuse reflectance. If off, the two below are used "
+        "and glColor has no effect."),
     color<&Material::ambient>("ambient", "Material", "Ambient",
                               "glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, {})",
                               "How much of the ambient light the surface scatters."),
@@ -68,13 +69,14 @@ constexpr std::array materialRows{
         "How much of the light's diffuse colour the surface scatters; its alpha is the fragment's."),
     color<&Material::specular>(
         "specular", "Material", "Specular", "glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {})",
-        "How much of the light's specular colour the surface mirrors; black has no highlight."),
+        "How much of the light's specular colour the surface reflects. Black has no highlight."),
     color<&Material::emission>("emission", "Material", "Emission",
                                "glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, {})",
-                               "What the surface shines with itself, without any light."),
+                               "The light that the surface emits by itself."),
     param<&Material::shininess>(
         "shininess", "Material", "Shininess", "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, {})",
-        "The exponent of the highlight: the larger, the smaller and sharper it is.", {0, 128, 0.5F, {}}),
+        "The exponent of the highlight. The larger it is, the smaller and sharper the highlight.",
+        {0, 128, 0.5F, {}}),
     param<&Material::shadeModel>(
         "shadeModel", "Material", "Shading", "glShadeModel({})",
         "Whether lighting is interpolated across a triangle. Texture coordinates always are."),

@@ -6,16 +6,17 @@ namespace {
 using build::param;
 
 constexpr std::array keyFrameRows{
-    param<&KeyFrame::time>("time", "Key", "Time", "", "When the parameter has this value.",
+    param<&KeyFrame::time>("time", "Key", "Time", "", "The time at which the parameter has this value.",
                            {0, maxKeyTime, 0.02F, "s"}),
-    param<&KeyFrame::path>("path", "Key", "Parameter", "",
-                           "Which parameter it is, by its path, as --set has it."),
+    param<&KeyFrame::path>("path", "Key", "Parameter", "", "The path of the parameter, as --set takes it."),
     param<&KeyFrame::value>(
         "value", "Key", "Value", "",
-        "What the parameter is then, as --set takes it. Between two keys there is what lies between them; "
-        "names, and what is on or off, stay until the next key comes. In a file, numbers and arrays of "
-        "numbers may stand without quotes."),
-    param<&KeyFrame::easing>("easing", "Key", "Easing", "", "How it goes from here to its next key."),
+        "The value of the parameter at that time, as --set takes it. Numbers are interpolated between two "
+        "keys; names and switches keep their value until the next key. In a file, numbers and arrays of "
+        "numbers may be written without quotes."),
+    param<&KeyFrame::easing>("easing", "Key", "Easing", "",
+                             "How the value changes from this key to the "
+                             "next one."),
 };
 static_assert(keyFrameRows.size() == 4 && keyFrameRows.size() == build::memberCount<KeyFrame>());
 static_assert(build::memberCount<Timeline>() == 1);

@@ -13,20 +13,20 @@ constexpr std::array unitRows{
     param<&Unit::enabled>("enabled", "Unit", "Enabled", "glEnable(target)",
                           "Whether this unit applies its texture to the result of the units before it."),
     param<&Unit::target>("target", "Unit", "Target", "glEnable({})",
-                         "Whether the texture is a line, a picture, a volume or the six faces of a cube."),
+                         "Whether the texture is a line, an image, a volume or the six faces of a cube."),
     param<&Unit::texture>("texture", "Unit", "Texture", "glBindTexture(target, textures[{}])",
-                          "Which of the scene's textures is bound, counted from 0.",
+                          "The texture of the scene that is bound, counted from 0.",
                           {0, static_cast<float>(maxTextures - 1), 0.05F, {}}),
     param<&Unit::envMode>("envMode", "Environment", "Environment mode",
                           "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {})",
-                          "How the texture's colour and the fragment's colour become one."),
+                          "How the texture's colour and the fragment's colour are combined."),
     color<&Unit::envColor>(
         "envColor", "Environment", "Environment colour",
         "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {})",
         "The constant colour that GL_BLEND mixes in and that GL_COMBINE can use as GL_CONSTANT."),
     param<&Unit::lodBias>("lodBias", "Level of detail", "LOD bias",
                           "glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {})",
-                          "Added to the level of detail: above 0 blurs, below 0 sharpens and aliases.",
+                          "Added to the level of detail. Above 0 blurs, below 0 sharpens and aliases.",
                           {-16, 16, 0.02F, word("levels")}),
 };
 
@@ -37,15 +37,14 @@ constexpr std::array matrixStepRows{
                                {-1000, 1000, 0.01F, {}}),
     param<&MatrixStep::pivot>(
         "pivot", "Step", "About", "",
-        "The point that a rotation or a scale leaves in its place; (0.5, 0.5, 0) is the "
-        "middle of a picture.",
+        "The fixed point of a rotation or a scale. (0.5, 0.5, 0) is the middle of an image.",
         {-1000, 1000, 0.01F, {}}),
     param<&MatrixStep::matrix>("matrix", "Step", "Matrix", "",
-                               "16 numbers, column after column as OpenGL takes them: the last four are the "
+                               "16 numbers, column by column as OpenGL takes them. The last four are the "
                                "offset.",
                                {-1e6F, 1e6F, 0.01F, {}}),
     param<&MatrixStep::angle>("angle", "Step", "Angle", "glRotatef({}, x, y, z)",
-                              "How far a rotation turns at time 0; translating and scaling ignore it.",
+                              "The angle of a rotation at time 0. Translations and scales ignore it.",
                               {-360, 360, 0.5F, "deg"}),
     param<&MatrixStep::rate>("rate", "Animation", "Rate", "", "Added to the amount every second.",
                              {-1000, 1000, 0.01F, "/s"}),
@@ -56,63 +55,64 @@ static_assert(matrixStepRows.size() == 7 && matrixStepRows.size() == build::memb
 
 constexpr std::array combineRows{
     param<&Combine::rgb>("rgb", "Colour", "Colour function", "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {})",
-                         "What becomes of the arguments, for red, green and blue."),
+                         "The function that combines the arguments, for red, green and blue."),
     param<&Combine::source0Rgb>("source0Rgb", "Colour", "Colour source 0",
                                 "glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_RGB, {})",
-                                "The first argument: where it comes from."),
+                                "Where the first argument comes from."),
     param<&Combine::operand0Rgb>("operand0Rgb", "Colour", "Colour operand 0",
                                  "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, {})",
-                                 "Which part of source 0 is taken, and whether as its negative."),
+                                 "Which components of source 0 are used, and whether they are inverted."),
     param<&Combine::source1Rgb>("source1Rgb", "Colour", "Colour source 1",
                                 "glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_RGB, {})",
-                                "The second argument; GL_REPLACE ignores it: where it comes from."),
+                                "Where the second argument comes from. GL_REPLACE ignores it."),
     param<&Combine::operand1Rgb>("operand1Rgb", "Colour", "Colour operand 1",
                                  "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_RGB, {})",
-                                 "Which part of source 1 is taken, and whether as its negative."),
+                                 "Which components of source 1 are used, and whether they are inverted."),
     param<&Combine::source2Rgb>("source2Rgb", "Colour", "Colour source 2",
                                 "glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_RGB, {})",
-                                "The third argument: only GL_INTERPOLATE has one: where it comes from."),
+                                "Where the third argument comes from. Only GL_INTERPOLATE uses it."),
     param<&Combine::operand2Rgb>("operand2Rgb", "Colour", "Colour operand 2",
                                  "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND2_RGB, {})",
-                                 "Which part of source 2 is taken, and whether as its negative."),
+                                 "Which components of source 2 are used, and whether they are inverted."),
     param<&Combine::rgbScale>("rgbScale", "Colour", "Colour scale",
                               "glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, {})",
-                              "What the result is multiplied by before it is clamped to 1."),
+                              "The factor of the result before it is clamped to 1."),
     param<&Combine::alpha>("alpha", "Alpha", "Alpha function",
                            "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, {})",
-                           "What becomes of the arguments, for alpha; GL_DOT3_RGBA overrules it."),
+                           "The function that combines the arguments, for alpha. GL_DOT3_RGBA overrides it."),
     param<&Combine::source0Alpha>("source0Alpha", "Alpha", "Alpha source 0",
                                   "glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_ALPHA, {})",
-                                  "The first argument: where it comes from."),
+                                  "Where the first argument comes from."),
     param<&Combine::operand0Alpha>("operand0Alpha", "Alpha", "Alpha operand 0",
                                    "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA, {})",
-                                   "Whether the alpha of source 0 is taken as it is or as one minus it."),
+                                   "Whether the alpha of source 0 is used as it is or inverted."),
     param<&Combine::source1Alpha>("source1Alpha", "Alpha", "Alpha source 1",
                                   "glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_ALPHA, {})",
-                                  "The second argument; GL_REPLACE ignores it: where it comes from."),
+                                  "Where the second argument comes from. GL_REPLACE ignores it."),
     param<&Combine::operand1Alpha>("operand1Alpha", "Alpha", "Alpha operand 1",
                                    "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_ALPHA, {})",
-                                   "Whether the alpha of source 1 is taken as it is or as one minus it."),
+                                   "Whether the alpha of source 1 is used as it is or inverted."),
     param<&Combine::source2Alpha>("source2Alpha", "Alpha", "Alpha source 2",
                                   "glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_ALPHA, {})",
-                                  "The third argument: only GL_INTERPOLATE has one: where it comes from."),
+                                  "Where the third argument comes from. Only GL_INTERPOLATE uses it."),
     param<&Combine::operand2Alpha>("operand2Alpha", "Alpha", "Alpha operand 2",
                                    "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND2_ALPHA, {})",
-                                   "Whether the alpha of source 2 is taken as it is or as one minus it."),
+                                   "Whether the alpha of source 2 is used as it is or inverted."),
     param<&Combine::alphaScale>("alphaScale", "Alpha", "Alpha scale",
                                 "glTexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, {})",
-                                "What the result is multiplied by before it is clamped to 1."),
+                                "The factor of the result before it is clamped to 1."),
 };
 static_assert(combineRows.size() == 16 && combineRows.size() == build::memberCount<Combine>());
 
 constexpr std::array embossRows{
     param<&Emboss::enabled>("enabled", "Emboss", "Follow the light", "",
-                            "Moves every vertex's coordinates towards the light, as far as it stands aside. "
-                            "An image minus itself moved so is a relief."),
+                            "Moves the coordinates of every vertex towards the light, by its distance to "
+                            "the side. An image minus its moved copy is a relief."),
     param<&Emboss::depth>("depth", "Emboss", "Depth", "",
-                          "How far coordinates move at most, in widths of the image.", {-1, 1, 0.0005F, {}}),
-    param<&Emboss::carrier>("carrier", "Emboss", "Light into the model by", "",
-                            "How the light's place is carried into the model's coordinates."),
+                          "The maximum distance that coordinates move, in widths of the image.",
+                          {-1, 1, 0.0005F, {}}),
+    param<&Emboss::carrier>("carrier", "Emboss", "Light to model by", "",
+                            "How the light's position is transformed to the model's coordinates."),
 };
 static_assert(embossRows.size() == 3 && embossRows.size() == build::memberCount<Emboss>());
 
@@ -137,21 +137,22 @@ constexpr std::array<TexGenCalls, 4> texGenCalls{{
 
 constexpr auto texGenRows(const TexGenCalls& calls) {
     ParamRow mode = param<&TexGen::mode>("mode", "Generation", "Generation mode", calls.mode,
-                                         "What the coordinate is made from instead of what the vertex has.");
+                                         "What the coordinate is computed from, instead of the vertex's "
+                                         "own.");
     mode.choices = calls.modes;
     return std::array{
         param<&TexGen::enabled>("enabled", "Generation", "Enabled", calls.enable,
-                                "Whether OpenGL makes this coordinate itself, before the texture matrix."),
+                                "Whether OpenGL generates this coordinate, before the texture matrix."),
         mode,
         param<&TexGen::objectPlane>(
             "objectPlane", "Generation", "Object plane", calls.objectPlane,
-            "For GL_OBJECT_LINEAR: the coordinate is x*x0 + y*y0 + z*z0 + w*w0 of these "
-            "four numbers and the vertex as the model has it.",
+            "For GL_OBJECT_LINEAR: the coordinate is x*x0 + y*y0 + z*z0 + w*w0, of these four numbers and "
+            "the vertex in model coordinates.",
             {-1000, 1000, 0.01F, {}}),
         param<&TexGen::eyePlane>(
             "eyePlane", "Generation", "Eye plane", calls.eyePlane,
-            "For GL_EYE_LINEAR: the same with the vertex as the eye sees it: the eye is in "
-            "the origin and looks along -z.",
+            "For GL_EYE_LINEAR: the same with the vertex in eye coordinates. The eye is at the origin and "
+            "looks along -z.",
             {-1000, 1000, 0.01F, {}}),
     };
 }

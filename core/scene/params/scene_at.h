@@ -7,13 +7,13 @@
 
 namespace texplorer {
 
-/// The scene as it stands at a time, in seconds: every parameter that has keys is what they say then
-/// (core/scene/timeline.h), and the timeline is empty. At a key it is the key's value to the last bit. A key
-/// that doesn't fit the scene any more does nothing, so that this is an answer for every scene. What turns by
-/// itself (Model::spin, MatrixStep::rate) is as it was: it wants the time as before.
+/// Returns the scene at a time, in seconds: every parameter with keys has its value at that time
+/// (core/scene/timeline.h), and the timeline is empty. At a key, it is exactly the key's value. Keys that do
+/// not fit the scene are ignored, so this works for every scene. Rates (Model::spin, MatrixStep::rate) stay:
+/// functions that use them still need the time.
 [[nodiscard]] Scene sceneAt(const Scene& scene, double time);
 
-/// The same without a copy where nothing has keys. Holds a reference to the scene, which must outlive it.
+/// The same without a copy if nothing has keys. Refers to the scene, which must outlive it.
 class StandingScene {
 public:
     StandingScene(const Scene& scene, double time)

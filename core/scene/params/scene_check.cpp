@@ -54,7 +54,7 @@ Result<void> checkMeshList(const MeshData& mesh, const ParamRow& row) {
             return {};
         return refuseElement(
             static_cast<std::size_t>(beyond - mesh.indices.begin()),
-            fmt::format("expected the number of a position, the mesh has {}; found {}", vertices, *beyond));
+            fmt::format("expected the number of a position (the mesh has {}), found {}", vertices, *beyond));
     }
     const std::size_t count = listSize(row.read(&mesh));
     if (count == 0 || count == vertices)
@@ -89,10 +89,9 @@ Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {
     const std::size_t count = scene.textures.size();
     if (!unit.enabled || static_cast<std::size_t>(unit.texture) < count)
         return {};
-    return fail(
-        ErrorCode::OutOfRange,
-        fmt::format("an enabled unit needs a texture that exists: it asks for number {}, the scene has {}",
-                    unit.texture, countOf(count, "texture")));
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("an enabled unit needs an existing texture: it uses number {}, the scene has {}",
+                            unit.texture, countOf(count, "texture")));
 }
 
 Result<void> checkTogether(const Scene& scene) {

@@ -5,24 +5,23 @@
 
 namespace texplorer {
 
-// What no parameter's row can know alone: how members of a scene must fit each other.
+// Checks that involve several parameters, which rows cannot check.
 
-/// All of it. `where` is a JSON pointer: "/models/0/mesh/indices/3".
+/// All of them. `where` is a JSON pointer: "/models/0/mesh/indices/3".
 [[nodiscard]] Result<void> checkTogether(const Scene& scene);
 
-// One by one: `where` is left empty, or "/3" for an element of a list.
+// The single checks: `where` is empty, or "/3" for an element of a list.
 
-/// A list of a model's own vertices has as many elements as there are positions, or none; its indices name
-/// positions that exist.
+/// A list of a mesh is empty or has an entry for each position; its indices exist.
 [[nodiscard]] Result<void> checkMeshList(const MeshData& mesh, const ParamRow& row);
 
-/// A pass names models that exist, each once.
+/// The models of a pass exist, and each occurs once.
 [[nodiscard]] Result<void> checkPassModels(const Scene& scene, const Pass& pass);
 
-/// A list of coordinates is empty or has one entry for each vertex of the model's mesh.
+/// A list of coordinates is empty or has an entry for each vertex of the model's mesh.
 [[nodiscard]] Result<void> checkTexCoordCount(const Model& model, const TexCoords& list);
 
-/// A unit that is enabled asks for a texture that exists.
+/// The texture of an enabled unit exists.
 [[nodiscard]] Result<void> checkUnitTexture(const Scene& scene, const Unit& unit);
 
 } // namespace texplorer

@@ -108,7 +108,7 @@ std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to) {
 
 Result<void> takeOver(Scene& scene, const Scene& from, std::string_view path) {
     Scene edited = scene;
-    std::function<void()> copyIt; // after the walk: nobody resizes what is being walked over
+    std::function<void()> copyIt; // after the walk, during which no list may be resized
     walkPair(sceneTable(), &edited, ownerOf(from), {},
              {[&](const std::string& at, const ParamRow& row, void* a, void* b) {
                   if (at == path)
@@ -119,7 +119,8 @@ Result<void> takeOver(Scene& scene, const Scene& from, std::string_view path) {
                       copyIt = [&child, a, b] { copyLength(child, a, b); };
               }});
     if (!copyIt)
-        return fail(ErrorCode::NotFound, "expected a parameter or a list of both scenes", std::string(path));
+        return fail(ErrorCode::NotFound, "expected a parameter or a list that both scenes have",
+                    std::string(path));
     copyIt();
     if (const Result<void> fits = checkTogether(edited); !fits && checkTogether(scene))
         return fail(ErrorCode::OutOfRange, fits.error().message, std::string(path));

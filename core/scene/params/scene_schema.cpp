@@ -23,8 +23,8 @@ std::string descriptionOf(const ParamRow& row) {
     return text;
 }
 
-OrderedJson numberWithin(float least, float most) {
-    return {{"type", "number"}, {"minimum", least}, {"maximum", most}};
+OrderedJson numberWithin(float min, float max) {
+    return {{"type", "number"}, {"minimum", min}, {"maximum", max}};
 }
 
 OrderedJson wholeNumberWithin(const Range& range) {
@@ -33,11 +33,11 @@ OrderedJson wholeNumberWithin(const Range& range) {
             {"maximum", static_cast<std::int64_t>(range.max)}};
 }
 
-OrderedJson arrayOf(OrderedJson items, std::size_t least, std::size_t most) {
-    return {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}, {"maxItems", most}};
+OrderedJson arrayOf(OrderedJson items, std::size_t min, std::size_t max) {
+    return {{"type", "array"}, {"items", std::move(items)}, {"minItems", min}, {"maxItems", max}};
 }
 
-/// Names, and beside those that are numbers the number itself, which the reader takes, too.
+/// Names, and for those of numbers also the number itself, which the reader accepts, too.
 OrderedJson choicesOf(std::span<const EnumRow> choices) {
     OrderedJson names = OrderedJson::array();
     OrderedJson help = OrderedJson::array();
@@ -63,12 +63,12 @@ OrderedJson keyValue() {
 }
 
 OrderedJson elementsOf(const ParamRow& row) {
-    constexpr float largest = std::numeric_limits<float>::max();
+    constexpr float max = std::numeric_limits<float>::max();
     const ElementNumbers numbers = *elementNumbers(row.kind);
     const bool limited = row.kind == Kind::ColorList;
     return arrayOf(arrayOf(limited ? numberWithin(row.range.min, row.range.max)
-                                   : numberWithin(std::numeric_limits<float>::lowest(), largest),
-                           numbers.least, numbers.most),
+                                   : numberWithin(std::numeric_limits<float>::lowest(), max),
+                           numbers.min, numbers.max),
                    0, row.maxCount);
 }
 
@@ -121,13 +121,13 @@ public:
              {{"type", "integer"},
               {"minimum", 1},
               {"maximum", sceneFormatVersion},
-              {"description", "Of the format."},
+              {"description", "The version of the format."},
               {"default", sceneFormatVersion}}}};
         properties.update(root["properties"]);
         return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"$id", sceneSchemaId},
                 {"title", "Texplorer scene"},
-                {"description", "What Texplorer draws. What is left out keeps its initial value."},
+                {"description", "A scene of Texplorer. Missing keys have their initial values."},
                 {"type", "object"},
                 {"properties", std::move(properties)},
                 {"additionalProperties", false},

@@ -5,14 +5,14 @@
 
 namespace texplorer {
 
-/// Where Texplorer's package puts the schema: what a scene that Texplorer writes names as its "$schema", and
-/// the schema's own "$id".
+/// The installed path of the schema: the "$schema" of scenes that Texplorer writes, and the schema's own
+/// "$id".
 inline constexpr std::string_view sceneSchemaId = "file:///usr/share/texplorer/scene.schema.json";
 
-/// A JSON Schema (draft 2020-12) of scene files, made of the parameters' rows: labels, help and GL calls,
-/// ranges, enumerants, initial values, lengths. It accepts what parseScene accepts, and refuses the rest but
-/// for what a schema can't say: keys that are repeated, texts of too many bytes, and how members fit each
-/// other (core/scene/params/scene_check.h). Ends with a line feed.
+/// Makes a JSON Schema (draft 2020-12) of scene files from the parameters' rows: labels, help and GL calls,
+/// ranges, enumerants, initial values, lengths. It accepts what parseScene accepts, and refuses everything
+/// else except what a schema cannot express: repeated keys, texts of too many bytes, and members that do not
+/// fit each other (core/scene/params/scene_check.h). Ends with a line feed.
 [[nodiscard]] std::string sceneSchema();
 
 } // namespace texplorer

@@ -32,7 +32,7 @@ Result<void> checkTextures(const Scene& scene) {
     for (const Track& track : tracks)
         for (const KeyFrame* key : track.keys)
             times.insert(key->time);
-    Scene standing; // of which nobody sees more than the passes
+    Scene standing; // only its passes are used
     standing.passes = scene.passes;
     standing.textures.resize(scene.textures.size());
     for (const float time : times) {

@@ -1,4 +1,4 @@
-// How good palettes are beside ImageMagick's: tests/end_to_end/texshot/animate_test.py.
+// The quality of palettes compared with ImageMagick's: tests/end_to_end/texshot/animate_test.py.
 
 #include "core/animation/palette.h"
 
@@ -22,7 +22,7 @@ TEST(PaletteFor, IsThePixelsOwnColoursWhereThatIsEnough) {
 }
 
 TEST(PaletteFor, IsTheMeanOfEachCluster) {
-    // Red: 10, 20, 30 of which the last twice; and a blue one far away.
+    // Red 10, 20 and 30, the last one twice; and a blue far away from them.
     const std::vector<std::uint32_t> pixels{0xFF0A0000, 0xFF140000, 0xFF1E0000,
                                             0xFF1E0000, 0xFF0000F0, 0xFF0000F2};
     EXPECT_THAT(paletteFor(pixels, 2), ElementsAre(0xFF0000F1, 0xFF170000)); // 22.5, rounded
@@ -62,7 +62,8 @@ TEST(NearestColor, IsWhatASearchFinds) {
         double least = 1e9;
         for (std::size_t each = 0; each < palette.size(); ++each)
             least = std::min(least, distance(each, r, g, b));
-        // That of the middle of its cell, which is at most sqrt(12) away: twice that further than the best.
+        // The colour of the middle of its cell, which is at most sqrt(12) away: twice that further than the
+        // best.
         EXPECT_LE(distance(nearest.of(r, g, b), r, g, b), least + 2 * std::sqrt(12.0));
     }
 }

@@ -1,4 +1,4 @@
-// A delay of nothing writes at once, and one of a day never.
+// A delay of 0 writes at once, a delay of one day never.
 
 #include "core/autosave/autosave.h"
 #include "tests/support/no_threads.h"
@@ -24,7 +24,7 @@ protected:
         scene.material.shininess = shininess;
         return scene;
     }
-    /// Of the one draft in the folder; -1: there is none.
+    /// The number of the only draft in the folder; -1: there is none.
     [[nodiscard]] float written() const {
         if (fs::exists(folder))
             for (const fs::directory_entry& each : fs::directory_iterator(folder)) {
@@ -63,7 +63,7 @@ TEST_F(Autosaving, WritesItselfWhereThereIsNoThread) {
     EXPECT_EQ(written(), -1);
 }
 
-/// On a clock that stands still until it is told the time.
+/// With a clock that moves only when the test sets it.
 TEST_F(Autosaving, SaysWhenItIsDueWhereThereIsNoThread) {
     const test::NoThreads none;
     double now = 100;
@@ -87,7 +87,7 @@ TEST_F(Autosaving, IsNeverDueWhereAThreadWrites) {
     EXPECT_EQ(autosave.due(), std::nullopt);
 }
 
-/// However slow the machine is: what is too early can be told, what is late can't.
+/// On a slow machine too: writing too early is detected, writing late is not an error.
 TEST_F(Autosaving, LetsItsDelayPassBeforeItWrites) {
     constexpr auto delay = 100ms;
     Autosave autosave(folder, {}, delay);
@@ -162,7 +162,7 @@ TEST_F(Autosaving, GoesOnWithADraftThatItAdopts) {
         ASSERT_TRUE(before.flush());
     }
     Autosave autosave(folder, {}, 24h);
-    autosave.keep({}, {}, sceneOf(1)); // its own, which is given up
+    autosave.keep({}, {}, sceneOf(1)); // its own draft, which is given up
     ASSERT_TRUE(autosave.flush());
     std::vector<Orphan> orphans = claimOrphans(folder);
     ASSERT_EQ(orphans.size(), 1U);
@@ -203,7 +203,7 @@ TEST_F(Autosaving, SaysOnceWhyItCantAndAgainWhenItCouldMeanwhile) {
     EXPECT_FALSE(autosave.flush());
     EXPECT_FALSE(autosave.takeProblem()) << "not with every edit";
 
-    fs::remove(parent / "file"); // somebody has mended it
+    fs::remove(parent / "file"); // as if the user had fixed it
     autosave.keep({}, {}, sceneOf(3));
     EXPECT_TRUE(autosave.flush());
     EXPECT_TRUE(fs::exists(parent / "file" / "unsaved"));
@@ -230,7 +230,7 @@ TEST_F(Autosaving, TriesAgainWhatCouldNotBeWritten) {
     autosave.keep({}, {}, sceneOf(1));
     EXPECT_FALSE(autosave.flush());
     EXPECT_FALSE(autosave.flush());
-    fs::remove(folder); // mended, and nothing was edited since
+    fs::remove(folder); // fixed, but nothing was edited since
     EXPECT_TRUE(autosave.flush());
     EXPECT_EQ(written(), 1);
 }

@@ -1,5 +1,5 @@
 // Drafts are held by locks (flock), which belong to an open file, not to a process: two objects in one
-// process lock each other out as two processes do. That a lock ends with its process is tried with a child.
+// process exclude each other like two processes. A child process tests that a lock ends with its process.
 
 #include "core/autosave/unsaved_folder.h"
 #include "core/base/file_io.h"
@@ -46,7 +46,7 @@ TEST_F(UnsavedFolder, IsTheUsersAlone) {
     struct stat info = {};
     ASSERT_EQ(::stat(folder.c_str(), &info), 0);
     EXPECT_EQ(info.st_mode & 07777, 0700U);
-    ASSERT_EQ(::chmod(folder.c_str(), 0755), 0); // made by somebody careless
+    ASSERT_EQ(::chmod(folder.c_str(), 0755), 0); // created with wrong permissions
     ASSERT_TRUE(UnsavedPlace::create(folder));
     ASSERT_EQ(::stat(folder.c_str(), &info), 0);
     EXPECT_EQ(info.st_mode & 07777, 0700U);
@@ -65,14 +65,14 @@ TEST_F(UnsavedFolder, WindowsAtTheSameTimeHaveDraftsOfTheirOwn) {
 }
 
 TEST_F(UnsavedFolder, ADraftWithoutItsWindowIsGivenToOneOnly) {
-    ASSERT_TRUE(UnsavedPlace::create(folder).value().write(draftOf(1))); // and let go
+    ASSERT_TRUE(UnsavedPlace::create(folder).value().write(draftOf(1))); // and released
     {
         const std::vector<Orphan> orphans = claimOrphans(folder);
         ASSERT_EQ(orphans.size(), 1U);
         EXPECT_EQ(orphans[0].place->read().value(), draftOf(1));
         EXPECT_TRUE(claimOrphans(folder).empty());
     }
-    EXPECT_EQ(claimOrphans(folder).size(), 1U) << "what nobody wanted is there again";
+    EXPECT_EQ(claimOrphans(folder).size(), 1U) << "the discarded draft is there again";
     claimOrphans(folder).front().place->remove();
     EXPECT_TRUE(claimOrphans(folder).empty());
     EXPECT_THAT(names(), testing::IsEmpty()) << "no lock stays without its draft";
@@ -101,7 +101,7 @@ TEST_F(UnsavedFolder, ADraftOfAKilledProcessIsAnOrphan) {
     const std::vector<Orphan> orphans = claimOrphans(folder);
     ASSERT_EQ(orphans.size(), 1U);
     EXPECT_EQ(orphans[0].place->read().value(), draftOf(3));
-    // The same number again: a new process doesn't write over what the old one left.
+    // The same number again: a new process does not overwrite the draft of the old one.
     const auto mine = UnsavedPlace::create(folder);
     ASSERT_TRUE(mine);
     EXPECT_NE(mine->draft(), orphans[0].place->draft());
@@ -164,7 +164,7 @@ TEST_F(UnsavedFolder, ThatCantBeMadeIsASentence) {
         EXPECT_TRUE(claimOrphans(impossible).empty());
     }
     fs::create_directory_symlink(parent.path(), parent / "link");
-    EXPECT_FALSE(UnsavedPlace::create(parent / "link")) << "a link may lead into a folder of somebody else's";
+    EXPECT_FALSE(UnsavedPlace::create(parent / "link")) << "a link may lead into another user's folder";
 }
 
 } // namespace

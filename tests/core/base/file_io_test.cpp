@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Without root's right to pass every permission, as long as it lives.
+/// Drops root's privileges while it exists.
 class Unprivileged {
 public:
     Unprivileged() {
@@ -152,13 +152,13 @@ TEST_F(FileIo, APipeIsRefusedAtOnce) {
     const fs::path pipe = folder_ / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0666), 0);
     expectError(readFile(pipe), ErrorCode::Unreadable, pipe,
-                "is a pipe"); // blocks for ever if it opens it to wait
+                "is a pipe"); // would block for ever in open()
     expectError(writeFileAtomically(pipe, viewBytes("x")), ErrorCode::Unwritable, pipe, "is a pipe");
     EXPECT_TRUE(fs::is_fifo(pipe));
 
     int ends[2] = {};
     ASSERT_EQ(::pipe(ends), 0);
-    const fs::path open = "/proc/self/fd/" + std::to_string(ends[1]); // as /dev/stdout may be
+    const fs::path open = "/proc/self/fd/" + std::to_string(ends[1]); // like /dev/stdout
     expectError(writeFileAtomically(open, viewBytes("x")), ErrorCode::Unwritable, open, "is a pipe");
     ::close(ends[0]);
     ::close(ends[1]);
@@ -266,7 +266,7 @@ TEST_F(FileIo, AReadOnlyFileOrDirectoryIsLeftAlone) {
     EXPECT_THAT(names(), testing::ElementsAre("fixed"));
 }
 
-/// Files end at `bytes`, as if the disk were full, as long as it lives.
+/// Files end at `bytes`, as on a full disk, while it exists.
 class SmallDisk {
 public:
     explicit SmallDisk(rlim_t bytes) {
@@ -299,7 +299,7 @@ TEST_F(FileIo, AnExistingFileSurvivesAFailedWrite) {
     EXPECT_THAT(names(), testing::ElementsAre("picture")) << "no partial file stays behind";
 }
 
-/// What a system may lack; the kernel's own filter takes it away.
+/// A feature that a system may lack; a filter of the kernel removes it.
 enum class Lacking { Nothing, NamelessFiles, NamesForThem };
 
 std::string nameOf(Lacking what) {
@@ -330,7 +330,7 @@ void takeAway(Lacking what) {
 
 class Writing : public FileIo, public testing::WithParamInterface<Lacking> {
 protected:
-    /// In a program of its own, which lacks it. Its signal, or 0.
+    /// Runs in its own process without that feature. Returns its signal, or 0.
     template<class Work>
     int inChild(const Work& work) const {
         const pid_t child = ::fork();
@@ -414,7 +414,7 @@ TEST_F(FileIo, OnlyWhatIsSurelyADraftThatWasLeftIsRemoved) {
     for (const char* name :
          {".texplorer-4711.tmp", ".texplorer-4711-.tmp", ".texplorer--1.tmp", ".texplorer-a-1.tmp",
           ".texplorer-4711-1.tmp~", ".texplorer-.tmp", ".texplorer-1-2-3.tmp"})
-        make(name, "somebody's");
+        make(name, "another file");
     const std::vector<std::string> before = names();
     const bool root = ::geteuid() == 0;
     if (root) {
@@ -445,7 +445,7 @@ TEST_F(FileIo, AFolderIsWrittenAsAWholeOrNotAtAll) {
     EXPECT_EQ(test::readRawText(folder_ / "there" / "a"), "old");
     EXPECT_FALSE(fs::exists(folder_ / "there" / "b"));
 
-    // What can't take its place is only seen when others have.
+    // This file cannot be replaced, which is noticed only when others have been.
     fs::create_directories(folder_ / "there" / "b");
     const std::vector<FileContent> blocked{{"new", viewBytes("1")}, {"b", viewBytes("2")}};
     expectError(writeFolderAtomically(folder_ / "there", blocked), ErrorCode::Unwritable,
@@ -461,9 +461,9 @@ TEST_F(FileIo, AFolderIsWrittenAsAWholeOrNotAtAll) {
     EXPECT_FALSE(fs::exists(folder_ / "there" / "own"));
     make("file", "x");
     expectError(writeFolderAtomically(folder_ / "file" / "below", files), ErrorCode::Unwritable,
-                folder_ / "file" / "below", "file is no folder");
+                folder_ / "file" / "below", "file is not a folder");
     expectError(checkFolderWritable(folder_ / "file"), ErrorCode::Unwritable, folder_ / "file",
-                "is no folder");
+                "is not a folder");
     EXPECT_TRUE(checkFolderWritable(folder_ / "deep" / "er"));
 }
 

@@ -38,7 +38,7 @@ TEST(NamePattern, APlaceThatIsNoneIsRefused) {
         const Result<NamePattern> pattern = NamePattern::parse(text);
         ASSERT_FALSE(pattern) << text;
         EXPECT_EQ(pattern.error().message,
-                  "expected a name and } behind each {, found \"" + std::string(text) + "\"; {{ is a brace");
+                  "expected a name and } after each {, found \"" + std::string(text) + "\"; {{ is a brace");
     }
 }
 

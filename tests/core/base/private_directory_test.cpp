@@ -53,7 +53,7 @@ TEST_F(Private, IsNoneThatOthersMayWriteTo) {
     fs::create_directory(place);
     for (const unsigned bits : {0770U, 0702U, 01777U}) {
         fs::permissions(place, static_cast<fs::perms>(bits));
-        expectRefused("may be written to by others: expected mode 0700, found ");
+        expectRefused("is writable by others: expected mode 0700, found ");
         EXPECT_EQ(mode(place), bits);
     }
 }

@@ -11,7 +11,7 @@
 namespace texplorer::read_stream_test {
 namespace {
 
-/// A pipe into which a thread writes.
+/// A pipe that a thread writes to.
 class Pipe {
 public:
     explicit Pipe(std::string content, bool waits = true) {
@@ -32,7 +32,7 @@ public:
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
     ~Pipe() {
-        // What nobody wants is taken all the same, so that the writer ends.
+        // Read the rest as well, so that the writer ends.
         std::array<char, 65536> rest{};
         ::fcntl(ends_[0], F_SETFL, 0);
         while (::read(ends_[0], rest.data(), rest.size()) > 0)
@@ -80,7 +80,7 @@ TEST(ReadStream, StopsAtItsLimit) {
     const auto read = readStream(pipe.end(), "in", 300000);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error(),
-              (Error{ErrorCode::TooLarge, "at most 300000 bytes are read, there are more", "in"}));
+              (Error{ErrorCode::TooLarge, "at most 300000 bytes are read, but there are more", "in"}));
 }
 
 TEST(ReadStream, WhatIsNotWorthReadingIsLeft) {
@@ -97,7 +97,7 @@ TEST(ReadStream, WhatIsNotWorthReadingIsLeft) {
     EXPECT_EQ(asked, 1);
     const Pipe shorter(pattern(1000));
     EXPECT_EQ(readStream(shorter.end(), "in", 3000000, refuse)->size(), 1000U);
-    EXPECT_EQ(asked, 1) << "of what is short nobody is asked";
+    EXPECT_EQ(asked, 1) << "a short stream is not checked";
 }
 
 TEST(ReadStream, WhatCantBeReadIsSaid) {

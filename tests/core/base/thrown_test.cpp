@@ -26,7 +26,7 @@ TEST(SayWhatNothingCatches, EndsAThreadsProgramWithASentence) {
         std::thread([] { throw std::out_of_range("vector::_M_range_check"); }).join();
     };
     EXPECT_EXIT(throwOnAThread(), testing::KilledBySignal(SIGABRT),
-                "^texshot: this is a mistake in Texplorer; please report it with what led to it\n$");
+                "^texshot: this is a bug in Texplorer; please report it and how it happened\n$");
 }
 
 } // namespace

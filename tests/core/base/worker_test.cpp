@@ -15,12 +15,12 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Jobs are numbers, and answered by what `work` makes of them; errors by their sentences.
+/// Jobs are numbers. The answers come from `work`, errors from their sentences.
 class Working : public testing::Test {
 protected:
     using Numbers = Worker<int, std::string, float>;
 
-    /// With an answer `number * 10`, unless the test says otherwise.
+    /// Answers `number * 10`, unless the test sets another function.
     std::unique_ptr<Numbers> make(When when, JobOrder order = JobOrder::Queue) {
         return std::make_unique<Numbers>(
             WorkerSetup{when, order, {"no memory", "can't"}, [this] { ++wakes; }, caller.get_token()},
@@ -36,7 +36,7 @@ protected:
     std::stop_source caller;
 };
 
-/// Holds up the first job, so that a test knows that it is being done.
+/// Holds the first job, so that a test knows that it is running.
 struct Held {
     std::latch begun{1};
     std::latch goOn{1};
@@ -173,7 +173,7 @@ TEST_F(Working, TheNewestWins) {
     held.goOn.count_down();
     worker->wait();
     EXPECT_EQ(wakes, 2) << "for 1 and 3";
-    EXPECT_THAT(worker->take(), ElementsAre("30")) << "nobody took the answer to 1";
+    EXPECT_THAT(worker->take(), ElementsAre("30")) << "the answer to 1 was not taken";
 }
 
 TEST_F(Working, NothingComesOfWhatIsDropped) {
@@ -196,7 +196,7 @@ TEST_F(Working, NothingComesOfWhatIsDropped) {
     EXPECT_TRUE(worker->isWorking()) << "3 waits";
     worker->drop([](int number) { return number == 3; });
     EXPECT_FALSE(worker->isWorking());
-    worker->wait(); // for nothing, although the thread is still busy
+    worker->wait(); // returns at once, although the thread is still busy
     worker->ask(4);
     held.goOn.count_down();
     worker->wait();
@@ -263,7 +263,7 @@ TEST_F(Working, EndsWhileItWorks) {
         held.begun.wait();
     }
     EXPECT_EQ(done, 1) << "what waits is not begun";
-    EXPECT_EQ(wakes, 0) << "nobody is there to be woken";
+    EXPECT_EQ(wakes, 0) << "there is nothing to wake";
 }
 
 TEST_F(Working, EndsWithoutHavingBeenAsked) {

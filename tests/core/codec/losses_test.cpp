@@ -96,10 +96,10 @@ TEST(LossesIn, NameTheComponentsThatBlocksKeepNothingOf) {
     const Image clear = filled(PixelFormat::Rgba8, {10, 20, 30, 7});
     const Image opaque = filled(PixelFormat::Rgba8, {10, 20, 30, 255});
     for (const KeptCase& each : {
-             KeptCase{clear, BlockFormat::Dxt1, "alpha (DXT1 keeps red, green and blue alone)"},
-             KeptCase{clear, BlockFormat::Bc4, "green, blue and alpha (BC4 keeps red alone)"},
-             KeptCase{clear, BlockFormat::Bc5, "blue and alpha (BC5 keeps red and green alone)"},
-             KeptCase{colors, BlockFormat::Bc4, "green and blue (BC4 keeps red alone)"},
+             KeptCase{clear, BlockFormat::Dxt1, "alpha (DXT1 keeps only red, green and blue)"},
+             KeptCase{clear, BlockFormat::Bc4, "green, blue and alpha (BC4 keeps only red)"},
+             KeptCase{clear, BlockFormat::Bc5, "blue and alpha (BC5 keeps only red and green)"},
+             KeptCase{colors, BlockFormat::Bc4, "green and blue (BC4 keeps only red)"},
              KeptCase{opaque, BlockFormat::Dxt1, ""},
              KeptCase{clear, BlockFormat::Dxt1Alpha, ""},
              KeptCase{clear, BlockFormat::Dxt3, ""},
@@ -109,7 +109,7 @@ TEST(LossesIn, NameTheComponentsThatBlocksKeepNothingOf) {
              KeptCase{filled(PixelFormat::Rgb8, {9, 9, 9}), BlockFormat::Bc4, ""},
              KeptCase{filled(PixelFormat::Luminance8, {9}), BlockFormat::Bc4, ""},
              KeptCase{filled(PixelFormat::LuminanceAlpha8, {9, 8}), BlockFormat::Bc5,
-                      "alpha (BC5 keeps red and green alone)"},
+                      "alpha (BC5 keeps only red and green)"},
          })
         EXPECT_EQ(pixelsLost(lossesIn({each.picture}, each.format)), each.lost) << rowOf(each.format).label;
     EXPECT_EQ(pixelsLost(lossesIn({opaque, clear}, BlockFormat::Dxt1)),

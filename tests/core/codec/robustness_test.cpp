@@ -1,5 +1,5 @@
-// Every row of codecRows(), whatever a file holds: written files that are cut at every byte, changed,
-// spliced, and headers that lie about how large the picture is. A new row is tested by being there.
+// Tests every row of codecRows() with any bytes: written files that are cut at every byte, changed and
+// spliced, and headers with a wrong size of the picture. New rows are tested automatically.
 
 #include "core/codec/registry.h"
 #include "tests/support/codec_promises.h"
@@ -46,7 +46,7 @@ TEST_P(Robustness, WhatTheWriterWritesIsReadAgain) {
 
 TEST_P(Robustness, AFileMayEndAnywhere) {
     for (const Bytes& file : files_)
-        // Everywhere in headers and tables, here and there among pixels.
+        // Every byte of headers and tables, some bytes among pixels.
         for (std::size_t size = 0; size < file.size() && !HasFailure(); size += size < 256 ? 1 : 5)
             keepsItsPromises(ByteView(file).first(size));
 }
@@ -92,11 +92,11 @@ void claim(Bytes& file, std::size_t at, std::size_t bytes, bool bigEndian, unsig
         file[at + i] = static_cast<std::byte>(value >> 8 * (bigEndian ? bytes - 1 - i : i));
 }
 
-// Two numbers at any two places of the header say 16384: where they are width and height, that is a gigabyte.
+// Two numbers at any two places of the header are set to 16384: as width and height, that is a gigabyte.
 TEST_P(Robustness, AHeaderThatLiesAboutTheSizeCostsNoMemory) {
     constexpr unsigned large = 16384;
     constexpr std::size_t headerEnd = 40;
-    // No coding stands for more than 1032 bytes with one (deflate's limit); the rest is for tables and
+    // No coding expands a byte to more than 1032 bytes (deflate's limit); the rest is for tables and
     // libraries.
     const auto allowed = [](const Bytes& file) { return 2048 * file.size() + mebibyte; };
     std::size_t lies = 0;
@@ -105,7 +105,7 @@ TEST_P(Robustness, AHeaderThatLiesAboutTheSizeCostsNoMemory) {
             const auto step = static_cast<std::size_t>(bytes);
             for (std::size_t first = 0; first < headerEnd; first += 2) {
                 Bytes file = files_[i];
-                if (file.size() > 1024) // for them the bound would say nothing
+                if (file.size() > 1024) // the bound is too loose for them
                     continue;
                 claim(file, first, step, bigEndian, large);
                 claim(file, first + step, step, bigEndian, large);
@@ -114,7 +114,7 @@ TEST_P(Robustness, AHeaderThatLiesAboutTheSizeCostsNoMemory) {
                 static_cast<void>(row_.decode(file, {}));
                 if (row_.dissect)
                     static_cast<void>(row_.dissect(file));
-                ASSERT_LE(heap.peak(), allowed(file)) << "16384 x 16384 claimed at offset " << first;
+                ASSERT_LE(heap.peak(), allowed(file)) << "16384 × 16384 claimed at offset " << first;
                 ++lies;
             }
         }

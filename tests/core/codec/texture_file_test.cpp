@@ -76,7 +76,7 @@ TEST(SaveTexture, RefusesOtherNamesAndNamesThoseThatItTakes) {
         const Result<void> saved = saveTexture(blueBelowRed(), folder / name);
         ASSERT_FALSE(saved) << name;
         EXPECT_EQ(saved.error().code, ErrorCode::Unsupported);
-        EXPECT_EQ(saved.error().message, "expected a name that ends in one of .bmp, .dds, .png, .tga");
+        EXPECT_EQ(saved.error().message, "expected a name that ends with one of .bmp, .dds, .png, .tga");
         EXPECT_EQ(saved.error().where, (folder / name).string());
         EXPECT_FALSE(std::filesystem::exists(folder / name));
     }

@@ -16,9 +16,9 @@ using test::setPixel;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr Rgba grey{100, 100, 100, 255};
-constexpr Rgba white{255, 255, 255, 255};
-constexpr Rgba black{0, 0, 0, 255};
+constexpr PixelBytes grey{100, 100, 100, 255};
+constexpr PixelBytes white{255, 255, 255, 255};
+constexpr PixelBytes black{0, 0, 0, 255};
 
 Image noise(int width, int height, unsigned seed) {
     std::minstd_rand dice(seed);
@@ -35,7 +35,7 @@ Criterion tolerating(double tolerance, double share = 0) {
     return criterion;
 }
 
-Rgba pixelOf(const Image& image, int x, int y) {
+PixelBytes pixelOf(const Image& image, int x, int y) {
     return rgbaOf(image.format, image.at(x, image.height - 1 - y).data());
 }
 
@@ -63,7 +63,7 @@ TEST(Comparison, SaysWhatDiffersWhereAndHowMuch) {
     EXPECT_EQ(
         found->sentence,
         "3 of 1200 pixels (0.25 %) have a difference above 1/255; the worst, 60/255, is at 8, 5: 100 100 100 255 "
-        "was expected, 100 100 40 255 found; 2 regions within 24 x 17 pixels at 7, 4");
+        "was expected, 100 100 40 255 found; 2 regions within 24 × 17 pixels at 7, 4");
 }
 
 TEST(Comparison, SaysThatTheyAreAlike) {
@@ -84,7 +84,7 @@ TEST(Comparison, SaysThatTheyAreAlike) {
     EXPECT_FALSE(comparePictures(expected, actual, tolerating(0, 0.0099))->alike);
     EXPECT_TRUE(comparePictures(expected, actual, tolerating(0, 0.01))->alike);
     EXPECT_THAT(comparePictures(expected, actual, tolerating(0, 0.01))->sentence,
-                testing::StartsWith("alike, as up to 1 % may differ: 1 of 100 pixels (1 %) differs; "));
+                testing::StartsWith("alike, since up to 1 % may differ: 1 of 100 pixels (1 %) differs; "));
 }
 
 TEST(Comparison, TakesTwoSizesAsADifference) {
@@ -92,7 +92,7 @@ TEST(Comparison, TakesTwoSizesAsADifference) {
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->alike);
     EXPECT_FALSE(found->sameSize());
-    EXPECT_EQ(found->sentence, "the sizes differ: 300 x 200 pixels were expected, 300 x 201 found");
+    EXPECT_EQ(found->sentence, "the sizes differ: 300 × 200 pixels were expected, 300 × 201 found");
 }
 
 TEST(Comparison, CountsAlphaUnlessToldNotTo) {
@@ -174,7 +174,7 @@ TEST_P(OfEveryMetric, WorksOnTinyPictures) {
         EXPECT_EQ(other->over, static_cast<std::size_t>(width * height));
         EXPECT_EQ(other->bounds, (PixelRect{0, 0, width, height}));
         EXPECT_EQ(other->worst.at, glm::ivec2(0));
-        EXPECT_LE(other->worst.value, factsOf(GetParam()).largest);
+        EXPECT_LE(other->worst.value, factsOf(GetParam()).maxValue);
     }
     const Result<Comparison> none = comparePictures({}, {}, criterion);
     ASSERT_TRUE(none);
@@ -195,7 +195,7 @@ TEST_P(OfEveryMetric, LeavesOutWhatTheMaskCovers) {
     EXPECT_EQ(found->pixels, 198U);
     EXPECT_EQ(found->difference.max, 0);
     EXPECT_EQ(found->score, factsOf(GetParam()).alikeScore);
-    EXPECT_EQ(pixelOf(found->map, 3, 3), (Rgba{72, 72, 72, 255}));
+    EXPECT_EQ(pixelOf(found->map, 3, 3), (PixelBytes{72, 72, 72, 255}));
     EXPECT_EQ(pixelOf(found->map, 4, 3), black);
     setPixel(actual, 12, 7, white);
     EXPECT_FALSE(comparePictures(expected, actual, criterionOf(GetParam()), &mask)->alike);
@@ -236,7 +236,7 @@ TEST_P(OfEveryMetric, PaintsWhatIsOverTheToleranceAsSuch) {
             const float value = values[static_cast<std::size_t>(y * 70 + x)];
             const bool isOver = static_cast<double>(value) > criterion.tolerance;
             over += isOver ? 1 : 0;
-            const Rgba color = pixelOf(found->map, x, y);
+            const PixelBytes color = pixelOf(found->map, x, y);
             EXPECT_EQ(color == black, value == 0) << x << ", " << y << ": " << value;
             EXPECT_EQ(color[0] > 100, isOver) << x << ", " << y << ": " << value; // violet and all above it
         }
@@ -257,7 +257,7 @@ TEST(Comparison, RefusesWhatCanNotBeCompared) {
     };
     const Image small = even(4, 2, white);
     EXPECT_EQ(errorOf({}, &small),
-              "the mask must be as large as the pictures: expected 4 x 3 pixels, found 4 x 2");
+              "the mask must be as large as the pictures: expected 4 × 3 pixels, found 4 × 2");
     const Image all = even(4, 3, black);
     EXPECT_EQ(errorOf({}, &all), "the mask leaves no pixel to compare");
     EXPECT_EQ(errorOf(tolerating(-1), nullptr), "tolerance: expected a number from 0 to 255, found -1");

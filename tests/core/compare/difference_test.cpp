@@ -49,7 +49,7 @@ TEST(Compare, RefusesWhatCanNotBeCompared) {
     const Result<Difference> sizes = compare(a, greyPicture(1, 2, {1, 2}), 0);
     ASSERT_FALSE(sizes);
     EXPECT_EQ(sizes.error().code, ErrorCode::OutOfRange);
-    EXPECT_THAT(sizes.error().message, HasSubstr("found 2 x 1 pixels (RGBA, 8 bits each) and 1 x 2"));
+    EXPECT_THAT(sizes.error().message, HasSubstr("found 2 × 1 pixels (RGBA, 8 bits each) and 1 × 2"));
     const Image rgb = Image::uninitialised(PixelFormat::Rgb8, 2, 1);
     EXPECT_EQ(compare(a, rgb, 0).error().code, ErrorCode::Unsupported);
     EXPECT_EQ(heatMap(rgb, a).error().code, ErrorCode::Unsupported);

@@ -23,7 +23,7 @@ namespace texplorer::test {
 }
 
 /// One colour; row and pixel don't matter.
-[[nodiscard]] inline Image even(int width, int height, Rgba color) {
+[[nodiscard]] inline Image even(int width, int height, PixelBytes color) {
     Image image = Image::uninitialised(PixelFormat::Rgba8, width, height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] = static_cast<std::byte>(color[i % 4]);
@@ -31,7 +31,7 @@ namespace texplorer::test {
 }
 
 /// `x` and `y` from the upper left.
-inline void setPixel(Image& image, int x, int y, Rgba color) {
+inline void setPixel(Image& image, int x, int y, PixelBytes color) {
     for (std::size_t c = 0; c < color.size(); ++c)
         image.at(x, image.height - 1 - y)[c] = static_cast<std::byte>(color[c]);
 }

@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The reference, with wrap modes of s and t exchanged.
+/// The reference with the wrap modes of s and t exchanged.
 class Swapped : public Renderer {
 public:
     Result<Frame> draw(const Scene& scene) override {
@@ -51,7 +51,7 @@ TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
     EXPECT_THAT(text, HasSubstr("agree"));
     EXPECT_THAT(text, HasSubstr("skipped: driver-compression, "));
     EXPECT_THAT(text, HasSubstr("on llvmpipe <&>\x1B, 4.5, with A=b: not all agree\n"));
-    EXPECT_THAT(text, HasSubstr("  –  ")); // what no rule explains has no number
+    EXPECT_THAT(text, HasSubstr("  –  ")); // a cause that no rule explains has no number
     std::istringstream lines(text);
     std::string line;
     std::getline(lines, line);
@@ -102,7 +102,8 @@ TEST(Report, SaysTheSameOfAllInEachForm) {
     }
 }
 
-// Row 0 of an image is the bottom one; probe counts from the top. A twentieth of a thousandth is not nothing.
+// Row 0 of an image is the bottom one; probe counts from the top. A twentieth of a thousandth is not printed
+// as 0.
 TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     Report report = reportOf({findFeature("trilinear")});
     report.origin = {"texshot 9.9", "A=b texshot conform --seed 1", "2026-01-02 03:04 UTC"};
@@ -170,17 +171,17 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
     const Bytes scene = file("wrap-reference-fixed.json");
     const auto parsed = parseScene({reinterpret_cast<const char*>(scene.data()), scene.size()});
     ASSERT_TRUE(parsed) << describe(parsed.error());
-    // The picture is the one that the scene gives.
+    // The picture is that of the scene.
     const Result<TextureImage> picture = decodePng(file("wrap-reference-fixed-reference.png"), {});
     ASSERT_TRUE(picture);
     EXPECT_EQ(toImage(picture->surface(0, 0)), referenceRenderer()->draw(*parsed)->image);
     EXPECT_TRUE(decodePng(file("wrap-reference-fixed-fixed.png"), {}));
-    // The files that scenes name are beside them.
+    // The files that scenes name are in the same folder.
     for (const MadeFile& made : madeFiles)
         EXPECT_TRUE(decodeDds(file(made.name)));
     EXPECT_TRUE(decodePng(file("wrap-reference-fixed-difference.png"), {}));
     EXPECT_FALSE(file("report.json").empty());
-    // The page names them.
+    // The page lists them.
     const Bytes data = file("report-data.js");
     const std::string text(reinterpret_cast<const char*>(data.data()), data.size());
     for (const char* expected : {"\"wrap-reference-fixed-reference.png\"", "\"wrap-reference-fixed.json\"",
@@ -190,7 +191,7 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
     EXPECT_FALSE(file("wrap-reference-fixed-fixed.png.js").empty());
 }
 
-// The yardstick is what is expected.
+// The expected picture is that of the yardstick.
 TEST(Report, IsAPageOfCases) {
     const report::Page page =
         pageOf(reportOf({findFeature("wrap"), findFeature("incomplete"), findFeature("compression")}));

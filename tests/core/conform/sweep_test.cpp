@@ -21,7 +21,7 @@
 namespace texplorer::conform::sweep_test {
 namespace {
 
-/// Draws each scene as the reference does, but for what is wrong with it.
+/// Draws each scene as the reference does, except for one error.
 class Mutant : public Renderer {
 public:
     using Change = void (*)(Scene&);
@@ -46,7 +46,7 @@ private:
     std::unique_ptr<Renderer> reference_ = referenceRenderer();
 };
 
-/// Draws each scene as the reference does, but has stored other texels.
+/// Draws each scene as the reference does, but stores other texels.
 class OtherTexels : public Renderer {
 public:
     using Store = void (*)(std::array<int, 4>& texel, const FormatFacts& facts);
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    /// The texture's levels before they are rounded, changed.
+    /// The changed levels of the texture, before they are rounded.
     [[nodiscard]] TextureImage stored(const Texture& texture) const {
         Texture plain = texture;
         plain.internalFormat = InternalFormat::Rgba;
@@ -103,7 +103,7 @@ SweepOptions optionsFor(const std::vector<const Feature*>& features, int scenes)
     SweepOptions options;
     options.selection = {1, scenes, features};
     options.pairs = {Pair{RendererKind::Reference, RendererKind::Shader}};
-    options.driver.name = "llvmpipe"; // whose peculiarities the rows of skips name
+    options.driver.name = "llvmpipe"; // the rows of skips list its differences
     return options;
 }
 
@@ -120,7 +120,7 @@ TEST(Sweep, FindsThatTheReferenceAgreesWithItself) {
     }
 }
 
-/// Draws as the reference does and complains of what it is told.
+/// Draws as the reference does and reports a problem for each scene.
 class Complainer : public Renderer {
 public:
     explicit Complainer(std::vector<std::string> problems)
@@ -162,7 +162,7 @@ TEST(Sweep, IsTheSameWithAnyNumberOfThreads) {
         reports.push_back(compared());
     }
     {
-        const test::NoThreads none; // to be had: whoever draws compares
+        const test::NoThreads none; // available: the drawing thread compares
         reports.push_back(compared());
     }
     for (const Report& report : reports) {
@@ -206,7 +206,7 @@ TEST(Sweep, EndsWithTheErrorOfARendererThatCanNotDraw) {
     EXPECT_EQ(report.error().message, "the context is gone");
 }
 
-/// One that breaks its promise after some scenes.
+/// Throws after some scenes.
 class Throwing : public Explainer {
 public:
     explicit Throwing(int good)
@@ -227,7 +227,7 @@ private:
     std::unique_ptr<Explainer> reference_ = referenceRenderer();
 };
 
-// Neither side may wait for the other then.
+// Neither thread may wait for the other after that.
 TEST(Sweep, EndsWhereTheDrawingThrows) {
     for (const int good : {0, 5}) {
         Throwing throwing(good);
@@ -261,7 +261,7 @@ TEST(Cases, AreTheSameForTheSameSeed) {
     };
     EXPECT_EQ(texts(1, 100), texts(1, 100));
     EXPECT_NE(texts(1, 100), texts(2, 100));
-    // More scenes are the same ones and others.
+    // More scenes are the same ones, followed by others.
     const std::vector<std::string> more = texts(1, 400);
     const std::set<std::string> known(more.begin(), more.end());
     for (const std::string& text : texts(1, 100))
@@ -289,7 +289,7 @@ TEST(Cases, AreAsManyAsAreAskedFor) {
     EXPECT_EQ(casesOf({1, 7, {findFeature("wrap"), findFeature("lod")}}).size(), 7U);
 }
 
-// What sense there is in a level setting is for the renderers to find out.
+// Level settings need not make sense: renderers must handle them.
 TEST(Cases, HaveLevelSettingsWithAndWithoutSense) {
     bool beyond = false;
     bool backwards = false;
@@ -410,7 +410,8 @@ TEST(Skips, NameLinesOfEvenWidthThatAreDrawn) {
     }
 }
 
-// std::mt19937 is the same everywhere. Its first number from the FNV-1a hash of these, worked out in Python.
+// std::mt19937 is the same everywhere. The seed is the FNV-1a hash of these; its first number was computed
+// with Python.
 TEST(Cases, AreTheSameOnEveryMachine) {
     Dice dice("environment", 1, 0);
     EXPECT_EQ(dice.below(1000000), 728812);
@@ -424,7 +425,7 @@ TEST(Cases, OfEachFeatureAreScenesThatAFileCanHold) {
     }
 }
 
-// A scene that can't be drawn as it says would be compared with nothing.
+// A scene that cannot be drawn as specified would be compared with nothing.
 TEST(Cases, AskForNothingThatIsMissing) {
     for (const Case& item : casesOf({1, 400, {}})) {
         if (item.feature->name == "incomplete")
@@ -474,7 +475,7 @@ TEST(Features, HaveUniqueNamesAndSomethingToSay) {
     EXPECT_EQ(findFeature("none"), nullptr);
 }
 
-// --- Renderers that are wrong on purpose: each must be caught by the feature that it is wrong about
+// --- Renderers with an error: each must be caught by the feature that the error affects
 
 void eachUnit(Scene& scene, auto change) {
     for (Pass& pass : scene.passes) {
@@ -504,7 +505,7 @@ struct Wrong {
 };
 class WrongRenderer : public testing::TestWithParam<Wrong> {};
 
-/// What a sweep of one feature says of it.
+/// The outcome of a sweep of one feature.
 Outcome outcomeOf(Renderer& renderer, const char* name, int scenes, const char* driver) {
     const Feature* feature = findFeature(name);
     EXPECT_NE(feature, nullptr);
@@ -523,10 +524,10 @@ TEST_P(WrongRenderer, IsCaughtByItsFeature) {
         << " unexplained";
 }
 
-/// What comes of scenes with so many pixels over the bound, of 1000 each, all of them explained.
+/// The verdict for scenes with these numbers of pixels above the bound, of 1000 each, all of them explained.
 Verdict verdictOf(const std::vector<std::size_t>& overs) {
     Outcome outcome;
-    outcome.rule = &rules::levelBlend; // 4 % may be
+    outcome.rule = &rules::levelBlend; // allows 4 %
     for (const std::size_t over : overs) {
         Judgement judgement;
         judgement.difference.pixels = 1000;
@@ -536,7 +537,7 @@ Verdict verdictOf(const std::vector<std::size_t>& overs) {
     return outcome.verdict();
 }
 
-// 4 % is what thousands of scenes may have: one may have more, and a few by chance.
+// 4 % is the limit for thousands of scenes: one may have more, and a few by chance.
 TEST(Verdicts, DependOnTheNumberOfScenes) {
     EXPECT_EQ(verdictOf({}), Verdict::Skipped);
     EXPECT_EQ(verdictOf({39}), Verdict::Agree);
@@ -550,20 +551,20 @@ TEST(Verdicts, DependOnTheNumberOfScenes) {
     EXPECT_EQ(verdictOf(std::vector<std::size_t>(72, 45)), Verdict::Differ); // the same in each is none
 }
 
-// Where a rule allows nothing, a single pixel of a single scene is too much.
+// If a rule allows nothing, a single pixel in a single scene is too much.
 TEST(Verdicts, NeedNoSecondSceneWhereNothingIsAllowed) {
     Mutant wrong(nullptr, [](Image& image, const Scene&) { image.pixels[0] ^= std::byte{0x80}; });
     EXPECT_EQ(outcomeOf(wrong, "wrap", 1, "llvmpipe").verdict(), Verdict::Differ);
 }
 
-// A scene that is altogether wrong is wrong by itself.
+// A completely wrong scene is enough by itself.
 TEST(Verdicts, NeedNoSecondSceneThatIsWrong) {
     Mutant wrong(nullptr,
                  [](Image& image, const Scene&) { std::ranges::fill(image.pixels, std::byte{0x55}); });
     EXPECT_EQ(outcomeOf(wrong, "linear", 1, "llvmpipe").verdict(), Verdict::Differ);
 }
 
-/// A driver that takes the least or the largest rho that it may.
+/// A driver with the smallest or the largest rho that is allowed.
 class OtherRho : public Renderer {
 public:
     explicit OtherRho(reference::RhoMethod method)
@@ -610,8 +611,7 @@ INSTANTIATE_TEST_SUITE_P(
                                    for (std::size_t c = 0; c < 4; ++c) {
                                        const int bits = facts.bits.at(c);
                                        if (bits > 0 && bits < 8)
-                                           texel.at(c) =
-                                               byteOf(texel.at(c) * largestNumber(bits) / 255, bits);
+                                           texel.at(c) = byteOf(texel.at(c) * maxNumber(bits) / 255, bits);
                                    }
                                }},
                     WrongStore{"LowestBitsCutOff",
@@ -733,7 +733,7 @@ const Wrong wrongs[] = {
     {"ProjectedFromAnotherPlace", "projector", [](Scene& s) { s.light.position.x += 0.1F; }},
     {"ShadowsWithoutBias", "projector", [](Scene& s) { eachStep(s, [](MatrixStep& m) { m.amount.z = 0; }); }},
     {"ShadowsOfOneModelAlone", "projector",
-     [](Scene& s) { // what it hides from the light is lit
+     [](Scene& s) { // what should be in shadow is lit
          if (s.textures[0].source == SourceKind::LightDepth)
              s.textures[0].compareFunc = CompareFunc::Always;
      }},
@@ -1039,7 +1039,7 @@ const Wrong wrongs[] = {
 INSTANTIATE_TEST_SUITE_P(All, WrongRenderer, testing::ValuesIn(wrongs),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Every feature has somebody who is wrong about it.
+// Every feature has a renderer that is wrong about it.
 TEST(WrongRenderers, ThereIsOneForEachFeature) {
     for (const Feature& feature : features())
         EXPECT_TRUE(std::ranges::any_of(wrongs, [&](const Wrong& wrong) {

@@ -1,5 +1,4 @@
-// A row is a mistake, what is said about it and where, and what mends it: the fix that is offered, or an
-// edit.
+// Each row is a mistake, its finding and where it is shown, and what fixes it: the offered fix, or an edit.
 
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/params/params.h"
@@ -36,7 +35,7 @@ struct Stage {
                                                              std::max(1, height >> level)));
         images.put("image", std::move(image));
     }
-    /// From black at the bottom left to white at the top right, or squares of both.
+    /// A gradient from black at the bottom left to white at the top right, or squares of both.
     void showGreys(bool smooth) {
         texture().source = SourceKind::File;
         texture().file = "greys";
@@ -203,19 +202,19 @@ INSTANTIATE_TEST_SUITE_P(
                     {30, "passes[0].units[0].texGenQ.objectPlane", "1,0,0,10", Easing::Hold},
                     {31, "passes[0].units[0].texGenQ.objectPlane", "1,0,0,0", Easing::Hold}};
             }},
-        Row{"NonPowerOfTwo", "non-power-of-two", Warning, "textures[0].npot", "6 x 4",
+        Row{"NonPowerOfTwo", "non-power-of-two", Warning, "textures[0].npot", "6 × 4",
             [](Stage& s) {
                 s.driver.nonPowerOfTwo = false;
                 s.showFile(6, 4);
             }},
-        Row{"TooLarge", "size-limit", Error, "textures[0].file", "64 x 2 texels exceed the driver's 32",
+        Row{"TooLarge", "size-limit", Error, "textures[0].file", "64 × 2 texels exceed the driver's 32",
             [](Stage& s) {
                 s.driver.maxTextureSize = 32;
                 s.showFile(64, 2);
             },
             [](Stage& s) { s.showFile(32, 2); }},
         Row{"LevelTooLarge", "level-size-limit", Error, "textures[0].levels[1]",
-            "64 x 2 texels exceed the driver's 32 for level 2",
+            "64 × 2 texels exceed the driver's 32 for level 2",
             [](Stage& s) {
                 s.driver.maxTextureSize = 128;
                 s.showFile(64, 2);
@@ -234,22 +233,22 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.texture().levels.resize(14); }},
         Row{"FacesNotSquare", "incomplete", Warning, "textures[0].file",
-            "must be square, and they have 8 x 4",
+            "must be square, and they have 8 × 4",
             [](Stage& s) {
                 s.showFile(8, 4);
                 s.unit().target = Target::CubeMap;
             },
             [](Stage& s) { s.showFile(24, 4); }},
-        Row{"CubeTooLarge", "size-limit", Error, "textures[0].file", "64 x 64 texels exceed the driver's 32",
+        Row{"CubeTooLarge", "size-limit", Error, "textures[0].file", "64 × 64 texels exceed the driver's 32",
             [](Stage& s) {
                 s.driver.maxCubeMapSize = 32;
                 s.showFile(384, 64);
                 s.unit().target = Target::CubeMap;
             },
             [](Stage& s) { s.showFile(192, 32); }},
-        Row{"CubeSeams", "cube-seams", Warning, "textures[0].wrapS", "GL_REPEAT reaches beyond the edge",
+        Row{"CubeSeams", "cube-seams", Warning, "textures[0].wrapS", "GL_REPEAT reads beyond the edge",
             [](Stage& s) { s.unit().target = Target::CubeMap; }},
-        Row{"CubeSeamsOfT", "cube-seams", Warning, "textures[0].wrapT", "GL_CLAMP reaches beyond the edge",
+        Row{"CubeSeamsOfT", "cube-seams", Warning, "textures[0].wrapT", "GL_CLAMP reads beyond the edge",
             [](Stage& s) {
                 s.unit().target = Target::CubeMap;
                 s.texture().wrapS = Wrap::ClampToEdge;
@@ -263,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.unit().target = Target::CubeMap; },
             [](Stage& s) { s.pass().seamlessCubeMap = true; }},
         Row{"CubeOfFewTexels", "cube-edges", Note, "passes[0].seamlessCubeMap",
-            "each face of textures[0] has 8 x 8 texels", cubeOfFewTexels},
+            "each face of textures[0] has 8 × 8 texels", cubeOfFewTexels},
         Row{"CubeOfFewTexelsUnlessNearest", "cube-edges", Note, "passes[0].seamlessCubeMap",
             "filtered on its own", cubeOfFewTexels,
             [](Stage& s) {
@@ -285,7 +284,7 @@ INSTANTIATE_TEST_SUITE_P(
             "no unit of this pass shows a cube map", [](Stage&) {},
             [](Stage& s) { s.unit().target = Target::CubeMap; }},
         Row{"SeamlessUnderNearest", "seamless-in-vain", Hint, "passes[0].seamlessCubeMap",
-            "GL_NEAREST takes one texel",
+            "GL_NEAREST reads one texel",
             [](Stage& s) {
                 cubeOfFewTexels(s);
                 s.texture().minFilter = MinFilter::Nearest;
@@ -326,7 +325,7 @@ INSTANTIATE_TEST_SUITE_P(
                 s.showFile(64, 64);
             },
             [](Stage& s) { s.showFile(66, 66); }},
-        Row{"OwnBorder", "own-border", Hint, "textures[0].borderColor", "a border of its own texels",
+        Row{"OwnBorder", "own-border", Hint, "textures[0].borderColor", "a border of texels",
             [](Stage& s) { s.texture().border = 1; }, [](Stage& s) { s.driver.textureBorders = false; }},
         Row{"IgnoredHint", "ignored-hint", Warning, "view.perspectiveHint", "may ignore this hint",
             [](Stage& s) { s.scene.view.perspectiveHint = HintMode::Fastest; }},
@@ -357,7 +356,7 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.texture().maxLevel = 1; }},
         Row{"LevelOfAnotherSize", "incomplete", Warning, "textures[0].levels[1].file",
-            "level 2 should have 16 x 16 texels and has 8 x 2",
+            "level 2 should have 16 × 16 texels and has 8 × 2",
             [](Stage& s) {
                 s.showFile(8, 2);
                 s.texture().source = SourceKind::Pattern;
@@ -373,7 +372,7 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.texture().mipmaps = MipPolicy::Generated; }},
         Row{"AlphaWithoutAFile", "missing-part", Error, "textures[0].preparation[0].file",
-            "gone.png can't be found or read: the step is left out",
+            "gone.png can't be found or read: the step is skipped",
             [](Stage& s) {
                 s.texture().preparation = {
                     {.op = ImageOp::AlphaFrom, .source = SourceKind::File, .file = "gone.png"}};
@@ -403,7 +402,7 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.texture().preparation[1].op = ImageOp::Invert; }},
         Row{"AlphaBeforeAStencil", "lost-alpha", Hint, "textures[0].preparation[0]",
-            "transparency=stencil makes another alpha",
+            "transparency=stencil replaces alpha",
             [](Stage& s) {
                 s.texture().transparency = Transparency::Stencil;
                 s.texture().preparation = {{.op = ImageOp::LuminanceToAlpha}};
@@ -438,7 +437,8 @@ TEST(DiagnosisOfAll, OffersAPatternForALevelOfAnotherSize) {
 
 INSTANTIATE_TEST_SUITE_P(
     Format, Diagnosis,
-    testing::Values(Row{"Bands", "banding", Note, "textures[0].internalFormat", "GL_RGB4 has 16 steps",
+    testing::Values(Row{"Bands", "banding", Note, "textures[0].internalFormat",
+                        "GL_RGB4 has at most 16 steps",
                         [](Stage& s) {
                             s.showGreys(true);
                             s.texture().internalFormat = InternalFormat::Rgb4;
@@ -507,7 +507,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"MaxLodUnread", "texture-setting", Hint, "textures[0].maxLod", "both filters are the same",
             [](Stage& s) { s.texture().minFilter = MinFilter::Linear; },
             [](Stage& s) { s.texture().magFilter = MagFilter::Nearest; }},
-        Row{"TextureNotShown", "texture-not-shown", Hint, "textures[0]", "no unit",
+        Row{"TextureNotShown", "texture-not-shown", Hint, "textures[0]", "no enabled unit",
             [](Stage& s) { s.unit().enabled = false; }, [](Stage& s) { s.unit(2).enabled = true; }},
         Row{"FileOfAPattern", "other-texture-choice", Unused, "textures[0].file", "pattern", [](Stage&) {},
             [](Stage& s) { s.showFile(4, 4); }},
@@ -541,14 +541,14 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.driver.textureUnits = 3; }},
         Row{"OneUnit", "unit-limit", Warning, "passes[0].units[1].enabled",
-            "has 1 texture unit: drawn without this one; a pass more that shows its texture alone, blended "
+            "has 1 texture unit: drawn without this one; one more pass with its texture alone, blended "
             "with GL_DST_COLOR and GL_ZERO",
             [](Stage& s) {
                 s.driver.textureUnits = 1;
                 s.unit(1).enabled = true;
             }},
         Row{"OneUnitThatCombines", "unit-limit", Warning, "passes[0].units[1].enabled",
-            "more passes, blended, take the place of more units",
+            "use more passes with blending instead of more units",
             [](Stage& s) {
                 s.driver.textureUnits = 1;
                 s.unit(1).enabled = true;
@@ -571,7 +571,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.combine().source1Rgb = CombineSource::Texture2; }},
         Row{"CrossbarOfAUnitWithoutTexture", "undefined-crossbar", Warning,
             "passes[0].units[0].combine.source1Rgb",
-            "GL_TEXTURE2 is undefined: unit 2 has no texture that is complete",
+            "GL_TEXTURE2 is undefined: unit 2 has no complete texture",
             [](Stage& s) {
                 s.combine().source1Rgb = CombineSource::Texture2;
                 s.unit(2).enabled = true;
@@ -579,7 +579,7 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.unit(2).texture = 0; }},
         Row{"CoordinatesWithoutDirection", "no-tangent", Warning, "passes[0].units[0].emboss.enabled",
-            "at all of the 24 vertices of models[0] the coordinates say no direction on the surface",
+            "at all of the 24 vertices of models[0] the coordinates give no direction on the surface",
             [](Stage& s) {
                 s.scene.models[0].texCoords[0].assign(24, {0, 0, 0, 1});
                 s.unit().emboss.enabled = true;
@@ -587,7 +587,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.unit().emboss.enabled = false; }},
         Row{"CoordinatesWithoutDirectionAtThePoles", "no-tangent", Warning,
             "passes[0].units[0].emboss.enabled",
-            " vertices of models[1] the coordinates say no direction on the surface",
+            " vertices of models[1] the coordinates give no direction on the surface",
             [](Stage& s) { s.unit().emboss.enabled = true; },
             [](Stage& s) { s.scene.models[1].visible = false; }},
         Row{"CrossbarSwitchedOn", "undefined-crossbar", Warning, "passes[0].units[0].combine.source0Alpha",
@@ -651,7 +651,7 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit().enabled = false;
                 s.unit().envMode = EnvMode::Replace;
             }},
-        Row{"ItsTextureNotShown", "texture-not-shown", Hint, "textures[0]", "no unit that is on",
+        Row{"ItsTextureNotShown", "texture-not-shown", Hint, "textures[0]", "no enabled unit",
             [](Stage& s) { s.unit().enabled = false; }},
         Row{"OverruledByReplace", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
             [](Stage& s) {
@@ -694,7 +694,7 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit(1).envMode = EnvMode::Replace;
             },
             [](Stage& s) { s.driver.textureUnits = 1; }},
-        Row{"TextureOfAnOverruledUnit", "overruled-texture", Hint, "textures[0]", "let nothing through",
+        Row{"TextureOfAnOverruledUnit", "overruled-texture", Hint, "textures[0]", "replace the result",
             [](Stage& s) {
                 s.scene.textures.push_back(s.texture());
                 s.unit(1).enabled = true;
@@ -723,7 +723,7 @@ INSTANTIATE_TEST_SUITE_P(
     Pass, Diagnosis,
     testing::Values(
         Row{"InfiniteCoordinate", "infinite-coordinate", Error, "models[0].texCoords0[1]",
-            "so it is with 1 more",
+            "the same is true of 1 more",
             [](Stage& s) {
                 s.scene.models[0].texCoords[0] = {{0, 0, 0, 1}, {infinite, 0, 0, 1}, {0, NAN, 0, 1}};
             },
@@ -742,7 +742,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.pass().depthFunc = CompareFunc::Never; }},
         Row{"SecondPassWithLess", "hidden-pass", Warning, "passes[1].depthFunc",
             "no depth is less than itself", [](Stage& s) { s.scene.passes.push_back(s.pass()); }},
-        Row{"NoDepthTest", "no-depth-test", Warning, "passes[0].depthTest", "covers what is nearer",
+        Row{"NoDepthTest", "no-depth-test", Warning, "passes[0].depthTest", "covers nearer surfaces",
             [](Stage& s) { s.pass().depthTest = false; }},
         Row{"NoDepthTestOfOneSquare", "no-depth-test", Warning, "passes[0].depthTest", "no depth test",
             [](Stage& s) { s.pass().depthTest = false; },
@@ -770,7 +770,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.pass().depthTest = false; }, [](Stage& s) { s.pass().depthTest = true; }},
         Row{"AlphaFunc", "fragment-test", Hint, "passes[0].alphaFunc", "off", [](Stage&) {},
             [](Stage& s) { s.pass().alphaTest = true; }},
-        Row{"AlphaRef", "fragment-test", Hint, "passes[0].alphaRef", "GL_ALWAYS compares with nothing",
+        Row{"AlphaRef", "fragment-test", Hint, "passes[0].alphaRef", "GL_ALWAYS compares nothing",
             [](Stage& s) { s.pass().alphaTest = true; },
             [](Stage& s) { s.pass().alphaFunc = CompareFunc::Greater; }},
         Row{"BlendFactor", "fragment-test", Hint, "passes[0].blendDst", "off", [](Stage&) {},
@@ -795,16 +795,16 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.scene.material.specular = {1, 1, 1, 1};
             }},
-        Row{"ColorUnderReplace", "color", Hint, "material.color", "nothing of the primary colour",
+        Row{"ColorUnderReplace", "color", Hint, "material.color", "replace the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) { s.texture().internalFormat = InternalFormat::Luminance; }}, // its alpha stays
-        Row{"ColorUnderReplaceOfOnePass", "color", Hint, "material.color", "nothing of the primary colour",
+        Row{"ColorUnderReplaceOfOnePass", "color", Hint, "material.color", "replace the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) {
                 s.scene.passes.push_back(s.pass());
                 s.scene.passes[1].units[0].enabled = false;
             }},
-        Row{"LightingUnderReplace", "lighting", Hint, "passes[0].lighting", "nothing of the primary colour",
+        Row{"LightingUnderReplace", "lighting", Hint, "passes[0].lighting", "replace the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},
         Row{"LightingUnderReplaceOfLuminance", "lighting", Hint, "passes[0].lighting", "primary colour",
@@ -813,19 +813,19 @@ INSTANTIATE_TEST_SUITE_P(
                 s.texture().internalFormat = InternalFormat::Luminance;
             },
             [](Stage& s) { s.texture().internalFormat = InternalFormat::Alpha; }},
-        Row{"SpecularUnderReplace", "light", Hint, "material.specular", "nothing of the primary colour",
+        Row{"SpecularUnderReplace", "light", Hint, "material.specular", "replace the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},
-        Row{"ShininessUnderReplace", "light", Hint, "material.shininess", "nothing of the primary colour",
+        Row{"ShininessUnderReplace", "light", Hint, "material.shininess", "replace the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) { s.unit().envMode = EnvMode::Decal; }},
-        Row{"DiffuseUnderReplaceAndSeparate", "light", Hint, "light.diffuse", "nothing of the primary colour",
+        Row{"DiffuseUnderReplaceAndSeparate", "light", Hint, "light.diffuse", "replace the primary colour",
             [](Stage& s) {
                 s.unit().envMode = EnvMode::Replace;
                 s.scene.light.colorControl = ColorControl::SeparateSpecular;
             },
             [](Stage& s) { s.unit().enabled = false; }},
-        Row{"TwoSidesWithoutLight", "light", Hint, "light.twoSide", "nothing of the primary colour",
+        Row{"TwoSidesWithoutLight", "light", Hint, "light.twoSide", "replace the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) { s.unit().envMode = EnvMode::Modulate; }},
         Row{"TwoSidesOfClosedShapes", "two-sides", Hint, "light.twoSide", "closed and seen from outside",
@@ -860,9 +860,10 @@ INSTANTIATE_TEST_SUITE_P(
                 s.scene.models[0].rotation = {0, 0, 0};
                 s.scene.view.elevation = 0;
             }},
-        Row{"FogOfTheInitialState", "fog-of-no-use", Warning, "passes[0].fog.density", "all is hidden",
+        Row{"FogOfTheInitialState", "fog-of-no-use", Warning, "passes[0].fog.density", "everything is "
+                                                                                       "hidden",
             [](Stage& s) { s.pass().fog.enabled = true; }},
-        Row{"FogSquaredTooThick", "fog-of-no-use", Warning, "passes[0].fog.density", "all is hidden",
+        Row{"FogSquaredTooThick", "fog-of-no-use", Warning, "passes[0].fog.density", "everything is hidden",
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .mode = FogMode::Exp2};
             }},
@@ -870,7 +871,8 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .density = 0};
             }},
-        Row{"LinearFogOfTheInitialState", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+        Row{"LinearFogOfTheInitialState", "fog-of-no-use", Warning, "passes[0].fog.end", "everything is "
+                                                                                         "hidden",
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
             }},
@@ -878,7 +880,8 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 50, .end = 90};
             }},
-        Row{"LinearFogBeforeAFlatThing", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+        Row{"LinearFogBeforeAFlatThing", "fog-of-no-use", Warning, "passes[0].fog.end", "everything is "
+                                                                                        "hidden",
             [](Stage& s) {
                 s.scene.models.resize(1);
                 s.scene.models[0] = {};
@@ -887,14 +890,14 @@ INSTANTIATE_TEST_SUITE_P(
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
             }},
         // The fix ends at the limit of its row, or there is none within it.
-        Row{"LinearFogFarAway", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+        Row{"LinearFogFarAway", "fog-of-no-use", Warning, "passes[0].fog.end", "everything is hidden",
             [](Stage& s) {
                 s.scene.models.resize(1);
                 s.scene.models[0].size = 100;
                 s.scene.view.distance = 990;
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
             }},
-        Row{"LinearFogTooFarAway", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+        Row{"LinearFogTooFarAway", "fog-of-no-use", Warning, "passes[0].fog.end", "everything is hidden",
             [](Stage& s) {
                 s.scene.models.resize(1);
                 s.scene.models[0].position.z = -1000;
@@ -909,7 +912,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 5, .end = 5};
             }},
-        Row{"FogOfAnotherColor", "fog-color", Warning, "passes[0].fog.color", "stands out",
+        Row{"FogOfAnotherColor", "fog-color", Warning, "passes[0].fog.color", "stand out",
             [](Stage& s) {
                 s.scene.models[0].shape = Shape::Floor;
                 s.pass().fog = {.enabled = true, .density = 0.1F, .color = {1, 0.5F, 0, 1}};
@@ -1088,7 +1091,7 @@ void castShadows(Stage& s) {
     }
 }
 
-/// A triangle of its own vertices that is seen straight on.
+/// A triangle with its own vertices that faces the viewer.
 MeshData& triangle(Stage& s) {
     Model& model = s.scene.models[0];
     model = Model{.shape = Shape::Mesh, .attachment = Attachment::Eye};
@@ -1101,12 +1104,14 @@ INSTANTIATE_TEST_SUITE_P(
     Vertices, Diagnosis,
     testing::Values(
         Row{"NormalWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
-            "the normal of vertex 1 has no length",
+            "the normal of vertex 1 has length 0",
             [](Stage& s) {
                 triangle(s).normals[1] = glm::vec3(0);
                 s.pass().lighting = true;
             }},
-        Row{"NormalsWithoutLength", "zero-normal", Warning, "models[0].mesh.normals", "so it is with 2 more",
+        Row{"NormalsWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
+            "the same is true of "
+            "2 more",
             [](Stage& s) {
                 triangle(s).normals.assign(3, glm::vec3(0));
                 s.unit().texGenS = {.enabled = true, .mode = TexGenMode::SphereMap};
@@ -1135,7 +1140,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"FogWithoutLengthOfAModelAtTheEye", "fog-range", Warning, "passes[0].fog.end", "divides by 0",
             [](Stage& s) {
                 MeshData& mesh = triangle(s);
-                // No power of ten of a float rounds it.
+                // Rounding to a power of ten is not possible for this float.
                 mesh.positions[0].z = mesh.positions[1].z = -1e-45F;
                 mesh.positions[2].z = -5;
                 s.scene.view.projection = Projection::Orthographic;
@@ -1162,7 +1167,7 @@ INSTANTIATE_TEST_SUITE_P(
                 castShadows(s);
                 s.texture().internalFormat = InternalFormat::Rgba;
             }},
-        Row{"DepthsNotCompared", "depths-as-they-are", Note, "textures[0].compareMode", "make shadows",
+        Row{"DepthsNotCompared", "depths-as-they-are", Note, "textures[0].compareMode", "for shadows",
             [](Stage& s) {
                 castShadows(s);
                 s.texture().compareMode = CompareMode::None;
@@ -1201,13 +1206,15 @@ INSTANTIATE_TEST_SUITE_P(
                 castShadows(s);
                 s.scene.light.position = {0, 0, 0, 0};
             }},
-        Row{"NearBehindFar", "light-range", Warning, "light.projector.farthest", "beyond the nearest, 20",
+        Row{"NearBehindFar", "light-range", Warning, "light.projector.farthest",
+            "greater than the "
+            "nearest, 20",
             [](Stage& s) {
                 castShadows(s);
                 s.scene.light.projector.nearest = 20;
                 s.scene.light.projector.farthest = 1;
             }},
-        Row{"NearIsFar", "light-range", Warning, "light.projector.farthest", "beyond the nearest",
+        Row{"NearIsFar", "light-range", Warning, "light.projector.farthest", "greater than the nearest",
             [](Stage& s) {
                 castShadows(s);
                 s.scene.light.projector.nearest = s.scene.light.projector.farthest;
@@ -1239,7 +1246,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DiagnosisOfDepths, HasNothingToSayOfAShadowMap) {
     Stage stage;
     castShadows(stage);
-    stage.pass().lighting = false; // the light counts all the same
+    stage.pass().lighting = false; // the light is used anyway
     for (const Finding& each : stage.findings()) {
         EXPECT_GE(each.severity, Hint) << each.path << ": " << each.sentence;
         EXPECT_FALSE(each.path == "light" || each.path == "light.position" ||

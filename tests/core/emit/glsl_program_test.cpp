@@ -27,7 +27,7 @@ std::string textOf(const Scene& scene) {
     return text.value_or(std::string());
 }
 
-/// What is between two words.
+/// The text between two words.
 std::string between(const std::string& text, const std::string& first, const std::string& last) {
     const std::size_t begin = text.find(first);
     return begin == std::string::npos ? std::string() : text.substr(begin, text.find(last, begin) - begin);
@@ -72,7 +72,7 @@ TEST(GlslProgram, HasNoFixedFunction) {
     }
 }
 
-/// Table 3.20: what became of formats that the core profile has no more.
+/// Table 3.20: formats that the core profile has removed.
 TEST(GlslProgram, SwizzlesWhatTheCoreProfileHasNoFormatFor) {
     Scene scene = defaultScene();
     scene.textures[0].internalFormat = InternalFormat::Luminance;
@@ -118,13 +118,14 @@ TEST(GlslProgram, EachPassHasItsOwnProgram) {
                       HasSubstr("glEnable(GL_BLEND);")));
 }
 
-/// Of scenes that nobody would make: real C, or it says so.
+/// Random scenes: the result is valid C, or an error.
 TEST(GlslProgram, HasOneBufferOfEmbossedCoordinates) {
     Scene scene = defaultScene();
     scene.models = {{.shape = Shape::Quad}};
     scene.passes[0].units[1] = {.enabled = true, .emboss = {.enabled = true}};
     scene.passes.push_back(scene.passes[0]);
-    scene.passes[1].units[0].emboss.enabled = true; // another vertex array object, for it takes others here
+    scene.passes[1].units[0].emboss.enabled =
+        true; // another vertex array object, because the coordinates differ here
     const std::string text = textOf(scene);
     const std::size_t made = text.find("model0EmbossedBuffer1 = newBuffer(");
     ASSERT_NE(made, std::string::npos);

@@ -214,7 +214,7 @@ TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
         ASSERT_FALSE(lines) << each.name;
         EXPECT_EQ(lines.error().where, each.path) << each.name;
         EXPECT_THAT(lines.error().message,
-                    HasSubstr("can't move this as its key frames do; texshot animate draws it"));
+                    HasSubstr("can't animate this by key frames; texshot animate can"));
     }
     EXPECT_TRUE(programOf(sceneWith(mode)));
 }
@@ -253,7 +253,7 @@ TEST(EmittedKeyFrames, OfMoreValuesThanAProgramIsWrittenForAreRefused) {
     const auto lines = programOf(scene);
     ASSERT_FALSE(lines);
     EXPECT_EQ(lines.error().where, "passes[0].models");
-    EXPECT_THAT(lines.error().message, HasSubstr("at most 128 values that its key frames jump to"));
+    EXPECT_THAT(lines.error().message, HasSubstr("at most 128 values of its key frames"));
 }
 
 TEST(EmittedKeyFrames, AreGivenUpWhenAsked) {

@@ -33,7 +33,7 @@ std::vector<Line> programOf(const Scene& scene, const ImageSource& images = {}) 
     return lines.value_or(std::vector<Line>{});
 }
 
-/// Without what they are indented by.
+/// Lines without their indentation.
 std::vector<std::string> linesOf(const Scene& scene, bool all) {
     std::vector<std::string> lines;
     std::istringstream text(textOf(programOf(scene), all));
@@ -53,14 +53,14 @@ bool showsDepths(const Scene& scene, const Unit& unit) {
     return index < scene.textures.size() && scene.textures[index].source == SourceKind::LightDepth;
 }
 
-/// Programs of scenes, two files each, for the C compiler: real C, or it says so.
+/// Programs of scenes, two files each, for the C compiler: valid C, or an error.
 class CompiledCalls : public testing::Test {
 protected:
     void add(const Scene& drawn, const std::string& name) {
         Scene scene = drawn;
-        scene.timeline = {}; // of which programs refuse some
+        scene.timeline = {}; // programs refuse some of these
         for (Texture& texture : scene.textures) {
-            if (texture.source == SourceKind::LightDepth) // of which programs refuse other formats
+            if (texture.source == SourceKind::LightDepth) // programs refuse its other formats
                 texture.internalFormat = InternalFormat::DepthComponent24;
         }
         for (Pass& pass : scene.passes) {
@@ -101,7 +101,7 @@ TEST_F(CompiledCalls, OfExamplesAreC) {
     expectToCompile();
 }
 
-// Names of files come from outside: none of them ends a comment or begins another line.
+// Names of files come from outside: they must not end a comment or begin another line.
 TEST_F(CompiledCalls, OfRandomScenesAreC) {
     const std::vector<std::string> files{"a.png", "*/ int broken; /*", "line\nbreak.png",
                                          "/*/ what?"
@@ -112,7 +112,7 @@ TEST_F(CompiledCalls, OfRandomScenesAreC) {
     expectToCompile();
 }
 
-/// What a value of a line has to be.
+/// The expected value in a line.
 std::string expectedText(const Scene& scene, const Part& part) {
     const Result<std::string> value = getParam(scene, part.path);
     if (!value)
@@ -131,9 +131,9 @@ std::string expectedText(const Scene& scene, const Part& part) {
 TEST(EmittedValues, AreThoseOfTheParametersThatTheyName) {
     for (int i = 0; i < 40; ++i) {
         Scene scene = random::randomScene(11, i, {}).scene;
-        scene.timeline = {}; // of which programs refuse some
+        scene.timeline = {}; // programs refuse some of these
         for (Texture& texture : scene.textures) {
-            if (texture.source == SourceKind::LightDepth) // of which programs refuse some
+            if (texture.source == SourceKind::LightDepth) // programs refuse some of these
                 texture.source = SourceKind::Pattern;
         }
         int numbers = 0;
@@ -176,7 +176,7 @@ TEST(EmittedCalls, AreNeededWhereTheyChangeSomething) {
     EXPECT_THAT(needed(scene), Contains("glEnable(GL_COLOR_MATERIAL);")) << "OpenGL begins without";
 }
 
-// A frame begins with what the last one left: what passes leave otherwise than they found it is set by each.
+// A frame starts with the state that the last one left: each pass sets all state that another pass changes.
 TEST(EmittedCalls, OfPassesAreTheSameInEveryFrame) {
     Scene scene = defaultScene();
     scene.passes[0].units[0].envMode = EnvMode::Decal;
@@ -331,7 +331,7 @@ TEST(EmittedPasses, SetOfFogWhatItsModeAsksFor) {
     EXPECT_THAT(all(scene), Not(Contains(HasSubstr("GL_FOG_START"))));
 }
 
-// A driver of OpenGL 2.1 doesn't know the name.
+// A driver of OpenGL 2.1 does not know the enumerator.
 TEST(EmittedPasses, NameSeamlessCubeMapsWhereThereIsACubeMap) {
     Scene scene = defaultScene();
     scene.passes[0].seamlessCubeMap = true;
@@ -351,7 +351,7 @@ TEST(EmittedUnits, SetCombineUnderItsModeAlone) {
     EXPECT_THAT(needed(scene), Not(Contains(HasSubstr("GL_RGB_SCALE"))));
 }
 
-// OpenGL multiplies eye planes by the inverse of the modelview matrix: in a frame that is the camera's.
+// OpenGL multiplies eye planes by the inverse of the modelview matrix, which is the camera's during a frame.
 TEST(EmittedUnits, SetEyePlanesWhileTheMatrixIsTheIdentity) {
     Scene scene = defaultScene();
     TexGen& t = scene.passes[0].units[0].texGenT;
@@ -430,15 +430,15 @@ TEST(EmittedModels, AreListsShapesOrArrays) {
                               "glDrawElements(GL_LINE_STRIP, 3, GL_UNSIGNED_INT, model0Indices);"}));
 }
 
-// However many vertices there are, what is read stays short: their numbers are one line.
+// With many vertices the readable part stays short: their numbers are on one line.
 TEST(EmittedModels, AreBounded) {
     Scene scene = defaultScene();
     Model points{.shape = Shape::Mesh};
     points.mesh.primitive = Primitive::Points;
-    points.mesh.positions.resize(emit::mostWrittenVertices);
+    points.mesh.positions.resize(emit::maxWrittenVertices);
     scene.models = {points};
     EXPECT_THAT(needed(scene),
-                Contains(HasSubstr("glVertex3f(")).Times(static_cast<int>(emit::mostWrittenVertices)));
+                Contains(HasSubstr("glVertex3f(")).Times(static_cast<int>(emit::maxWrittenVertices)));
     scene.models[0].mesh.positions.resize(maxMeshVertices);
     scene.models[0].texCoords[0].resize(maxMeshVertices);
     const std::vector<Line> lines = programOf(scene);
@@ -573,7 +573,7 @@ TEST(EmittedUnits, HaveAllMatricesInAFrameWhereOneMoves) {
     EXPECT_FALSE(inFrame());
     scene.passes[0].units[0].matrix = {{.op = MatrixOp::Translate, .rate = {1, 0, 0}}};
     EXPECT_TRUE(inFrame());
-    // A matrix that is loaded takes the place of what moves.
+    // A matrix that is loaded replaces a moving one.
     scene.passes[0].units[0].matrix.push_back({.op = MatrixOp::Load});
     EXPECT_FALSE(inFrame());
     EXPECT_THAT(needed(scene), Not(Contains(HasSubstr("seconds"))));
@@ -654,13 +654,12 @@ TEST(EmittedPrograms, RefuseWhatTheyCantDraw) {
     const auto lines = emit::program(emit::Flavour::Fixed, scene, {}, {}, codes);
     ASSERT_FALSE(lines);
     EXPECT_EQ(describe(lines.error()),
-              "textures[0].internalFormat: a program draws what the light sees into a "
-              "texture of depths, not GL_RGBA");
+              "textures[0].internalFormat: programs support shadow maps in depth textures, not GL_RGBA");
     scene.textures[0].internalFormat = InternalFormat::DepthComponent24;
     EXPECT_THAT(needed(scene), Contains("drawShadowMap0();"));
 }
 
-/// What isn't read costs nothing: while one drags a number, nobody writes those of a texture.
+/// Hidden parts cost nothing: while a number is dragged, the numbers of texels are not written.
 TEST(EmittedPrograms, WriteNumbersOfTexelsWhenTheyAreRead) {
     Scene scene = defaultScene();
     scene.textures[0].pattern = Pattern::Brick;

@@ -9,7 +9,7 @@ namespace {
 
 using test::PausedEncoding;
 
-/// Its texels take long.
+/// A scene whose texels take long to make.
 Scene compressed(Pattern pattern = Pattern::Brick) {
     Scene scene = defaultScene();
     scene.textures[0].pattern = pattern;
@@ -26,14 +26,14 @@ std::optional<ProgramWorker::Program> ask(ProgramWorker& worker, const Scene& sc
     return worker.program(Flavour::Fixed, scene, {}, {});
 }
 
-/// Its texels are made, and kept.
+/// Makes its texels, which are then kept.
 void makeOnce(ProgramWorker& worker) {
     EXPECT_FALSE(ask(worker, compressed()));
     worker.wait();
     EXPECT_TRUE(ask(worker, compressed()));
 }
 
-/// Numbers of arrays are compared by what they are, not by who makes them.
+/// Compares the numbers of arrays by value, not by their maker.
 void expectProgram(const std::optional<ProgramWorker::Program>& made, const Scene& scene) {
     ASSERT_TRUE(made);
     ASSERT_TRUE(*made) << describe(made->error());
@@ -63,7 +63,7 @@ TEST(ProgramWorker, WhatTakesLongIsMadeByAThread) {
     EXPECT_EQ(paused.shares.size(), 1U) << "made once";
 }
 
-// What one drags while the texels are there needs no thread.
+// If the texels exist, a dragged number needs no thread.
 TEST(ProgramWorker, ANumberIsChangedAtOnce) {
     PausedEncoding paused;
     paused.goOn();
@@ -130,7 +130,7 @@ TEST(ProgramWorker, TwoTexturesThatAreAlikeAreMadeOnce) {
     EXPECT_EQ(paused.shares.size(), 1U);
 }
 
-// What key frames switch on at times is drawn then.
+// The unit is drawn at the times when key frames enable it.
 TEST(ProgramWorker, MakesWhatAUnitShowsThatKeyFramesSwitchOn) {
     PausedEncoding paused;
     paused.goOn();
@@ -179,7 +179,7 @@ Scene keyed(float fieldOfView) {
     return scene;
 }
 
-// What is written several times, or has much to say, is written beside the window.
+// Programs with repeated or long texts are written in the background.
 TEST(ProgramWorker, WritesKeyFramesAndLargeMeshesBeside) {
     Scene large = defaultScene();
     large.models[0].shape = Shape::Mesh;

@@ -24,8 +24,8 @@ Bytes bytesOf(std::initializer_list<int> values) {
     return bytes;
 }
 
-// By hand, from the "Quite OK Image Format" (qoiformat.org): a run, a small and a larger difference, a whole
-// colour, one that was seen before, an alpha.
+// Worked out by hand from the "Quite OK Image Format" (qoiformat.org): a run, a small and a larger
+// difference, a whole colour, one that was seen before, an alpha.
 TEST(PackedTexels, AreThoseOfTheFormat) {
     EXPECT_EQ(emit::packed(bytesOf({0, 0, 0, 255, 0, 0, 0, 255})), bytesOf({0xC1}));
     EXPECT_EQ(emit::packed(bytesOf({1, 255, 0, 255})), bytesOf({0x40 | 3 << 4 | 1 << 2 | 2}));
@@ -82,14 +82,14 @@ TEST(TexelCode, IsWhatTakesTheFewestLines) {
                 ElementsAre(TexelSource::Compressed));
 }
 
-// Levels that somebody else's filter makes are no averages of four.
+// Levels made with another filter are not averages of four texels.
 TEST(TexelCode, HalvesOnlyWhatIsTheAverage) {
     const std::vector<TexelSource> chain = sourcesOf(
         {.pattern = Pattern::Brick, .mipmaps = MipPolicy::Generated, .mipFilter = MipFilter::Mitchell});
     EXPECT_THAT(std::vector(chain.begin(), chain.begin() + 4), Each(TexelSource::Packed));
 }
 
-// 64 x 64 texels have levels 0 to 6; of one texel there is no half.
+// 64 x 64 texels have levels 0 to 6; one texel cannot be halved.
 TEST(TexelCode, OfLevelsBeyondTheChainIsNoHalf) {
     Texture texture{.pattern = Pattern::Checker, .mipmaps = MipPolicy::Given};
     texture.levels.assign(8, GivenLevel{});
@@ -99,7 +99,7 @@ TEST(TexelCode, OfLevelsBeyondTheChainIsNoHalf) {
     EXPECT_NE(sources.back(), TexelSource::Halved);
 }
 
-// The first bytes, by hand from the formats' descriptions.
+// The first bytes, worked out by hand from the formats' descriptions.
 TEST(FileReaders, ReadWhatTakesFewLines) {
     using emit::FileReader;
     Bytes bmp(54, std::byte{0});

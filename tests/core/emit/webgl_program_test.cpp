@@ -92,22 +92,21 @@ TEST(WebGlProgram, NamesWhatWebGlHasNot) {
         const auto& [sentence, change] :
         {Case{"textures[0].border: WebGL 2 has no textures with a border",
               [](Scene& s) { s.textures[0].border = 1; }},
-         Case{
-             "textures[0].wrapT: WebGL 2 has no GL_CLAMP_TO_BORDER, and the page's shader can't make up for it "
-             "under anisotropy",
-             [](Scene& s) {
-                 s.textures[0].wrapT = Wrap::ClampToBorder;
-                 s.textures[0].maxAnisotropy = 2;
-             }},
-         Case{"textures[0].wrapS: WebGL 2 has no GL_CLAMP, and the page's shader can't make up for it where "
-              "minification alone averages",
+         Case{"textures[0].wrapT: WebGL 2 has no GL_CLAMP_TO_BORDER, and the page's shader can't replace it "
+              "with anisotropy",
+              [](Scene& s) {
+                  s.textures[0].wrapT = Wrap::ClampToBorder;
+                  s.textures[0].maxAnisotropy = 2;
+              }},
+         Case{"textures[0].wrapS: WebGL 2 has no GL_CLAMP, and the page's shader can't replace it where "
+              "only minification averages",
               [](Scene& s) {
                   s.textures[0].wrapS = Wrap::Clamp;
                   s.textures[0].magFilter = MagFilter::Nearest;
                   s.textures[0].minFilter = MinFilter::Linear;
               }},
          Case{
-             "passes[0].seamlessCubeMap: WebGL 2 always filters across the edges of a cube map: switch it on",
+             "passes[0].seamlessCubeMap: WebGL 2 always filters across the edges of a cube map: switch Seamless on",
              [](Scene& s) {
                  s.textures[0].magFilter = MagFilter::Linear;
                  s.textures[0].pattern = Pattern::CubeFaces;

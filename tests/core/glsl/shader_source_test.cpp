@@ -160,10 +160,10 @@ TEST(ShaderPieces, AFileThatIsMissingOrSaysThingsTwiceIsRefused) {
     ASSERT_TRUE(ShaderPieces::parse(files));
     files[1].text += "//@ GL_EYE_LINEAR\n";
     EXPECT_EQ(describe(ShaderPieces::parse(files).error()),
-              "texgen.glsl: the piece \"GL_EYE_LINEAR\" is there twice");
+              "texgen.glsl: the piece \"GL_EYE_LINEAR\" is defined twice");
     files.erase(files.begin() + 1);
     EXPECT_EQ(describe(ShaderPieces::parse(files).error()),
-              "texgen.glsl: the shaders need this file, and it is missing");
+              "texgen.glsl: the shaders need this file, which is missing");
 }
 
 } // namespace

@@ -21,7 +21,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
-constexpr Rgba grey{100, 100, 100, 255};
+constexpr PixelBytes grey{100, 100, 100, 255};
 
 /// A folder with a golden, and one for failures.
 struct Golden : testing::Test {
@@ -103,7 +103,7 @@ TEST_F(Golden, OfAnotherSizeLeavesNoDifference) {
     const Result<GoldenCheck> check = checkGolden(even(8, 5, grey), golden(), options);
     ASSERT_TRUE(check);
     EXPECT_FALSE(check->alike);
-    EXPECT_THAT(check->message, AllOf(HasSubstr("8 x 6"), HasSubstr("8 x 5"), Not(HasSubstr("difference"))));
+    EXPECT_THAT(check->message, AllOf(HasSubstr("8 × 6"), HasSubstr("8 × 5"), Not(HasSubstr("difference"))));
     EXPECT_THAT(left(), UnorderedElementsAre("start-actual.png", "start-expected.png"));
 }
 
@@ -172,14 +172,14 @@ TEST_F(Golden, RefusesWhatIsNoFramebuffer) {
             checkGolden(width, height, std::vector<std::byte>(bytes), golden(), options);
         return check ? check->message : describe(check.error());
     };
-    EXPECT_EQ(raw(2, 2, 15), "expected a framebuffer of 2 x 2 pixels with 4 bytes each, found 15 bytes");
-    EXPECT_EQ(raw(0, 2, 0), "expected a framebuffer of 0 x 2 pixels with 4 bytes each, found 0 bytes");
-    EXPECT_EQ(raw(-1, -4, 16), "expected a framebuffer of -1 x -4 pixels with 4 bytes each, found 16 bytes");
+    EXPECT_EQ(raw(2, 2, 15), "expected a framebuffer of 2 × 2 pixels with 4 bytes each, found 15 bytes");
+    EXPECT_EQ(raw(0, 2, 0), "expected a framebuffer of 0 × 2 pixels with 4 bytes each, found 0 bytes");
+    EXPECT_EQ(raw(-1, -4, 16), "expected a framebuffer of -1 × -4 pixels with 4 bytes each, found 16 bytes");
     EXPECT_EQ(raw(2147483647, 2147483647, 4),
-              "expected a framebuffer of 2147483647 x 2147483647 pixels with 4 bytes each, found 4 bytes");
-    EXPECT_EQ(complaint({}), "expected a framebuffer with pixels, found one of 0 x 0 x 1");
+              "expected a framebuffer of 2147483647 × 2147483647 pixels with 4 bytes each, found 4 bytes");
+    EXPECT_EQ(complaint({}), "expected a framebuffer with pixels, found one of 0 × 0 × 1");
     picture.pixels.pop_back();
-    EXPECT_EQ(complaint(picture), "a framebuffer of 8 x 6 pixels needs 192 bytes, found 191");
+    EXPECT_EQ(complaint(picture), "a framebuffer of 8 × 6 pixels needs 192 bytes, found 191");
 }
 
 TEST_F(Golden, SaysWhatCannotBeReadOrWritten) {

@@ -23,7 +23,7 @@ struct Formula {
 
 class Formulas : public testing::TestWithParam<Formula> {};
 
-// The numbers follow by hand from the formulas beside the constants in glpng.h.
+// The numbers were worked out by hand from the formulas next to the constants in glpng.h.
 TEST_P(Formulas, GiveTheAlphaThatGlpngGives) {
     const Image colors =
         imageOf(PixelFormat::Rgb8, {0, 0, 0, 1, 2, 3, 10, 20, 30, 16, 0, 0, 100, 100, 100, 255, 255, 255});

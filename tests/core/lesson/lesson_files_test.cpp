@@ -49,7 +49,7 @@ TEST(BuiltInLessons, AreNamedWhereOneIsNotAmongThem) {
     }
 }
 
-/// Each is a row of its own, as it takes a second: all its pictures are drawn.
+/// One test for each lesson, because it takes a second: it draws all pictures.
 class BuiltInLesson : public testing::TestWithParam<std::string> {};
 
 TEST_P(BuiltInLesson, HasNothingWrong) {
@@ -69,7 +69,7 @@ std::string nameOf(const testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltInLesson, testing::ValuesIn(builtInLessons()), nameOf);
 
-/// Red, green and blue of all texels, weighed by alpha, and alpha.
+/// Red, green and blue of all texels, weighted by alpha, and alpha.
 glm::vec4 meanOf(const Surface& surface) {
     const Image image = toImage(surface);
     glm::vec4 sum{0};
@@ -84,8 +84,8 @@ glm::vec4 meanOf(const Surface& surface) {
     return {glm::vec3(sum) / sum.a, sum.a / static_cast<float>(image.width * image.height)};
 }
 
-/// Of squares and their levels: the mean stays what it was, but for what the four colours of a block, which
-/// lie on a line, and the 16 values of DXT3's alpha can't have.
+/// The levels of squares: the mean stays the same, except for what the four colours of a block, which lie on
+/// a line, and the 16 values of DXT3's alpha cannot represent.
 TEST(BuiltInLessons, HaveLevelsThatAreTheMeanOfTheOneBefore) {
     int pairs = 0;
     for (const LessonFile& file : lessonFiles()) {
@@ -103,8 +103,8 @@ TEST(BuiltInLessons, HaveLevelsThatAreTheMeanOfTheOneBefore) {
     EXPECT_GE(pairs, 30);
 }
 
-/// glTexImage2D takes what a file has: columns of (255 - 32 x, 32 x, 0 and 200), two by two, then four by
-/// four.
+/// glTexImage2D gets the content of a file: columns of (255 - 32 x, 32 x, 0 and 200), two by two, then four
+/// by four.
 TEST(BuiltInLessons, HaveTheRightLevelsOfTheSmallRamp) {
     const auto ramp = std::ranges::find(lessonFiles(), "sizes/8x2.dds", &LessonFile::name);
     ASSERT_NE(ramp, lessonFiles().end());
@@ -210,7 +210,7 @@ TEST_F(FolderOnDisk, MayBeReachedByALinkItself) {
     EXPECT_TRUE(readLesson(LessonFolder::onDisk(parent / "linked")));
 }
 
-/// Nobody waits for a pipe that nobody writes.
+/// Does not block on a pipe without a writer.
 TEST_F(FolderOnDisk, WithAPipeInPlaceOfTheLessonSaysSo) {
     ASSERT_EQ(::mkfifo((path / "lesson.json").c_str(), 0600), 0);
     EXPECT_FALSE(readLesson(folder()));

@@ -75,7 +75,7 @@ TEST(LessonJson, IsRefusedByPlace) {
         {"[1]", malformed, "", "expected an object"},
         {std::string("{}\0{}", 5), malformed, "line 1", "a NUL character"},
         {"\xff", malformed, "line 1", ""},
-        {R"({"lesson": 1e400})", malformed, "", "a number that isn't as large"},
+        {R"({"lesson": 1e400})", malformed, "", "a smaller number"},
         {std::string(100'000, '['), ErrorCode::TooLarge, "", "levels of brackets"},
         {std::string(maxLessonBytes + 1, ' '), ErrorCode::TooLarge, "", "bytes"},
         {R"({"title": "L", "about": "A"})", malformed, "/lesson", "version"},

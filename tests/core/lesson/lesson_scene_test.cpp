@@ -233,7 +233,7 @@ TEST_F(Photographs, AreReplacedByPatternsWhereThereAreNone) {
         EXPECT_EQ(texture.pattern, Pattern::Planet);
     }
     EXPECT_EQ(step.scene.textures[1].preparation.size(), 3U);
-    EXPECT_THAT(imageNotes(step), ElementsAre(HasSubstr("Computed pictures stand for earth.jpg, night.jpg")));
+    EXPECT_THAT(imageNotes(step), ElementsAre(HasSubstr("Computed pictures replace earth.jpg, night.jpg")));
 }
 
 TEST_F(LessonScenes, TakeNoPhotographsForAFolderOfTheirOwn) {
@@ -288,7 +288,7 @@ TEST_F(LessonScenes, AreCheckedForFallbacksThatAreNone) {
     for (const Error& problem : problems())
         found.push_back(describe(problem));
     EXPECT_THAT(found, ElementsAre(HasSubstr("/steps/0/fallback/text"), HasSubstr("found one with 2"),
-                                   HasSubstr("/steps/1/fallback: edits/0"), HasSubstr("nothing needs it")));
+                                   HasSubstr("/steps/1/fallback: edits/0"), HasSubstr("it is not needed")));
 }
 
 /// What differs lies at the sides, which a picture that is higher than wide hasn't.
@@ -308,7 +308,7 @@ TEST_F(LessonScenes, AreCheckedForATaskThatIsMetInSomePicture) {
     scene.models[0].position = {1.1F, 0, 0};
     write("s.json", writeScene(scene));
     EXPECT_THAT(problems(), ElementsAre(AllOf(Field(&Error::where, "/steps/0/match"),
-                                              Field(&Error::message, HasSubstr("144 x 192")))));
+                                              Field(&Error::message, HasSubstr("144 × 192")))));
 }
 
 TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {

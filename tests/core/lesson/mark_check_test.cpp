@@ -104,7 +104,7 @@ TEST(Mark, IsNotBetweenTwoLevelsOfWhichOneIsRead) {
 TEST(Words, NeedAMark) {
     EXPECT_THAT(
         problemsOf(markedAt(-1, -1, "It is {color}.")),
-        ElementsAre(problem("/steps/0/text", "{color} is a number of the mark, and look has no probe")));
+        ElementsAre(problem("/steps/0/text", "{color} is a number of the mark, but look has no probe")));
 }
 
 /// A reason that would end in a dash.

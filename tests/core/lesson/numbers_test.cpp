@@ -1,4 +1,4 @@
-// Texts with their numbers, which are worked out by hand.
+// Texts with numbers that were worked out by hand.
 
 #include "core/lesson/match.h"
 #include "core/lesson/numbers.h"
@@ -69,7 +69,7 @@ TEST(Numbers, HasTheLevelOfDetail) {
     EXPECT_EQ(textAt("{texels}", 300, 800, linear), "4");
 }
 
-/// What the fragment was before texturing: glColor, which replacing passes over.
+/// The fragment before texturing is glColor, which GL_REPLACE ignores.
 TEST(Numbers, HasTheFragment) {
     LessonScene scene = flat();
     scene.scene.material.color = {1, 0.5F, 0.25F, 1};
@@ -80,11 +80,11 @@ TEST(Numbers, HasTheFragment) {
 
 TEST(Numbers, HasADashWhereThereIsNoPixel) {
     EXPECT_EQ(textAt("{color}, {s}", -1, -1), "–, –");
-    EXPECT_EQ(textAt("{texel}!", 10, 10), "–!") << "beside the square";
+    EXPECT_EQ(textAt("{texel}!", 10, 10), "–!") << "outside the square";
     EXPECT_EQ(Numbers("…").in("{s} and {nothing}"), "… and …");
 }
 
-/// Without a unit the pixel has its colour all the same: glColor.
+/// Without a unit the pixel has the colour of glColor.
 TEST(Numbers, HasTheColourWithoutAUnit) {
     LessonScene scene = flat();
     scene.scene.material.color = {1, 0.6F, 0.2F, 1};
@@ -92,7 +92,8 @@ TEST(Numbers, HasTheColourWithoutAUnit) {
     EXPECT_EQ(textAt("{color} {fragment} {texel}", 300, 800, scene), "(255, 153, 51) (1, 0.6, 0.2, 1) –");
 }
 
-/// The image 72 times each way, so that its 144 texels meet 144, 72 or 288 pixels; across, half of that.
+/// The image repeats 72 times in each direction, so that its 144 texels cover 144, 72 or 288 pixels, or half
+/// of that horizontally.
 TEST(Numbers, AreThoseOfThePictureThatIsShown) {
     LessonScene scene = flat();
     scene.scene.textures[0].mipmaps = MipPolicy::Generated;
@@ -102,8 +103,8 @@ TEST(Numbers, AreThoseOfThePictureThatIsShown) {
     EXPECT_EQ(textAt("{side} {up} {rho} {lambda}", 300, 800, scene, {500, 288}), "0.25 0.50 0.50 -1.00");
 }
 
-/// A picture of another shape has the same middle and height: 600 is 100 thousandths of 4/3 of the height
-/// right of the middle.
+/// A picture of another shape has the same middle and height: 600 is 100 thousandths of 4/3 of the height to
+/// the right of the middle.
 TEST(Numbers, FindTheMarkInAPictureOfAnyShape) {
     EXPECT_EQ(pixelOf(500, 500, {320, 240}), (reference::PixelPlace{160, 119}));
     EXPECT_EQ(pixelOf(600, 250, {320, 240}), (reference::PixelPlace{192, 179}));

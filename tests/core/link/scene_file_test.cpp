@@ -31,12 +31,12 @@ TEST(SceneFile, IsTheFileOrTheTextOfAPng) {
     const Result<std::string> none = sceneTextIn(pngWith({{"Texplorer scenes", json}}));
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, ErrorCode::NotFound);
-    EXPECT_THAT(none.error().message, HasSubstr("a PNG without one: it has no text \"Texplorer scene\""));
+    EXPECT_THAT(none.error().message, HasSubstr("a PNG without a scene: it has no text \"Texplorer scene\""));
 }
 
 TEST(SceneFile, OfAPngAllIsRead) {
-    EXPECT_EQ(mostSceneFileBytes(viewBytes(json)), maxSceneBytes);
-    EXPECT_EQ(mostSceneFileBytes(pngWith({})), defaultMaxFileBytes);
+    EXPECT_EQ(maxSceneFileBytes(viewBytes(json)), maxSceneBytes);
+    EXPECT_EQ(maxSceneFileBytes(pngWith({})), defaultMaxFileBytes);
 }
 
 TEST(SceneFile, APictureWithASceneIsToldByItsChunks) {

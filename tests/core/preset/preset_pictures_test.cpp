@@ -1,4 +1,4 @@
-// What the sentence of each preset promises, in numbers of the reference's picture.
+// Checks the sentence of each preset by numbers from the reference's picture.
 
 #include "core/preset/preset.h"
 #include "core/reference/draw.h"
@@ -37,7 +37,7 @@ Color colorAt(const Image& image, int x, int y) {
     return {std::to_integer<int>(pixel[0]), std::to_integer<int>(pixel[1]), std::to_integer<int>(pixel[2])};
 }
 
-/// The share of the pixels of which something is true.
+/// The share of pixels that satisfy a condition.
 double shareOf(const Image& image, const std::function<bool(Color)>& holds) {
     int count = 0;
     for (int y = 0; y < extent; ++y) {
@@ -109,8 +109,9 @@ TEST(PresetPictures, AlphaTestLetsTheFarSidesBeSeenAndBlendingHidesThem) {
 TEST(PresetPictures, ACutOutHasNothingLeftOfItsSquare) {
     const Image image = drawn(with("cut-out"));
     const auto isAt = [&](int x, int y) { return !isBackground(colorAt(image, x, y)); };
-    // The square reaches from 12 to 84: 2 of the 2.62 that one sees of its plane from 3.6 away.
-    EXPECT_FALSE(isAt(14, 82) || isAt(82, 82)) << "the sky beside the tree";
+    // The square reaches from 12 to 84: 2 of the 2.62 units that are visible of its plane from a distance of
+    // 3.6.
+    EXPECT_FALSE(isAt(14, 82) || isAt(82, 82)) << "the sky around the tree";
     EXPECT_TRUE(isAt(48, 60)) << "its crown";
     EXPECT_GT(shareOf(image, isBackground), 0.5);
     EXPECT_LT(shareOf(image, isBackground), 0.95);
@@ -136,7 +137,7 @@ TEST(PresetPictures, ScrollingComesBackAfterAPeriodOfTheBoard) {
     EXPECT_LT(differenceOf(drawn(scene, 1), start), 0.01) << "a quarter: two squares, which is a period";
 }
 
-/// Where the matrix of unit 0 leads a point of the plane.
+/// The image of a point of the plane under the matrix of unit 0.
 glm::vec2 moved(const Scene& scene, glm::vec2 point, double time) {
     const glm::vec4 to =
         textureMatrix(scene.passes[0].units[0].matrix, time, scene.light) * glm::vec4(point, 0, 1);
@@ -194,7 +195,7 @@ TEST(PresetPictures, ContoursHaveOneColourAtOneHeight) {
     scene.passes[0].lighting = false;
     scene.view.projection = Projection::Orthographic;
     scene.view.elevation = 0;        // heights are rows of pixels
-    scene.models[1].visible = false; // which has another size, and so other heights
+    scene.models[1].visible = false; // its size and its heights differ
     const Image image = drawn(scene);
     for (int y = 0; y < extent; ++y) {
         std::optional<Color> first;
@@ -263,7 +264,7 @@ TEST(PresetPictures, ShimmerIsRoughFarAwayAndItsCureSmooth) {
     EXPECT_LT(roughnessOf(drawn(with("shimmer-cure", shimmer)), far, far + 12), rough / 3);
 }
 
-/// The share of neighbours in a row that are a step apart.
+/// The share of neighbours in a row that differ by one step.
 double stepsOf(const Image& image) {
     int steps = 0;
     for (int y = 0; y < extent; ++y) {

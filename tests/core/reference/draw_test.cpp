@@ -288,7 +288,7 @@ TEST_P(BadSize, IsRefusedWithBothNumbers) {
     const Result<Frame> result = drawReference({defaultScene(), {}, 0, GetParam().width, GetParam().height});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::OutOfRange);
-    EXPECT_THAT(result.error().message, testing::HasSubstr("1 x 1 to 16384 x 16384"));
+    EXPECT_THAT(result.error().message, testing::HasSubstr("1 × 1 to 16384 × 16384"));
 }
 INSTANTIATE_TEST_SUITE_P(All, BadSize,
                          testing::Values(Refused{"Zero", 0, 8}, Refused{"Negative", 8, -1},

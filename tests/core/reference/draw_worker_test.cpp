@@ -56,7 +56,7 @@ TEST_P(DrawWorkerTest, SaysWhatCanNotBeDrawn) {
     const DrawWorker::Frame picture = wholePicture(worker, requestOf(defaultScene(), 0, 10));
     EXPECT_FALSE(picture.image);
     EXPECT_TRUE(picture.whole);
-    EXPECT_THAT(picture.problems, testing::ElementsAre(testing::HasSubstr("not 0 x 10")));
+    EXPECT_THAT(picture.problems, testing::ElementsAre(testing::HasSubstr("not 0 × 10")));
 }
 
 TEST_P(DrawWorkerTest, PassesOnWhatTheReferenceSays) {

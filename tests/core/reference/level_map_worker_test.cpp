@@ -54,7 +54,7 @@ TEST(LevelMapWorker, SaysWhatIsWrong) {
     ASSERT_FALSE(answer->map);
     EXPECT_FALSE(answer->colors);
     EXPECT_EQ(answer->map.error().message,
-              "passes[0].units[3] samples nothing: it is off, or its texture can't be drawn");
+              "passes[0].units[3] samples nothing: it is off or its texture can't be drawn");
 }
 
 TEST(LevelMapWorker, SaysWhatWasThrown) {
@@ -69,7 +69,7 @@ TEST(LevelMapWorker, SaysWhatWasThrown) {
         ASSERT_TRUE(answer);
         ASSERT_FALSE(answer->map);
         EXPECT_EQ(answer->map.error().message,
-                  "the levels of the pixels can't be found: " + std::string(ownMistake));
+                  "the levels of the pixels can't be computed: " + std::string(ownMistake));
     }
 }
 

@@ -142,14 +142,14 @@ Flat pileOf(int count, int hidden) {
 TEST(Probe, ExplainsNoMoreFragmentsThanItSays) {
     const Explanation all = pileOf(500, 500).at(1, 1);
     EXPECT_EQ(all.fragmentCount, 500U);
-    EXPECT_EQ(all.firstFragment, 500 - mostExplainedFragments);
-    ASSERT_EQ(all.fragments.size(), mostExplainedFragments);
+    EXPECT_EQ(all.firstFragment, 500 - maxExplainedFragments);
+    ASSERT_EQ(all.fragments.size(), maxExplainedFragments);
     EXPECT_EQ(all.seen(), &all.fragments.back());
     EXPECT_EQ(all.fragments.back().part, 499U);
     const Explanation hidden = pileOf(500, 100).at(1, 1);
     EXPECT_EQ(hidden.fragmentCount, 500U);
-    EXPECT_EQ(hidden.firstFragment, 100 - mostExplainedFragments);
-    ASSERT_EQ(hidden.fragments.size(), mostExplainedFragments);
+    EXPECT_EQ(hidden.firstFragment, 100 - maxExplainedFragments);
+    ASSERT_EQ(hidden.fragments.size(), maxExplainedFragments);
     EXPECT_EQ(hidden.seen(), &hidden.fragments.back());
     EXPECT_EQ(hidden.bytes, all.bytes);
     const Explanation few = pileOf(5, 5).at(1, 1);
@@ -505,12 +505,12 @@ TEST_P(BadPixel, IsRefusedWithItsNumbers) {
 }
 INSTANTIATE_TEST_SUITE_P(
     All, BadPixel,
-    testing::Values(Refused{"Left", 8, 4, {-1, 0}, "8 x 4 has no pixel -1, 0"},
-                    Refused{"Right", 8, 4, {8, 0}, "8 x 4 has no pixel 8, 0"},
-                    Refused{"Above", 8, 4, {0, 4}, "8 x 4 has no pixel 0, 4"},
+    testing::Values(Refused{"Left", 8, 4, {-1, 0}, "8 × 4 has no pixel -1, 0"},
+                    Refused{"Right", 8, 4, {8, 0}, "8 × 4 has no pixel 8, 0"},
+                    Refused{"Above", 8, 4, {0, 4}, "8 × 4 has no pixel 0, 4"},
                     Refused{"Far", 8, 4, {0, std::numeric_limits<int>::min()}, "has no pixel 0, -2147483648"},
-                    Refused{"NoPicture", 0, 4, {0, 0}, "1 x 1 to 16384 x 16384"},
-                    Refused{"TooLarge", 20000, 4, {0, 0}, "1 x 1 to 16384 x 16384"}),
+                    Refused{"NoPicture", 0, 4, {0, 0}, "1 × 1 to 16384 × 16384"},
+                    Refused{"TooLarge", 20000, 4, {0, 0}, "1 × 1 to 16384 × 16384"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 // ---- What is explained is what is drawn ----

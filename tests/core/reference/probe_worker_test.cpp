@@ -54,7 +54,7 @@ TEST(ProbeWorker, SaysWhatIsWrong) {
     const auto answer = worker.answer(requestAt(64, 0));
     ASSERT_TRUE(answer && answer->explanation);
     ASSERT_FALSE(*answer->explanation);
-    EXPECT_EQ(answer->explanation->error().message, "a picture of 64 x 48 has no pixel 64, 0");
+    EXPECT_EQ(answer->explanation->error().message, "a picture of 64 × 48 has no pixel 64, 0");
 }
 
 TEST(ProbeWorker, SaysWhatWasThrown) {
@@ -68,7 +68,8 @@ TEST(ProbeWorker, SaysWhatWasThrown) {
         const auto answer = worker.answer(request);
         ASSERT_TRUE(answer && answer->explanation);
         ASSERT_FALSE(*answer->explanation);
-        EXPECT_EQ(answer->explanation->error().message, "there is no answer: " + std::string(ownMistake));
+        EXPECT_EQ(answer->explanation->error().message,
+                  "the pixel can't be explained: " + std::string(ownMistake));
     }
 }
 

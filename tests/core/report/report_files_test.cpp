@@ -43,7 +43,7 @@ std::vector<std::string> namesOf(const std::vector<File>& files) {
     return names;
 }
 
-/// What the page's scripts get.
+/// The data that the page's scripts get.
 json dataOf(const Page& page) {
     const auto files = report::filesOf(page);
     if (!files) {
@@ -147,7 +147,7 @@ TEST(ReportFiles, SayWhatTheRunWas) {
         "rows": [[{"text": "wrap", "case": 0}, {"text": "1", "tone": "bad"}]]}])"));
 }
 
-// What a browser keeps for a report, as which cases are accepted, is not that of the next run in the same
+// Data that a browser stores for a report, such as accepted cases, does not apply to the next run in the same
 // folder.
 TEST(ReportFiles, AnotherRunHasAnotherKey) {
     const json first = dataOf(pageWith({.name = "a", .state = State::Failed}));
@@ -184,7 +184,7 @@ TEST(ReportFiles, TextsFromOutsideStayTexts) {
         EXPECT_EQ(data["cases"][0]["name"], shown) << name;
         EXPECT_EQ(data["cases"][0]["group"], shown) << name;
         EXPECT_EQ(data["environment"][0], (json{shown, shown})) << name;
-        // The page itself is the same whatever is reported.
+        // The page itself is the same for every report.
         EXPECT_EQ(fileOf(files, "index.html"), fileOf(*report::filesOf({}), "index.html"));
     }
 }
@@ -273,7 +273,7 @@ TEST(ReportState, WhatIsWrongComesFirst) {
     EXPECT_TRUE(std::ranges::is_sorted(EnumTable<State>::rows, {}, [](const EnumRow& row) {
         return std::min(toneOf(static_cast<State>(row.value)), report::Tone::Quiet);
     }));
-    EXPECT_EQ(EnumTable<State>::rows.back().name, "skipped"); // nobody learns anything from it
+    EXPECT_EQ(EnumTable<State>::rows.back().name, "skipped"); // the least interesting state
     EXPECT_EQ(toneOf(State::Crashed), report::Tone::Bad);
     EXPECT_EQ(toneOf(State::Extra), report::Tone::Bad);
     EXPECT_EQ(toneOf(State::New), report::Tone::Look);

@@ -203,9 +203,9 @@ TEST(BlockParts, AnotherFormatKeepsColorsAndTheNearestAlphas) {
 
 TEST(BlockParts, HexThatIsNoBlockIsSaidInASentence) {
     EXPECT_EQ(blockOfHex(BlockFormat::Dxt1, "00 F8 1F").error().message,
-              "a block of DXT1 takes 16 digits, found 6");
+              "a block of DXT1 has 16 digits, found 6");
     EXPECT_EQ(blockOfHex(BlockFormat::Dxt5, "0g").error().message,
-              "a block of DXT5 takes the digits 0 to 9 and A to F, found \"g\"");
+              "expected the digits 0 to 9 and A to F for a block of DXT5, found \"g\"");
     EXPECT_EQ(blockOfHex(BlockFormat::Dxt1, "00f81f00e4000040").value(), redToBlue);
 }
 

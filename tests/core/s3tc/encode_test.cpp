@@ -296,9 +296,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"Volume", Image::uninitialised(PixelFormat::Rgba8, 4, 4, 2), BlockFormat::Dxt1,
                 ErrorCode::Unsupported, "volumes are not compressed: expected a depth of 1, found 2"},
         Refusal{"Empty", Image{}, BlockFormat::Dxt1, ErrorCode::OutOfRange,
-                "a picture to compress needs at least 1 x 1 x 1 pixels, this one has 0 x 0 x 1"},
+                "a picture to compress needs at least 1 × 1 × 1 pixels, this one has 0 × 0 × 1"},
         Refusal{"TooFewBytes", Image{PixelFormat::Rgba8, 4, 4, 1, Bytes(63)}, BlockFormat::Dxt1,
-                ErrorCode::Malformed, "a picture of 4 x 4 x 1 pixels needs 64 bytes, there are 63"}),
+                ErrorCode::Malformed, "a picture of 4 × 4 × 1 pixels needs 64 bytes, but has 63"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(EncodeBlocks, SaysHowFarItIs) {

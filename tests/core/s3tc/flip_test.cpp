@@ -225,7 +225,7 @@ TEST(Flip, RefusesBlocksThatDontFillTheImage) {
         ASSERT_FALSE(result) << each.name;
         EXPECT_EQ(result.error().code, ErrorCode::Malformed);
         EXPECT_EQ(result.error().message,
-                  "a compressed picture of 8 x 8 x 1 texels needs 32 bytes of blocks, there are 31");
+                  "a compressed picture of 8 × 8 × 1 texels needs 32 bytes of blocks, there are 31");
         EXPECT_EQ(image, before);
         BlockImage empty{BlockFormat::Dxt1, 0, -4, 1, {}};
         EXPECT_FALSE(each.turn(empty)) << each.name;

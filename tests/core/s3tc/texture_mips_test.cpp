@@ -52,7 +52,7 @@ TEST(TextureMips, KeepsTheBlocksOfACompressedBase) {
     texture.surfaces.emplace_back(plainBlocks(BlockFormat::Dxt1, 16, 8, std::byte{0xff}));
     const Surface base = texture.surfaces.front();
     ASSERT_TRUE(buildMips(texture));
-    ASSERT_EQ(texture.levels, 5) << "16 x 8, 8 x 4, 4 x 2, 2 x 1, 1 x 1";
+    ASSERT_EQ(texture.levels, 5) << "16 × 8, 8 × 4, 4 × 2, 2 × 1, 1 × 1";
     EXPECT_EQ(texture.surfaces.front(), base);
     for (int level = 1; level < texture.levels; ++level) {
         const auto& blocks = std::get<BlockImage>(texture.surface(0, level));

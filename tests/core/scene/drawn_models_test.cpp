@@ -8,7 +8,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Four models, of which the second one is invisible.
+/// Four models; the second one is invisible.
 class DrawnModels : public testing::Test {
 protected:
     DrawnModels() {
@@ -38,7 +38,7 @@ TEST_F(DrawnModels, AreNoneWhereThePassIsOff) {
     EXPECT_THAT(drawnModels(scene, pass()), IsEmpty());
 }
 
-// A scene that nobody has checked.
+// A scene that was not validated.
 TEST_F(DrawnModels, AreNotThoseThatThereAreNot) {
     pass().models = {4, -1, 2, 1000};
     EXPECT_THAT(drawnModels(scene, pass()), ElementsAre(2));
@@ -63,7 +63,7 @@ TEST_F(DrawnModels, AreDrawnByAnyPass) {
     EXPECT_FALSE(drawsAnything(scene, scene.passes[0]));
 }
 
-/// A pass for each way of naming models.
+/// A pass for each way to name models.
 class NamedModels : public testing::Test {
 protected:
     NamedModels() {
@@ -86,7 +86,7 @@ TEST_F(NamedModels, StayThemselvesWhenOneIsRemoved) {
         EXPECT_TRUE(pass.enabled);
 }
 
-// An empty list names all of them, which is something else.
+// An empty list would mean all models.
 TEST_F(NamedModels, LeaveAPassOffThatNamedTheRemovedOneAlone) {
     modelRemoved(scene, 2);
     EXPECT_TRUE(scene.passes[0].enabled);

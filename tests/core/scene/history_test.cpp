@@ -5,7 +5,7 @@
 namespace texplorer::history_test {
 namespace {
 
-/// Scenes that differ in one number, which stands for the whole scene below.
+/// Scenes that differ in one number.
 Scene numbered(float azimuth) {
     Scene scene;
     scene.view.azimuth = azimuth;
@@ -181,7 +181,7 @@ TEST(History, AStepsPictureIsGivenUpWhenItGoesOn) {
     EXPECT_EQ(picture.use_count(), 1) << "what is forgotten takes its picture along";
 }
 
-// 1000 vertices take 12 kB: of 20 such steps 10 stay in 500 kB, as each has a little beside.
+// 1000 vertices take 12 kB: 10 of 20 such steps fit into 500 kB, because each has some overhead.
 TEST(History, RemembersFewerStepsOfLargeScenes) {
     History history(numbered(0), 200, 500'000);
     for (int i = 1; i <= 20; ++i) {

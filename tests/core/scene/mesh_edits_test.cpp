@@ -101,7 +101,7 @@ TEST(MeshEdits, WhatIsTooLargeForAMeshStaysAsItIs) {
     EXPECT_EQ(fine.shape, Shape::Sphere);
 
     Model mesh{.shape = Shape::Mesh};
-    EXPECT_EQ(turnIntoMesh(mesh).error().message, "it is a mesh already");
+    EXPECT_EQ(turnIntoMesh(mesh).error().message, "it already is a mesh");
 }
 
 TEST(MeshEdits, ACornerMovesWithItsOtherVerticesOrAlone) {

@@ -72,8 +72,9 @@ TEST(Moments, LieBetweenTwoKeys) {
         const Moment moment = momentOf(track, then.time);
         EXPECT_EQ(moment.from->value, then.from) << then.time;
         EXPECT_EQ(moment.to != nullptr, then.to != nullptr) << then.time;
-        if (moment.to && then.to)
+        if (moment.to && then.to) {
             EXPECT_EQ(moment.to->value, then.to) << then.time;
+        }
         EXPECT_DOUBLE_EQ(moment.share, then.share) << then.time;
     }
 }

@@ -121,7 +121,7 @@ TEST(SheetLayout, ASheetHasItsLargestExtent) {
     ASSERT_FALSE(wide);
     EXPECT_EQ(wide.error().code, ErrorCode::TooLarge);
     EXPECT_THAT(wide.error().message,
-                HasSubstr("at most 16384 x 16384 pixels, this one would be 16385 x 162"));
+                HasSubstr("at most 16384 × 16384 pixels, this one would have 16385 × 162"));
     // The top has 86, the label with its gap 22, the bottom 24.
     EXPECT_TRUE(of({30, 16384 - 132}, 1));
     EXPECT_FALSE(of({30, 16384 - 131}, 1));

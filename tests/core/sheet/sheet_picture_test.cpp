@@ -11,7 +11,7 @@ using sheet::SheetPicture;
 using sheet::TextRole;
 using Rgb = std::array<int, 3>;
 
-/// From the upper left.
+/// Counted from the upper left.
 Rgb at(const Image& picture, int x, int y) {
     const ByteView pixel = picture.at(x, picture.height - 1 - y);
     return {std::to_integer<int>(pixel[0]), std::to_integer<int>(pixel[1]), std::to_integer<int>(pixel[2])};
@@ -33,7 +33,7 @@ Image counted() {
         pixel[0] = std::byte(i);
         pixel[1] = std::byte{100};
         pixel[2] = std::byte{200};
-        pixel[3] = std::byte{0}; // nobody sees it
+        pixel[3] = std::byte{0}; // invisible
     }
     return picture;
 }

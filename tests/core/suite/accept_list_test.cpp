@@ -15,7 +15,7 @@ TEST(AcceptList, HasANameOnALine) {
     ASSERT_TRUE(names) << describe(names.error());
     EXPECT_THAT(*names, ElementsAre("b/fixed@1x1", "a/fixed@1x1", "#c/fixed@1x1", " d"));
     EXPECT_EQ(describe(parseAcceptList("# nothing\n\n", known).error()),
-              "expected the name of a case on a line, found none");
+              "expected the name of a case on each line, found none");
 }
 
 TEST(AcceptList, MayBeginWithAByteOrderMark) {

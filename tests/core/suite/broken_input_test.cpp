@@ -73,7 +73,7 @@ void readSuiteText(const std::string& text) {
     Result<Suite> suite = parseSuite(text);
     expectOneLine(suite, text);
     if (suite)
-        expectOneLine(planOf({*std::move(suite)}, {.renderers = {}, .only = {}, .most = 500}), text);
+        expectOneLine(planOf({*std::move(suite)}, {.renderers = {}, .only = {}, .limit = 500}), text);
 }
 
 TEST(BrokenSuites, AreReadOrRefusedInALineWithoutACrash) {

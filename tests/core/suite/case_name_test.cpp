@@ -17,7 +17,7 @@ TEST(CaseName, IsAFileThatCanBeRead) {
     EXPECT_EQ(fileNameFor("fog/color=1,0,0,1/fixed@64x64@0.5s"), "fog__color=1,0,0,1__fixed@64x64@0.5s");
 }
 
-/// Whatever a name is, its file is one in the folder, whose name any file system takes.
+/// Every name gives a file in the folder, with a name that any file system accepts.
 TEST(CaseName, OfHostileNamesIsASafeFile) {
     const std::array names{"../../etc/passwd"s,
                            "/etc/passwd"s,
@@ -51,7 +51,8 @@ TEST(CaseName, OfHostileNamesIsASafeFile) {
     }
 }
 
-/// Names that would be the same file if "/" just were "__", or if a name could look like another's hash.
+/// Names that would give the same file if "/" were simply replaced by "__", or if a name could look like the
+/// hash of another.
 TEST(CaseName, OfTwoNamesAreTwoFiles) {
     const std::string hashed = fileNameFor("a b");
     EXPECT_THAT(hashed, StartsWith("a_b-"));
@@ -112,7 +113,7 @@ TEST(Glob, FitsAsInAShell) {
         EXPECT_EQ(fitsGlob(each.glob, each.text), each.fits) << each.glob << " and " << each.text;
 }
 
-/// A pattern that makes a matcher which tries every star again take for ever.
+/// A pattern with which a matcher that retries every star would run for ever.
 TEST(Glob, WithManyStarsEnds) {
     std::string glob;
     for (int i = 0; i < 1000; ++i)

@@ -68,7 +68,7 @@ TEST(Plan, TheReferenceIsNotHeldAgainstItself) {
     const Result<Plan> plan =
         planOf({suiteOf(R"({"golden": "reference"})")}, {.renderers = {RendererKind::Reference}});
     ASSERT_FALSE(plan);
-    EXPECT_THAT(describe(plan.error()), testing::HasSubstr("it is held against itself"));
+    EXPECT_THAT(describe(plan.error()), testing::HasSubstr("it is compared with itself"));
     EXPECT_TRUE(planOf({suiteOf("{}")}, {.renderers = {RendererKind::Reference}}));
 }
 

@@ -64,7 +64,7 @@ TEST(RecordJson, AJournalMayEndAnywhere) {
     }
     const Result<Journal> none = parseJournal(std::string_view(text).substr(0, head - 1));
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error().message, "expected the journal of a run, found no whole line");
+    EXPECT_EQ(none.error().message, "expected the journal of a run, found no complete line");
 }
 
 TEST(RecordJson, OfACaseThatWasRunAgainTheLastRecordStays) {
@@ -100,7 +100,7 @@ TEST(RecordJson, WhatIsWrongIsSaidWithItsLine) {
         Wrong{head + "nonsense\n", "line 2: "},
         Wrong{head + "{\"name\": \"late/fixed@8x8\"}\n", "line 2: expected the key \"state\""},
         Wrong{head + R"({"name": "late/fixed@8x8", "state": "pased"})" + "\n", "line 2: /state"},
-        Wrong{head + R"({"name": "other", "state": "passed"})" + "\n", "\"other\" is no case of this run"},
+        Wrong{head + R"({"name": "other", "state": "passed"})" + "\n", "\"other\" is not a case of this run"},
         Wrong{head + R"({"name": "late/fixed@8x8", "state": "failed", "actualPicture": "a\u001b[31m.png"})" +
                   "\n",
               "line 2: /actualPicture: expected a file's name within the folder"},
@@ -130,17 +130,17 @@ TEST(RecordJson, AJournalOfAnotherRunIsNoticed) {
     RunRecord other = now;
     other.driver = "softpipe";
     EXPECT_THAT(checkResumable(other, now).error().message,
-                HasSubstr("the journal is of another driver, \"softpipe\""));
+                HasSubstr("the journal has another driver, \"softpipe\""));
     other = now;
     other.shard = {1, 2};
     EXPECT_THAT(checkResumable(other, now).error().message, HasSubstr("another part, \"1/2\""));
     other = now;
     other.plan = "x";
-    EXPECT_THAT(checkResumable(other, now).error().message, HasSubstr("of the same cases in another order"));
+    EXPECT_THAT(checkResumable(other, now).error().message, HasSubstr("the same cases in another order"));
     other = now;
     other.names.pop_back();
     EXPECT_EQ(checkResumable(other, now).error().message,
-              "the journal is of other cases: \"late/fixed@8x8\" is a new one");
+              "the journal has other cases: \"late/fixed@8x8\" is a new one");
 }
 
 } // namespace

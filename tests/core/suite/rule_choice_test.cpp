@@ -41,13 +41,12 @@ TEST(RuleChoice, FollowsWhatASceneUses) {
     EXPECT_EQ(ruleFor(sceneWith({{"textures[0].maxAnisotropy", "4"}})).name, "ellipse");
 }
 
-/// A case is never held to more than the comparison holds its feature to.
+/// A case has the same tolerance as its feature in the comparison.
 TEST(RuleChoice, GrantsWhatTheComparisonGrants) {
     for (const conform::Feature& feature : conform::features()) {
         const conform::Rule& rule = ruleFor(conform::sceneOf(feature, 1, 0));
         const conform::Rule& granted = feature.reference;
-        // Three passes of flat quads are rounded thrice, and lines with levels are held to what is said of
-        // levels.
+        // Three passes of flat quads are rounded three times, and lines with levels use the rule for levels.
         const bool isOther = granted.name == "passes" || granted.name == "lines";
         EXPECT_GE(rule.bound, isOther ? 2 : granted.bound) << feature.name << " has " << rule.name;
         EXPECT_LE(rule.explainedScene, isOther ? 0.99 : granted.explainedScene)
@@ -55,7 +54,7 @@ TEST(RuleChoice, GrantsWhatTheComparisonGrants) {
     }
 }
 
-// As core/conform/rule.h has them: a word for each rule, whatever it shares with others.
+// As in core/conform/rule.h: one word for each rule, even if rules share values.
 TEST(RuleChoice, SaysWhatEachAllowsACase) {
     const std::string limits = ruleLimits();
     EXPECT_THAT(limits, HasSubstr("1 % unexplained (texel-edge, level-choice, level-blend, foreign-levels)"));

@@ -71,7 +71,7 @@ TEST(RunPage, SaysHowMuchDiffersAndHowMuchMay) {
     EXPECT_THAT(factsOf(pageCaseOf(samples::sampleRun().cases[8])), Not(Contains(HasSubstr("Over"))));
 }
 
-// Black where nothing differs, and the colours of the map elsewhere.
+// Black for equal pixels, the colours of the map for others.
 TEST(RunPage, SaysWhatTheColorsOfTheMapMean) {
     CaseRecord record = samples::sampleRun().cases[1];
     const std::vector<report::Swatch> legend = pageCaseOf(record).legend;
@@ -97,7 +97,7 @@ TEST(RunPage, SaysHowToRepeatAndToDrawACase) {
               "texshot shot failed-actual.png --renderer fixed --size 8x8 --time 1.5 -o again.png");
     ASSERT_EQ(failed.links.size(), 1U);
     EXPECT_EQ(failed.links[0].file, "failed-actual.png");
-    record.renderer.clear(); // of --pictures: whoever has drawn it
+    record.renderer.clear(); // of --pictures: drawn by any renderer
     EXPECT_EQ(pageCaseOf(record).commands.size(), 1U);
     EXPECT_TRUE(pageCaseOf(record).links.empty());
 }
@@ -110,7 +110,7 @@ TEST(RunPage, GroupsWhatHasAFolder) {
     EXPECT_EQ(pageCaseOf(record).group, "");
 }
 
-/// The list and the summary have the same words for it.
+/// The list and the summary use the same words.
 TEST(RunPage, HasTheWordsOfTheSummary) {
     const RunRecord run = samples::sampleRun();
     const report::Page page = pageOf(run);
@@ -119,7 +119,7 @@ TEST(RunPage, HasTheWordsOfTheSummary) {
         std::string label(texplorer::rowOf(page.cases[i].state).label);
         label.front() = static_cast<char>(std::tolower(label.front()));
         if (run.cases[i].state == State::MissingScene)
-            continue; // it is an error, to be told apart by its sentence
+            continue; // an error, distinguished by its message
         EXPECT_EQ(label, rowOf(run.cases[i].state).text);
     }
 }

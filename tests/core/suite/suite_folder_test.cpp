@@ -84,12 +84,10 @@ TEST(SuiteFolder, WhatShouldBeASuiteAndIsNoneIsAnError) {
     const test::TempDir folder;
     write(folder / "a.suite.json", smallSuite);
     fs::create_symlink("nowhere", folder / "b.suite.json");
-    EXPECT_THAT(describe(suitesAt(folder.path()).error()),
-                HasSubstr("b.suite.json: expected a suite's file"));
+    EXPECT_THAT(describe(suitesAt(folder.path()).error()), HasSubstr("b.suite.json: expected a suite file"));
     fs::remove(folder / "b.suite.json");
     fs::create_directory(folder / "c.suite.json");
-    EXPECT_THAT(describe(suitesAt(folder.path()).error()),
-                HasSubstr("c.suite.json: expected a suite's file"));
+    EXPECT_THAT(describe(suitesAt(folder.path()).error()), HasSubstr("c.suite.json: expected a suite file"));
 }
 
 TEST(SuiteFolder, LinksAreNotEntered) {

@@ -1,4 +1,4 @@
-// What is compressed once is found the next time, and nothing that lies in the directory can do harm.
+// Compressed levels are found the next time, and no content of the directory can do harm.
 
 #include "core/base/file_io.h"
 #include "core/codec/dds/dds.h"
@@ -102,7 +102,7 @@ TEST_P(CacheOf, AFormatMissesOnceThenGivesTheSameBlocks) {
     EXPECT_EQ(blocksOf(found), blocksOf(made));
     EXPECT_EQ(found.source, made.source);
 
-    // The peer that says what is right: the encoder itself, level by level.
+    // The expected levels come from the encoder itself.
     for (std::size_t i = 0; i < made.levels.size(); ++i)
         EXPECT_EQ(blocksOf(made)[i],
                   *encodeBlocks(made.source[i], blockFormat(GetParam().format), EncodeQuality::Fast));
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, CacheOf,
                                          FormatCase{"Dxt5", CompressedFormat::Dxt5}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// As the header says it: of the name and all bytes but its own 16 in dwReserved1.
+/// As the header says: a hash of the name and all bytes except the 16 of dwReserved1.
 void sign(const fs::path& entry, Bytes& file) {
     const std::string name = entry.filename();
     const auto begin = file.begin();
@@ -132,7 +132,8 @@ void sign(const fs::path& entry, Bytes& file) {
 TEST_F(Cache, ReadsTheFileAndNotSomeCopyOfItsOwn) {
     const TextureLevels made = prepare();
     Bytes file = *readFile(onlyEntry());
-    // The blocks end the file: 128 bytes of header, then 6 x 5 blocks of 16 bytes, then the smaller levels.
+    // The blocks are at the end of the file: 128 bytes of header, then 6 x 5 blocks of 16 bytes, then the
+    // smaller levels.
     const std::size_t blocks = 128;
     for (std::size_t i = blocks; i < file.size(); i += 16)
         std::fill_n(file.begin() + static_cast<std::ptrdiff_t>(i), 16, std::byte{0x42});
@@ -148,7 +149,7 @@ TEST_F(Cache, EntriesAreFilesThatOthersRead) {
     const TextureLevels made = prepare();
     const Result<TextureImage> read = decodeDds(*readFile(onlyEntry()));
     ASSERT_TRUE(read);
-    EXPECT_THAT(read->notes, IsEmpty()) << "what is in dwReserved1 is nobody's business";
+    EXPECT_THAT(read->notes, IsEmpty()) << "the content of dwReserved1 is ignored";
     EXPECT_EQ(std::get<BlockImage>(read->surfaces[0]), blocksOf(made)[0]);
 }
 
@@ -189,7 +190,7 @@ TEST_F(Cache, WritesThroughNoLink) {
     const fs::path entry = onlyEntry();
     const Bytes sound = *readFile(entry);
     const fs::path precious = folder / "precious";
-    for (const bool whole : {false, true}) { // a link to an entry that is sound isn't read either
+    for (const bool whole : {false, true}) { // a link to a valid entry is not read either
         test::writeRaw(precious, whole ? sound : Bytes(5, std::byte{'!'}));
         fs::remove(entry);
         fs::create_symlink(precious, entry);
@@ -209,8 +210,8 @@ TEST_F(Cache, IsADirectoryOfMode0700OrNone) {
     const TextureLevels refused = prepare();
     EXPECT_FALSE(refused.fromCache) << "anybody may have put it there";
     EXPECT_THAT(refused.notes,
-                ElementsAre(HasSubstr("the cache directory may be written to by others: expected "
-                                      "mode 0700, found 0777")));
+                ElementsAre(HasSubstr("the cache directory is writable by others: expected mode 0700, "
+                                      "found 0777")));
     fs::permissions(cache.directory(), fs::perms::owner_all);
     EXPECT_TRUE(prepare().fromCache);
 
@@ -310,7 +311,7 @@ TEST_F(Cache, HasAnEntryForEveryPicture) {
     std::get<Image>(other.surfaces[0]).at(5, 5)[0] ^= std::byte{1};
     EXPECT_FALSE(prepare(cachedTexture(), other).fromCache);
     EXPECT_EQ(entries().size(), 2U);
-    // As many bytes, another shape.
+    // The same number of bytes, but another shape.
     EXPECT_FALSE(prepare(cachedTexture(), softFile(20, 24)).fromCache);
     EXPECT_EQ(entries().size(), 3U);
 }
@@ -323,7 +324,7 @@ TEST_F(Cache, WithoutADirectoryOnlyCostsTime) {
           {BlockCache(folder / "file" / "in the way" / "below"), "in the way/below: "},
           {BlockCache("/proc/no such place"), "/proc/no such place: the cache directory can't be made"},
           {BlockCache(), "there is no cache directory: neither XDG_CACHE_HOME nor HOME"},
-          {BlockCache(folder / "small", 100), "exceed the cache's bound of 100"}}) {
+          {BlockCache(folder / "small", 100), "exceed the cache's limit of 100"}}) {
         cache = place;
         const TextureLevels levels = prepare();
         EXPECT_FALSE(levels.fromCache);
@@ -354,9 +355,9 @@ TEST_F(Cache, NeverTakesMoreThanItsBoundAndDropsWhatWasUsedLongestAgo) {
     ASSERT_EQ(entries().size(), 3U);
     for (std::size_t i = 0; i < 3; ++i)
         fs::last_write_time(files[i], now - std::chrono::hours(10 - i));
-    EXPECT_TRUE(prepare(texture, picture(0)).fromCache); // the oldest becomes the youngest
+    EXPECT_TRUE(prepare(texture, picture(0)).fromCache); // the oldest becomes the newest
     const fs::path foreign = cache.directory() / "notes.txt";
-    std::ofstream(foreign) << std::string(5000, '.'); // not ours: neither counted nor removed
+    std::ofstream(foreign) << std::string(5000, '.'); // another program's file: neither counted nor removed
     fs::last_write_time(foreign, now - std::chrono::hours(100));
 
     static_cast<void>(prepare(texture, picture(3)));
@@ -442,7 +443,7 @@ TEST_F(Cache, IsUsedByTheWorkerThatMakesLevelsBesideTheWindow) {
                           imageSettings(cachedTexture()), Target::Texture2D};
     for (const bool again : {false, true}) {
         LevelsWorker worker(LevelsWorker::When::WhenReady, {}, {cache});
-        EXPECT_EQ(worker.prepare(request), nullptr) << "whatever its size, one doesn't wait for it";
+        EXPECT_EQ(worker.prepare(request), nullptr) << "it is not waited for, regardless of its size";
         worker.wait();
         worker.receive();
         const auto levels = worker.prepare(request);

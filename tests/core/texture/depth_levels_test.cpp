@@ -84,7 +84,7 @@ TEST(DepthLevels, OfTheLightAreLentAsTheyAre) {
     const Result<TextureLevels> levels = prepareLevels(texture, image);
     ASSERT_TRUE(levels);
     EXPECT_EQ(&imageOf(*levels), &std::get<Image>(image->surface(0, 0)));
-    EXPECT_EQ(depthAt(imageOf(*levels).at(2, 2).data()), farthestDepth32) << "nobody has drawn it";
+    EXPECT_EQ(depthAt(imageOf(*levels).at(2, 2).data()), farthestDepth32) << "it was not drawn";
     EXPECT_TRUE(levels->notes.empty());
 }
 

@@ -1,4 +1,4 @@
-// A picture of its own for each level, and what is done to all of them before: which pixels OpenGL is given.
+// Levels with their own pictures, and how each is prepared: the pixels that OpenGL gets.
 
 #include "core/image/patterns/pattern.h"
 #include "core/image/resample.h"
@@ -54,7 +54,7 @@ Image randomImage(int width, int height) {
     return image;
 }
 
-/// As a decoder gives a file that begins at the top.
+/// As decoded from a file that begins at the top.
 TextureImage fileOf(Image image) {
     TextureImage texture = textureOf(std::move(image), "PNG");
     texture.fileTopFirst = true;
@@ -146,11 +146,11 @@ TEST_F(GivenLevels, ThatAreNotLoadedAreMissing) {
 
 struct FlipRow {
     FlipMode flip;
-    std::string_view file;    ///< what becomes of the rows "ab" of a file that begins with b, the top one
-    std::string_view pattern; ///< and of a picture that has no file
+    std::string_view file;    ///< how the rows "ab" of a file arrive that begins with b, the top one
+    std::string_view pattern; ///< the same for a picture without a file
 };
 
-// A base whose file begins at the top: what is flipped later needs all levels with the top row first.
+// A base from a file that begins at the top: a later flip needs all levels with the top row first.
 TEST_F(GivenLevels, AreTheRightWayUpAsTheBaseIs) {
     for (const FlipRow& row : {FlipRow{FlipMode::Blocks, "ab", "ab"}, FlipRow{FlipMode::Pixels, "ab", "ab"},
                                FlipRow{FlipMode::Coordinates, "ba", "ba"},
@@ -203,7 +203,7 @@ TEST_F(GivenLevels, OfACubeMapHaveSixFaces) {
     for (const TextureLevel& level : levels.levels)
         widths[level.number] += widthOf(level.surface);
     EXPECT_EQ(widths, (std::map<int, int>{{0, 48}, {1, 24}, {2, 12}}));
-    // The pattern's faces, not its picture: +x and -x differ.
+    // The pattern's faces, not its flat picture: +x and -x differ.
     EXPECT_NE(*levels.levels[2].surface, *levels.levels[5].surface);
     EXPECT_EQ(planned(Target::CubeMap).back(), (PlannedLevel{2, 2, 2, 1}));
 }
@@ -282,8 +282,8 @@ TEST_F(GivenLevels, StayWithinWhatImagesMayTake) {
     const auto levels = prepareLevels(texture_, images_.picturesOf(texture_));
     ASSERT_FALSE(levels);
     EXPECT_EQ(levels.error().code, ErrorCode::TooLarge);
-    EXPECT_EQ(levels.error().message, "the pictures of the levels above its base need 2415919104 bytes, and "
-                                      "together they may take 2 GiB");
+    EXPECT_EQ(levels.error().message, "the images of the levels above the base need 2415919104 bytes, but "
+                                      "may have at most 2 GiB together");
 }
 
 class PreparedTexture : public GivenLevels {
@@ -343,7 +343,7 @@ TEST_F(PreparedTexture, TakesAlphaTheRightWayUp) {
 TEST_F(PreparedTexture, DoesWithoutAlphaThatIsNotLoaded) {
     give("base", flat(1, 1, 9));
     texture_.preparation = {{.op = ImageOp::AlphaFrom, .source = SourceKind::File, .file = "gone.png"}};
-    EXPECT_THAT(made().notes, ElementsAre("preparation[0]: gone.png is not loaded; left out"));
+    EXPECT_THAT(made().notes, ElementsAre("preparation[0]: gone.png is not loaded; skipped"));
     EXPECT_EQ(firstBytes(0), "9");
 }
 

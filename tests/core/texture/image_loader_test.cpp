@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using Wanted = ImageLoader::Wanted;
 
-/// Holds the loading thread at its next news, until it is let go.
+/// Holds the loading thread at its next progress report, until it is released.
 class Gate {
 public:
     void close() {
@@ -148,13 +148,13 @@ TEST_F(Loading, NothingComesOfWhatIsCancelled) {
     loader.cancel(working);
     EXPECT_EQ(loader.progress()->ticket, waiting) << "at once, although the thread is still busy";
     loader.cancel(waiting);
-    loader.cancel(12345); // nobody's
+    loader.cancel(12345); // an unknown number
     gate.open();
     loader.wait();
     const auto loaded = loader.take();
     ASSERT_EQ(loaded.size(), 1U);
     EXPECT_EQ(loaded[0].ticket, wanted);
-    loader.cancel(wanted); // too late: it is taken
+    loader.cancel(wanted); // too late: it was taken
 }
 
 TEST_F(Loading, WhatIsDoneCanBeCancelledUntilItIsTaken) {

@@ -145,8 +145,8 @@ TEST_F(Images, DifferentFilesAreAddedUpAgainstTheBudget) {
         EXPECT_EQ(error.code, ErrorCode::TooLarge);
         EXPECT_EQ(error.where, "textures[2].file");
         EXPECT_EQ(error.message, (folder_ / "blue.bmp").string() +
-                                     ": the image needs 3 bytes, and of the 2147483648 that a scene's images "
-                                     "may take together, 2 are left");
+                                     ": the image needs 3 bytes, but of the 2147483648 for all images of a "
+                                     "scene, 2 are left");
     };
     const Result<void> loaded = source_.load(scene, 8);
     ASSERT_FALSE(loaded);

@@ -1,4 +1,4 @@
-// What is uploaded: flip, levels and compression of a texture, checked against pictures turned by hand.
+// The uploaded pixels: flip, levels and compression of a texture, checked against pictures turned by hand.
 
 #include "core/s3tc/decode.h"
 #include "core/s3tc/surface_pixels.h"
@@ -99,7 +99,7 @@ TEST(PreparedBlocks, OfAHeightThatCannotBeTurnedAreDecompressedAndSaidSo) {
         EXPECT_FALSE(isBlocks(level)) << "all levels of a texture have one format";
         EXPECT_EQ(pixels(level), upsideDown(toImage(file.surface(0, level.number))));
     }
-    EXPECT_THAT(levels->notes, ElementsAre(HasSubstr("level 1 has 12 x 6 texels")));
+    EXPECT_THAT(levels->notes, ElementsAre(HasSubstr("level 1 has 12 × 6 texels")));
 }
 
 TEST(PreparedBlocks, StayAsTheFileHasThemWhereTheFlipComesLater) {
@@ -146,8 +146,8 @@ TEST(PreparedBlocks, AreDecompressedForWhatNeedsPixelsAndSaidSo) {
     Texture stencil = with(FlipMode::Blocks);
     stencil.transparency = Transparency::Stencil;
     const TextureImage file = blockTexture(24, 16, 1);
-    for (const auto& [texture, words] : {std::pair{generated, "mip levels are made of pixels"},
-                                         {scaled, "24 x 16 to powers of two"},
+    for (const auto& [texture, words] : {std::pair{generated, "mip levels are made from pixels"},
+                                         {scaled, "24 × 16 to powers of two"},
                                          {stencil, "transparency"}}) {
         const auto levels = prepareLevels(texture, file);
         ASSERT_TRUE(levels);
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(All, RowOrder,
                              OrderCase{"PngCoordinates", false, true, F::Coordinates, true, L::Coordinates},
                              OrderCase{"PngMatrix", false, true, F::Matrix, true, L::Matrix},
                              OrderCase{"PngNone", false, true, F::None, true, L::None},
-                             // A bottom-up BMP is upright for OpenGL by itself: nothing is left to flip.
+                             // A bottom-up BMP is already upright for OpenGL: nothing needs a flip.
                              OrderCase{"BmpBlocks", false, false, F::Blocks, false, L::None},
                              OrderCase{"BmpCoordinates", false, false, F::Coordinates, false, L::None},
                              OrderCase{"BmpMatrix", false, false, F::Matrix, false, L::None},
@@ -370,7 +370,7 @@ TEST(ImageSettings, IgnoreSamplingAndNothingElse) {
     EXPECT_EQ(imageSettings(made), made);
 }
 
-// 4/3 to within the last level: 1 + 1/4 + 1/16 + ... + 1/4^8 = (4 - 1/4^8) / 3.
+// 4/3, except for the rest after the last level: 1 + 1/4 + 1/16 + ... + 1/4^8 = (4 - 1/4^8) / 3.
 TEST(Report, OfAFullChainIsFourThirdsOfTheBase) {
     const auto levels =
         prepareLevels(with(FlipMode::Blocks, MipPolicy::Generated), textureOf(randomImage(256, 256), "PNG"));
@@ -390,7 +390,7 @@ struct TexelBytes {
     std::size_t bytes;
 };
 
-// As the names of the formats say it (table 3.16), whatever the image has: 15 bits take 2 bytes, 4 bits one.
+// By the names of the formats (table 3.16), for any image: 15 bits take 2 bytes, 4 bits one.
 TEST(Report, CountsTheBitsOfTheInternalFormat) {
     for (const auto& [format, bytes] :
          {TexelBytes{InternalFormat::Rgba, 4}, TexelBytes{InternalFormat::Rgb, 3},
@@ -470,8 +470,8 @@ TEST(Report, GivesThePeakSignalToNoiseRatio) {
     EXPECT_THAT(describe(report), HasSubstr("exact"));
 }
 
-// Grey 100, 200, 50: BC4 keeps red alone, BC5 red and green. Blocks of one value are exact, so what is left
-// out must not count as a loss.
+// Grey 100, 200, 50: BC4 keeps only red, BC5 red and green. Blocks of one value are exact, so components that
+// are left out must not count as a loss.
 TEST(Report, LeavesOutTheComponentsThatAFormatDoesNotHave) {
     Image source = Image::uninitialised(PixelFormat::Rgba8, 4, 4);
     for (std::size_t i = 0; i < source.pixels.size(); i += 4)
@@ -488,8 +488,8 @@ TEST(Report, LeavesOutTheComponentsThatAFormatDoesNotHave) {
     }
 }
 
-// One component of six off by 10: the mean square is 100 / 6, 10 log10(255^2 / (100 / 6)) = 35.91 dB, whether
-// an alpha of 255 stands beside the colours or not.
+// One component of six is off by 10: the mean square is 100 / 6, 10 log10(255^2 / (100 / 6)) = 35.91 dB, with
+// or without an alpha of 255.
 TEST(Report, LeavesOutAnAlphaThatSaysNothing) {
     for (const PixelFormat format : {PixelFormat::Rgb8, PixelFormat::Rgba8}) {
         Image source = Image::uninitialised(format, 2, 1);
@@ -500,7 +500,7 @@ TEST(Report, LeavesOutAnAlphaThatSaysNothing) {
         EXPECT_NEAR(level.psnr.value(), 35.91, 0.005);
         EXPECT_EQ(level.components, "RGB");
     }
-    // One of eight: 37.16 dB, where alpha says something, or the compression has made it do so.
+    // One of eight: 37.16 dB if alpha has information, or if the compression has changed it.
     Image source = Image::uninitialised(PixelFormat::Rgba8, 2, 1);
     std::ranges::fill(source.pixels, std::byte{255});
     Image stored = source;
@@ -512,7 +512,7 @@ TEST(Report, LeavesOutAnAlphaThatSaysNothing) {
     }
 }
 
-// The colours of a picture of alpha alone are black and say nothing: 20 log10(255 / 10) = 28.13 dB.
+// The colours of an alpha-only picture are black and are ignored: 20 log10(255 / 10) = 28.13 dB.
 TEST(Report, ComparesAlphaAloneWhereThereIsNothingElse) {
     const Image source{PixelFormat::Alpha8, 1, 1, 1, Bytes(1, std::byte{100})};
     const Image stored{PixelFormat::Alpha8, 1, 1, 1, Bytes(1, std::byte{110})};
@@ -546,7 +546,7 @@ std::string rowsOf(const TextureLevel& level) {
     return text;
 }
 
-// The first row that OpenGL gets of a face is its top one.
+// OpenGL gets each face with its top row first.
 TEST(CubeLevels, BeginEachFaceWithItsTopRow) {
     Texture texture;
     texture.source = SourceKind::File;
@@ -563,19 +563,19 @@ TEST(CubeLevels, BeginEachFaceWithItsTopRow) {
             EXPECT_THAT(made->notes, IsEmpty());
         }
     }
-    // As a naive loader does it, a file that begins at the top is right, and only such a one.
+    // With a naive loader, only a file that begins at the top is right.
     for (const FlipMode flip : {FlipMode::None, FlipMode::Matrix, FlipMode::Coordinates}) {
         texture.flip = flip;
         EXPECT_EQ(rowsOf(prepareLevels(texture, sixFaces(true), Target::CubeMap)->levels[0]), "aA");
         EXPECT_EQ(rowsOf(prepareLevels(texture, sixFaces(false), Target::CubeMap)->levels[0]), "Aa");
         EXPECT_EQ(prepareLevels(texture, sixFaces(true), Target::CubeMap)->lateFlip, LateFlip::None);
     }
-    // A picture takes the first face, the right way up for a picture.
+    // A picture uses the first face, upright.
     texture.flip = FlipMode::Blocks;
     const auto picture = prepareLevels(texture, sixFaces(true), Target::Texture2D);
     ASSERT_EQ(picture->levels.size(), 1U);
     EXPECT_EQ(rowsOf(picture->levels[0]), "Aa");
-    EXPECT_THAT(picture->notes, ElementsAre(HasSubstr("its first, +x, is drawn")));
+    EXPECT_THAT(picture->notes, ElementsAre(HasSubstr("the first, +x, is drawn")));
 }
 
 TEST(CubeLevels, HaveAChainForEachFaceOfAStrip) {

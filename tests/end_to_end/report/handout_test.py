@@ -131,7 +131,7 @@ class OnPaper(Handout):
         _, pages = self.printed("two", "A4")
         last = self.page_of(pages, r"(?m)^ *Answers$")
         for i, page in enumerate(pages, 1):
-            self.assertEqual(bool(re.search("The right answer|What leads there", page)), i >= last, i)
+            self.assertEqual(bool(re.search("The right answer|Solution", page)), i >= last, i)
         self.assertEqual(self.page_of(pages, r"(?m)^ *Contents$"), 1)
         begin = [self.page_of(pages, rf"(?m)\A *{each}") for each in (r"1\. ", r"2\. ")]
         self.assertEqual(begin[0], 2, "after the contents")

@@ -1,5 +1,5 @@
-// report_sample DIR [COUNT [WIDTH [HEIGHT]]]: writes the page of a run that never was, with a case of every
-// state and names that are hostile, for the tests that look at it in a browser, and for who changes it.
+// report_sample DIR [COUNT [WIDTH [HEIGHT]]]: writes the page of an invented run, with a case of every state
+// and hostile names. For the tests that open it in a browser, and for developers of the page.
 
 #include "core/base/file_io.h"
 #include "core/codec/png/png.h"
@@ -29,7 +29,7 @@ void setPixel(Image& image, int x, int y, std::array<int, 4> color) {
         pixel[k] = static_cast<std::byte>(color[k]);
 }
 
-/// A disk on a ground, each case in other colours. y counts from the top.
+/// A disk on a ground; each case has other colours. y counts from the top.
 Image pictureOf(std::size_t number, Size size, int shift) {
     Image image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
     const double radius = 0.3 * std::min(size.width, size.height);
@@ -71,7 +71,7 @@ void addPictures(report::Case& each, std::size_t number, Size size) {
     Image actual = pictureOf(number, size, failed ? 1 : 0);
     each.size = {size.width, size.height};
     if (failed) {
-        // One pixel is worse than the others, and of half transparency.
+        // One pixel differs more than the others, and is half transparent.
         each.worst = {size.width / 4, size.height / 5};
         setPixel(actual, (*each.worst)[0], (*each.worst)[1], {255, 1, 254, 128});
         each.message = fmt::format("{} % of the pixels are over 2; the worst by 180 at {},{}.",
@@ -172,8 +172,7 @@ int run(int count, char** words) {
     }
     const ByteView scene = viewBytes("{}\n");
     files->push_back({"scene.json", {scene.begin(), scene.end()}});
-    // Not as a program does it, byte by byte on the disk: there may be ten thousand files, and they last for
-    // a test.
+    // Not written with fsync as a program does: there may be ten thousand files, and they are temporary.
     const std::filesystem::path folder(words[1]);
     std::filesystem::create_directories(folder);
     for (const report::File& file : *files) {

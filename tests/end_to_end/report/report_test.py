@@ -1,4 +1,4 @@
-"""The page of a report, opened from its folder as a user does, in Chromium. Pillow and numpy say what is to be seen."""
+"""The page of a report, opened from its folder in Chromium. Pillow and numpy compute what it must show."""
 
 import json
 import shutil
@@ -16,7 +16,7 @@ from browser import Browser, Keys
 SAMPLE = sys.argv.pop(1)
 STATES = ["crashed", "timed-out", "error", "failed", "differ", "resized", "missing", "extra", "new", "not-run", "passed",
           "agree", "skipped"]
-# What the sample calls its fourth, ninth, twelfth and thirteenth case, as far as it can be printed.
+# The sample's names of the fourth, ninth, twelfth and thirteenth case, as far as they can be printed.
 HOSTILE = {
     3: "<script>document.title='owned'</script><img src=x onerror=\"document.title='owned'\">",
     8: "../../\"quoted\" & 'so' on/#?%41",
@@ -54,7 +54,7 @@ def numbers_of(path):
 
 
 class Page(unittest.TestCase):
-    """A page of the sample, opened anew for each test."""
+    """A page of the sample, opened again for each test."""
     COUNT = 60
 
     @classmethod
@@ -84,7 +84,7 @@ class Page(unittest.TestCase):
             self.look_at(case)
 
     def look_at(self, case):
-        """Opens a case by its number in the run, and waits for its pictures and their numbers."""
+        """Opens a case by its number in the run, and waits for its pictures and numbers."""
         data = data_of(self.report)["cases"][case]
         self.browser.script("location.hash = '#case=' + encodeURIComponent(arguments[0])", data["name"])
         self.looks_at(data["name"])
@@ -93,7 +93,7 @@ class Page(unittest.TestCase):
             self.browser.wait(lambda: self.browser.all(".magnified-one canvas"), "the pixels")
 
     def looks_at(self, name):
-        """Waits until the case of that name is what is looked at."""
+        """Waits until the case of that name is open."""
         self.browser.wait(lambda: self.browser.texts("#case-name") == [name], name)
 
     def wait_for_pictures(self):
@@ -105,13 +105,13 @@ class Page(unittest.TestCase):
         return numbers_of(self.report / files[role])
 
     def names(self):
-        """Of the cases in the list, as shown."""
+        """The names of the cases in the list, as shown."""
         count = self.browser.text("#count").split()[0].replace(",", "")
         self.browser.wait(lambda: len(self.browser.all(".row")) == int(count), f"{count} rows")
         return self.browser.texts(".row .name")
 
     def place_of(self, pixel, pane=".pane"):
-        """Where the middle of a pixel is in the window."""
+        """The position of the middle of a pixel in the window."""
         left, top, _, _ = self.browser.box(pane)
         x, y, scale = self.browser.script(
             "const m = new DOMMatrix(getComputedStyle(document.querySelector(arguments[0] + ' .layer')).transform); return [m.e, m.f, m.a]", pane)
@@ -216,7 +216,7 @@ class Choosing(Page):
         self.browser.click("#group option[value='']")
         self.browser.click(chip("failed"))
         self.browser.keys("/")
-        self.browser.keys("case-2 clamp")  # both words, in whatever order
+        self.browser.keys("case-2 clamp")  # both words, in any order
         self.assertEqual(self.names(), [name for name in of("passed") if "case-2" in name and "CLAMP" in name])
         self.browser.keys("nowhere")
         self.assertEqual(self.names(), [])
@@ -274,7 +274,7 @@ class Choosing(Page):
         (long / "report-data.js").write_text(f"texplorerReport = {json.dumps(data)};\n")
         self.open(long)
         self.browser.click("#sort option[value=run]")
-        self.assertEqual(self.names(), names)  # for who listens, and who searches
+        self.assertEqual(self.names(), names)  # for screen readers and search
         row = self.browser.one(".row:nth-child(8)")
         tail, name = (row.find_element("css selector", f".name{part}") for part in (" .tail", ""))
         self.assertTrue(tail.text.replace("\n", "").endswith("renderer-7@512x512"), tail.text)
@@ -290,7 +290,7 @@ class Choosing(Page):
         self.assertTrue(self.browser.one("dialog").is_displayed())
         self.assertEqual(self.browser.texts("dialog kbd"), ["j ↓ →", "k ↑ ←", "1", "2", "3", "4", "f", "p", "g", "+ or wheel", "−", "0", "z", "w",
                                                             "Shift and arrows", "a", "u", "/", "o or Esc", "t", "?"])
-        self.browser.keys("j")  # is for what lies behind
+        self.browser.keys("j")  # belongs to the page behind
         self.assertEqual(self.browser.all("#case-name"), [])
         self.browser.keys(Keys.ESCAPE)
         self.assertFalse(self.browser.one("dialog").is_displayed())
@@ -303,7 +303,7 @@ class Looking(Page):
         self.expected = self.picture(FAILED, "expected")
         self.actual = self.picture(FAILED, "actual")
         self.worst = (16, 9)
-        self.opaque = (self.actual[..., 3] == 255)  # all but the worst
+        self.opaque = (self.actual[..., 3] == 255)  # all except the worst pixel
 
     def assert_shows(self, seen, expected, where):
         apart = numpy.abs(seen - expected[..., :3]).max(axis=2) * where
@@ -331,8 +331,8 @@ class Looking(Page):
         self.assertEqual(now(), 100)
         self.browser.keys(Keys.HOME)
         self.assertEqual(now(), 0)
-        self.assertEqual(self.browser.text("#case-name"), HOSTILE[FAILED])  # arrows are the slider's
-        # Expected on its left, actual on its right: the disk is a pixel further there.
+        self.assertEqual(self.browser.text("#case-name"), HOSTILE[FAILED])  # arrows move the slider
+        # Expected on its left, actual on its right: the disk is one pixel further right there.
         self.browser.drag((left + 1, top + 50), (left + width / 2, top + 50))
         self.assertEqual(now(), 50)
         columns = numpy.array([self.place_of((x, 0))[0] for x in range(64)])
@@ -370,7 +370,7 @@ class Looking(Page):
         self.browser.keys("p")
         self.assertEqual(self.browser.text("[data-tool=play]"), "Play")
         count = len(self.browser.script("return shown"))
-        self.browser.keys("1", "3")  # and it stays still in another view and back
+        self.browser.keys("1", "3")  # and it stays in place in another view and back
         self.assertEqual(len(self.browser.script("return shown")), count)
 
     def test_the_difference_has_a_gain(self):
@@ -390,7 +390,7 @@ class Looking(Page):
         self.assertEqual(self.browser.text("figcaption .caption"), "Expected − Actual, × 1")
         self.assert_shows(self.seen(64, 48), apart, numpy.full((48, 64), True))
 
-    # Without numbers the browser subtracts.
+    # Without numbers the browser computes the difference.
     def test_the_difference_of_pictures_without_pixels(self):
         bare = self.path / "bare"
         shutil.copytree(self.report, bare, dirs_exist_ok=True)
@@ -433,7 +433,7 @@ class Looking(Page):
         self.assert_numbers(40, 30)
         self.browser.shift(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_UP)
         self.assert_numbers(42, 29)
-        # What is around it, as the picture has it.
+        # The pixels around it, as in the picture.
         middle = self.browser.script("""return [...document.querySelectorAll('.magnified canvas')].map((canvas) =>
             [...canvas.getContext('2d').getImageData(55 + 10, 55 - 20, 1, 1).data])""")
         self.assertEqual(middle, [self.expected[27, 43].tolist(), self.actual[27, 43].tolist()])
@@ -454,7 +454,7 @@ class Looking(Page):
         self.assertEqual(self.browser.one(".grid").value_of_css_property("background-size"), "8px 8px, 8px 8px")
         self.browser.keys("0")
         self.assertEqual((scale(), grid()), ("400 %", 0))
-        # The wheel enlarges around the mouse: what is below it stays there.
+        # The wheel zooms around the mouse: the point below it stays in place.
         place = self.place_of((10, 12))
         self.browser.point(*place, wheel=-300)
         self.browser.wait(lambda: scale() != "400 %", "the wheel")
@@ -581,7 +581,7 @@ class Accepting(Page):
         self.browser.click(".chip[data-state=failed]")
         self.browser.click("#accept-all")
         self.assertCountEqual(self.accepted(), self.acceptable)
-        self.assertEqual(self.downloaded().splitlines(), self.acceptable)  # as they ran
+        self.assertEqual(self.downloaded().splitlines(), self.acceptable)  # in the order of the run
         self.browser.click("#undo")
         self.assertCountEqual(self.accepted(), failed)
         self.browser.click("#clear")
@@ -625,7 +625,7 @@ def contrast(*colors):
 LIGHT = "rgb(246, 246, 244)"
 DARK = "rgb(23, 25, 27)"
 
-# Of each text that is shown: how much its colour differs from what is behind it (WCAG 2.2, contrast ratio).
+# For each visible text: the contrast of its colour with the background (WCAG 2.2, contrast ratio).
 CONTRASTS = """
 const parse = (text) => (text.match(/[\\d.]+/g) ?? []).map(Number);
 const luminance = (rgb) => rgb.slice(0, 3).map((each) => each / 255).map((each) => each <= 0.04045 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4)
@@ -768,7 +768,7 @@ class Seeing(Page):
 class Opened(Page):
     COUNT = 2000
 
-    # How long it takes is printed, and depends on the machine; that the list goes on to its end does not.
+    # The time is printed and depends on the machine; only the complete list is checked.
     def test_two_thousand_cases(self):
         self.browser.wait(lambda: self.browser.script("return performance.getEntriesByName('first-contentful-paint').length"), "the first picture")
         times = self.browser.script("""const [page] = performance.getEntriesByType('navigation');

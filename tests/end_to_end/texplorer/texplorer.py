@@ -1,4 +1,4 @@
-"""The real texplorer on a virtual display, for tests that act as a user does and look at what comes of it."""
+"""Runs the real texplorer on a virtual display, for tests that act as a user and check the result."""
 
 import ctypes
 import io
@@ -16,7 +16,7 @@ import unittest
 from PIL import Image
 
 PROGRAM = sys.argv.pop(1)
-PATIENCE = 60  # seconds until something that must come is given up
+PATIENCE = 60  # seconds to wait for something
 
 
 def wait_for(condition, what):
@@ -30,8 +30,8 @@ def wait_for(condition, what):
 
 
 class Display:
-    """An Xvfb of its own, on a display number that the server chooses. Without -noreset it would start over, and refuse
-    connections, whenever its last client leaves, as each xdotool does."""
+    """An Xvfb on a display number that the server chooses. Without -noreset it would restart, and refuse connections,
+    whenever its last client leaves, as each xdotool does."""
 
     def __init__(self, *options):
         read, write = os.pipe()
@@ -61,7 +61,7 @@ class Display:
         return Image.open(io.BytesIO(done.stdout)).convert("RGB")
 
     def ask_to_close(self, window):
-        """What the cross in a title bar sends: WM_DELETE_WINDOW."""
+        """Sends what the close button of a title bar sends: WM_DELETE_WINDOW."""
 
         class ClientMessage(ctypes.Structure):
             _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
@@ -92,7 +92,7 @@ def run(*arguments, display=None, **variables):
 
 
 class Window(unittest.TestCase):
-    """Each test begins with a window that has shown its first picture of the scene in the file `scene`."""
+    """Each test starts with a window that has shown its first picture of the scene in the file `scene`."""
 
     VARIABLES = {}  # of the environment
     OPTIONS = ()  # of the program
@@ -134,7 +134,7 @@ class Window(unittest.TestCase):
         return sorted((self.state / "texplorer" / "unsaved").glob("*.scene"))
 
     def draft(self):
-        """The scene in the one draft that there is."""
+        """The scene in the only draft."""
         return json.loads(self.drafts()[0].read_text().split("\n", 4)[4])
 
     def edit(self):
@@ -160,7 +160,7 @@ class Window(unittest.TestCase):
         return self.saved()
 
     def orbit(self):
-        """A drag below the models, as slow as a hand's."""
+        """A drag below the models, at the speed of a user."""
         self.display.xdotool("mousemove", 600, 440)
         time.sleep(0.1)
         self.display.xdotool("mousedown", 1)
@@ -171,7 +171,7 @@ class Window(unittest.TestCase):
         time.sleep(0.1)
 
     def wait_until_it_rests(self):
-        """A second in which it does next to nothing: there is nothing more to draw, and nothing that it waits for."""
+        """Checks that it uses almost no processor time for a second when there is nothing to draw or to wait for."""
 
         def rests():
             begin = self.cpu_seconds()

@@ -1,4 +1,4 @@
-"""What is not saved is kept, whatever ends the window."""
+"""Unsaved work is kept, however the window ends."""
 
 import signal
 import unittest

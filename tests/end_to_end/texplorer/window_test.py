@@ -141,7 +141,7 @@ class CoreProfile(AtTheWindow):
         self.assertEqual(self.display.screenshot().crop(place).tobytes(), before)
         colours = {colour for _, colour in self.display.screenshot().crop((0, 772, 1280, 800)).getcolors(1 << 20)}
         self.assertTrue(any(red > 200 and 100 < green < 180 and blue < 130 for red, green, blue in colours),
-                        "the status bar says why")
+                        "see the status bar")
 
     test_the_reference_draws_beside_the_window = None  # it draws always
 

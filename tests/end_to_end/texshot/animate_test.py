@@ -205,8 +205,8 @@ class Animate(Texshot):
             (2, "* is for names", "--set", "view.azimuth=*", *two, "-o", x),
             (2, "expected one of GL_NEAREST", "--set", "textures[0].minFilter=GL_NEAREST..GL_LINAER", *two, "-o", x),
             (2, "a key can't move the timeline itself", self.scene([{"path": "view.azimuth", "value": 1}]), "--set", "timeline[0].time=0..1", *two, "-o", x),
-            (2, "at 1 s: an enabled unit needs a texture that exists", "--set", "passes[0].units[0].texture=0..9", *two, "-o", x),
-            (2, "--seconds: expected how long it is", *TURN, "-o", x),
+            (2, "at 1 s: an enabled unit needs an existing texture", "--set", "passes[0].units[0].texture=0..9", *two, "-o", x),
+            (2, "--seconds: expected a length", *TURN, "-o", x),
             (2, "--seconds: expected a number above 0 and up to 3600, found \"0\"", *TURN, "--seconds", "0", "-o", x),
             (2, "found \"nan\"", *TURN, "--seconds", "nan", "-o", x),
             (2, "found \"1e9\"", *TURN, "--seconds", "1e9", "-o", x),
@@ -220,14 +220,14 @@ class Animate(Texshot):
             (2, "--seconds: expected an end within 3600 s, found 3601", *TURN, *two, "--time", "3599", "-o", x),
             (2, "ends in .gif, .webp or .png, or one with a place for the number", *TURN, *two, "-o", self.out / "x.bmp"),
             (2, "ends in .gif, .webp or .png", *TURN, *two, "-o", "-"),
-            (2, "ends in one of .bmp, .dds, .png, .tga", *TURN, *two, "-o", self.out / "x-%04d.gif"),
+            (2, "ends with one of .bmp, .dds, .png, .tga", *TURN, *two, "-o", self.out / "x-%04d.gif"),
             (2, "a place for the number as %04d or {number}", *TURN, *two, "-o", self.out / "x-%s.png"),
             (2, "a place for the number as %04d or {number}", *TURN, *two, "-o", self.out / "x-%0999d.png"),
             (2, "found two in", *TURN, *two, "-o", self.out / "x-%d-%04d.png"),
             (2, "a place for the number as %04d or {number}, found", *TURN, *two, "-o", self.out / "x-{nope}.png"),
             (2, "found two in", *TURN, *two, "-o", self.out / "x-{number}-{time}.png"),
             (2, "a place for the number as %04d or {number}, found", *TURN, *two, "-o", self.out / "x-{%04d}.png"),
-            (2, "expected a name and } behind each {", *TURN, *two, "-o", self.out / "x-{number.png"),
+            (2, "expected a name and } after each {", *TURN, *two, "-o", self.out / "x-{number.png"),
             (2, "--quality: expected a number from 0 to 100", *TURN, *two, "--quality", "101", "-o", self.out / "x.webp"),
             (2, "expected one of hold, linear", *TURN, *two, "--easing", "bounce", "-o", x),
             (1, "can't be", *TURN, *two, "-o", "/proc/x.gif"),
@@ -256,9 +256,9 @@ class Animate(Texshot):
         drawn = self.out / "scene.png"
         self.succeeds("shot", *SMALL, "-o", drawn)
         before = drawn.read_bytes()
-        self.complains(2, "expected another file", "animate", drawn, *SMALL, *TURN, "--seconds", "1", "-o", drawn)
+        self.complains(2, "expected a file other", "animate", drawn, *SMALL, *TURN, "--seconds", "1", "-o", drawn)
         drawn.rename(self.out / "scene-1.png")
-        self.complains(2, "expected another file", "animate", self.out / "scene-1.png", *SMALL, *TURN, "--seconds", "1", "-o", self.out / "scene-%d.png")
+        self.complains(2, "expected a file other", "animate", self.out / "scene-1.png", *SMALL, *TURN, "--seconds", "1", "-o", self.out / "scene-%d.png")
         self.assertEqual((self.out / "scene-1.png").read_bytes(), before)
 
     def test_ctrl_c_leaves_nothing_half_written(self):

@@ -83,7 +83,7 @@ class Batch(Texshot):
     def test_reports_say_what_became_of_what(self):
         text = self.succeeds("convert", *self.files, "-o", self.out, "--to", "png", "--report").decode()
         self.assertEqual(text.splitlines(),
-                         [f"{file} -> {self.out / file.stem}.png: PNG, 8 x 4, 1 level, "
+                         [f"{file} -> {self.out / file.stem}.png: PNG, 8 × 4, 1 level, "
                           f"{(self.out / file.stem).with_suffix('.png').stat().st_size} bytes" for file in self.files])
         told = json.loads(self.succeeds("compress", *self.files, "-o", self.out, "--format", "dxt1", "--json"))
         self.assertEqual((len(told["written"]), told["failed"]), (3, []))
@@ -95,18 +95,18 @@ class Batch(Texshot):
         self.assertEqual([level["bytes"] for level in first["report"]["levels"]], [16, 8, 8, 8])
         alone = json.loads(self.succeeds("flip", self.files[0], self.path / "one.tga", "--json"))
         self.assertEqual([each["output"] for each in alone["written"]], [str(self.path / "one.tga")])
-        self.complains(2, "--json: standard output takes the picture or the JSON, not both", "flip", self.files[0], "-", "--json")
-        self.complains(2, "--report: standard output takes the picture or the JSON, not both", "compress", self.files[0], "-",
+        self.complains(2, "--json: standard output can have the picture or the JSON, not both", "flip", self.files[0], "-", "--json")
+        self.complains(2, "--report: standard output can have the picture or the JSON, not both", "compress", self.files[0], "-",
                        "--format", "dxt1", "--report")
 
     def test_an_input_may_be_its_own_output_where_that_is_said(self):
         wanted = self.pixels(self.files[0])
-        self.complains(2, f'--out: expected another file than "{self.files[0]}", which is read', "flip", *self.files, "-o", self.path)
-        self.complains(2, f'OUT: expected another file than "{self.files[0]}", which is read', "flip", self.files[0], self.files[0])
+        self.complains(2, f'--out: expected a file other than "{self.files[0]}", which is read', "flip", *self.files, "-o", self.path)
+        self.complains(2, f'OUT: expected a file other than "{self.files[0]}", which is read', "flip", self.files[0], self.files[0])
         self.assertEqual(self.pixels(self.files[0]), wanted)
         os.symlink(self.files[0], self.path / "link.bmp")
         for other in (self.path / "link.bmp", self.path / "." / ".." / self.path.name / self.files[0].name):
-            self.complains(2, "--in-place: expected another file than", "flip", self.files[0], other, "--in-place")
+            self.complains(2, "--in-place: expected a file other than", "flip", self.files[0], other, "--in-place")
         os.remove(self.path / "link.bmp")
         self.assertEqual(self.pixels(self.files[0]), wanted)
         self.succeeds("flip", *self.files, "--in-place")

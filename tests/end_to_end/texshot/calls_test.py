@@ -11,13 +11,13 @@ class Calls(Texshot):
     def commands(self):
         """From the list in --help: names stand two columns from the left, titles at it."""
         text = self.succeeds("--help").decode()
-        names = re.findall(r"^  ([a-z]+) {2,}\S", text.split("Of every command:")[0], re.M)
+        names = re.findall(r"^  ([a-z]+) {2,}\S", text.split("Common options:")[0], re.M)
         self.assertGreater(len(names), 15)
         return names
 
     def test_help_has_every_command_under_a_title(self):
         text = self.succeeds("--help").decode()
-        for title in ("Draw:", "Compare:", "Scenes:", "Images:", "About:", "Of every command:"):
+        for title in ("Draw:", "Compare:", "Scenes:", "Images:", "About:", "Common options:"):
             self.assertEqual(text.count(f"\n{title}\n"), 1, title)
         self.assertLessEqual(max(map(len, text.splitlines())), 80)
         self.assertEqual(self.succeeds("help").decode(), text)
@@ -64,7 +64,7 @@ class Calls(Texshot):
             ("SCENE: expected a value, found an empty one", "shot", "", "-o", out),
             ("--out: expected a value, found an empty one", "shot", "-o", ""),
             ('expected no further argument, found "b.json"; see texshot check --help', "check", "a.json", "b.json"),
-            ("--json: expected no value, it is only there or not", "check", "--json=no"),
+            ("--json: expected no value", "check", "--json=no"),
             ("--tab requires --ui", "shot", "--tab", "memory", "-o", out),
             ("SCENE and --lesson exclude each other", "check", "a.json", "--lesson", "wrap"),
             ('--step: expected a whole number from 1 to', "check", "--lesson", "wrap", "--step", "two"),
@@ -99,7 +99,7 @@ class Calls(Texshot):
         scene = self.path / "scene.json"
         scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "in.bmp"}]}))
         said = texshot("shot", scene, "--size", "4x4", "-o", "-", "--verbose").stderr.decode()
-        for expected in (f"read {scene}, ", "read in.bmp, BMP, 4 x 4\n", "drawn by ", "wrote standard output, "):
+        for expected in (f"read {scene}, ", "read in.bmp, BMP, 4 × 4\n", "drawn by ", "wrote standard output, "):
             self.assertIn("texshot: " + expected, said)
 
     def test_json_is_one_document(self):
@@ -193,8 +193,8 @@ class Calls(Texshot):
         self.assertEqual(len(listed["choices"]), 6)
         self.assertEqual([each["path"] for each in json.loads(self.succeeds("params", "minFilter", "--json"))["lists"]],
                          ["textures[]"])
-        self.complains(1, 'there is no parameter "nosuchthing"', "params", "nosuchthing")
-        self.complains(1, 'there is no parameter "nosuch*"', "params", "nosuch*", "--json")
+        self.complains(1, 'no parameter matches "nosuchthing"', "params", "nosuchthing")
+        self.complains(1, 'no parameter matches "nosuch*"', "params", "nosuch*", "--json")
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ class Check(Texshot):
     def test_a_unit_that_is_off_is_named_and_so_is_its_texture(self):
         said = self.said_of(passes=[{"depthTest": True, "units": [{"texture": 0, "envMode": "GL_REPLACE"}]}])
         self.assertEqual(said, {("hint", "passes[0].units[0]"): "the unit is off",
-                                ("hint", "textures[0]"): "no unit that is on shows this texture"})
+                                ("hint", "textures[0]"): "no enabled unit shows this texture"})
         said = self.said_of(passes=[{"depthTest": True, "units": [{"enabled": True, "combine": {"rgb": "GL_ADD"}}]}])
         self.assertEqual(said, {("unused", "passes[0].units[0].combine"): "the mode is GL_MODULATE, not GL_COMBINE"})
 

@@ -40,7 +40,7 @@ class Compare(Texshot):
         self.assertEqual(
             self.compare(a, b, "--tolerance", "1", status=DIFFERENT).decode(),
             "3 of 1200 pixels (0.25 %) have a difference above 1/255; the worst, 60/255, is at 8, 5: 100 100 100 255 was "
-            "expected, 100 100 40 255 found; 2 regions within 24 x 17 pixels at 7, 4\n")
+            "expected, 100 100 40 255 found; 2 regions within 24 × 17 pixels at 7, 4\n")
         self.compare(a, b, "--tolerance", "60", status=ALIKE)
         self.compare(a, b, "--share", "0.25%", status=ALIKE)
         self.compare(a, b, "--share", "0.0024", status=DIFFERENT)
@@ -71,7 +71,7 @@ class Compare(Texshot):
 
     def test_more_bits_than_are_compared_are_said(self):
         a, b = self.sixteen_bits("a.png", 0x8001), self.sixteen_bits("b.png", 0x8002)
-        note = "16 bits a component: they are compared rounded to 8"
+        note = "16 bits a component: they are rounded to 8 for the comparison"
         self.assertEqual(self.compare(a, b, status=ALIKE).decode(), f"alike: none of 64 pixels differs; {note}\n")
         self.assertEqual(self.numbers(a, b, status=ALIKE)["note"], note)
         eight = self.picture("eight.png", size=(8, 8), color=128, mode="L")
@@ -88,15 +88,15 @@ class Compare(Texshot):
         before = b.read_bytes()
         os.link(b, self.path / "linked.png")
         for out, named in ((a, a), (b, b), (mask, mask), (self.path / "linked.png", b)):
-            self.complains(UNKNOWN, f'--out: expected another file than "{named}"', "compare", a, b, "--mask", mask,
+            self.complains(UNKNOWN, f'--out: expected a file other than "{named}"', "compare", a, b, "--mask", mask,
                            "-o", out)
         self.assertEqual(b.read_bytes(), before)
-        self.complains(UNKNOWN, "standard input: can be read once, and is named twice", "compare", "-", "/dev/stdin")
+        self.complains(UNKNOWN, "standard input: can be read only once, but is named twice", "compare", "-", "/dev/stdin")
 
     def test_two_sizes_are_a_difference(self):
         a, b = self.picture(), self.picture("b.png", size=(40, 31))
         self.assertEqual(self.compare(a, b, status=DIFFERENT),
-                         b"the sizes differ: 40 x 30 pixels were expected, 40 x 31 found\n")
+                         "the sizes differ: 40 × 30 pixels were expected, 40 × 31 found\n".encode())
         found = self.numbers(a, b, status=DIFFERENT)
         self.assertEqual((found["expectedSize"], found["actualSize"], found["alike"]), ([40, 30], [40, 31], False))
         out = self.path / "map.png"
@@ -183,7 +183,7 @@ class Compare(Texshot):
         self.complains(UNKNOWN, "EXPECTED ACTUAL, or --expected FILE --actual FILE", "compare", a)
         self.complains(UNKNOWN, "EXPECTED ACTUAL, or --expected FILE --actual FILE", "compare", a, "--actual", a)
         small = self.picture("small.png", size=(4, 4), color=(255, 255, 255))
-        self.complains(UNKNOWN, "expected 40 x 30 pixels, found 4 x 4", "compare", a, a, "--mask", small)
+        self.complains(UNKNOWN, "expected 40 × 30 pixels, found 4 × 4", "compare", a, a, "--mask", small)
         black = self.picture("black.png", color=(0, 0, 0))
         self.complains(UNKNOWN, "the mask leaves no pixel", "compare", a, a, "--mask", black)
         self.complains(UNKNOWN, "Not a directory", "compare", a, a, "-o", a / "map.png")

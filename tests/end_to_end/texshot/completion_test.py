@@ -1,4 +1,4 @@
-"""texshot --completion: the scripts, worked with in bash, zsh and fish as one types."""
+"""texshot --completion: the scripts, used in bash, zsh and fish as a user types."""
 
 import json
 import os
@@ -23,7 +23,7 @@ def words_for_bash(line):
 
 
 class Shell(Texshot):
-    """What each shell must offer. The subclasses ask it."""
+    """The offers that each shell must have. The subclasses query the shell."""
 
     shell = None
     commands = ("shot", "probe", "conform", "params", "schema", "compress", "lessons")
@@ -49,7 +49,7 @@ class Shell(Texshot):
         raise NotImplementedError
 
     def choices(self, *arguments):
-        """What texshot itself says that it takes, when it is given something else."""
+        """The values that texshot itself lists in its error for another value."""
         said = texshot(*arguments, "nonsense", "-o", self.path / "out.png").stderr.decode()
         found = re.search(r"expected one of (.*?), found", said)
         self.assertTrue(found, said)
@@ -114,7 +114,7 @@ class Shell(Texshot):
             self.assertEqual(self.offered(line), {"brick.dds"}, line)
         self.assertEqual(self.offered("texshot shot tw"), {"two words.json"})
         self.assertEqual({each.rstrip("/") for each in self.offered("texshot conform -o ")}, {"inner"})
-        for line in ("texshot presets ", "texshot shot --size "):  # zsh offers options then
+        for line in ("texshot presets ", "texshot shot --size "):  # zsh then offers options
             self.assertEqual([each for each in self.offered(line) if not each.startswith("-")], [], line)
 
     def test_what_is_joined_by_an_equals_sign(self):
@@ -132,13 +132,13 @@ class Bash(Shell):
                "complete -p texshot >/dev/null && _texshot && (( ${#COMPREPLY[@]} == 0 )) || printf '%s\\n' \"${COMPREPLY[@]}\"")
         result = subprocess.run(["bash", "--norc", "-c", run], capture_output=True, cwd=self.work, timeout=60)
         self.assertEqual((result.returncode, result.stderr), (0, b""), line)
-        # Readline replaces what stands behind the last of COMP_WORDBREAKS.
+        # Readline replaces the text after the last of COMP_WORDBREAKS.
         typed = line.rsplit(" ", 1)[1]
         kept = typed[: max(typed.rfind("="), typed.rfind(":")) + 1]
         return {kept + each for each in result.stdout.decode().splitlines()}
 
     def test_it_works_without_break_characters(self):
-        """Where a user has taken = out of COMP_WORDBREAKS, the word comes whole."""
+        """If the user removed = from COMP_WORDBREAKS, the whole word is offered."""
         run = (f"source {shlex.quote(str(self.script))}\nCOMP_WORDS=(texshot shot '--figure=env') COMP_CWORD=2\n"
                "_texshot; printf '%s\\n' \"${COMPREPLY[@]}\"")
         result = subprocess.run(["bash", "--norc", "-c", run], capture_output=True, timeout=60)
@@ -165,7 +165,7 @@ class Fish(Shell):
 
 
 class Zsh(Shell):
-    """Zsh completes in its line editor alone, so it is given a terminal; compadd tells what it was given."""
+    """Zsh completes only in its line editor, so it gets a terminal; compadd reports its arguments."""
 
     shell = "zsh"
 
@@ -210,7 +210,7 @@ print -r -- READY >>$OUT
 
     def await_line(self, last):
         for _ in range(60 * 50):
-            while select.select([self.terminal], [], [], 0.02)[0]:  # it waits until somebody reads
+            while select.select([self.terminal], [], [], 0.02)[0]:  # it blocks until its output is read
                 os.read(self.terminal, 65536)
             lines = self.out.read_text().splitlines()
             if last in lines:

@@ -1,4 +1,4 @@
-"""texshot compress: Pillow reads what it writes."""
+"""texshot compress: Pillow reads its output."""
 
 import io
 import json
@@ -46,11 +46,11 @@ class Compress(Texshot):
 
     def test_compress_keeps_the_faces_of_a_cube_map(self):
         strip, cube, out = (self.path / name for name in ("strip.bmp", "cube.dds", "out.dds"))
-        # Six faces of one colour each, whose upper left quarter is black.
+        # Six faces of one colour each; their upper left quarter is black.
         strip.write_bytes(bmp(48, 8, lambda x, y: (0, 0, 0) if x % 8 < 4 and y < 4 else self.CORNERS[x // 8]))
         self.succeeds("compress", strip, cube, "--format", "dxt1", "--cube", "--mips", "none")
         report = self.succeeds("compress", cube, out, "--format", "dxt5", "--report").decode()
-        self.assertRegex(report, r"level  0  8 x 8, 6 faces +384 bytes")
+        self.assertRegex(report, r"level  0  8 × 8, 6 faces +384 bytes")
         for file, levels in ((cube, 1), (out, 4)):
             facts = self.facts(file)
             self.assertEqual((facts["faces"], len(facts["levels"])), (6, levels))
@@ -61,11 +61,11 @@ class Compress(Texshot):
                 self.assertEqual(picture.getpixel((0, 0)), (0, 0, 0), "the upper left stays there")
                 for corner in ((7, 0), (0, 7), (7, 7)):
                     self.assertEqual(picture.getpixel(corner), color)
-        self.complains(1, "6:1, 1:6, 4:3 or 3:4, found 32 x 16", "compress", self.picture(32, 16), self.path / "no.dds",
+        self.complains(1, "6:1, 1:6, 4:3 or 3:4, found 32 × 16", "compress", self.picture(32, 16), self.path / "no.dds",
                        "--format", "dxt1", "--cube")
 
     def test_compress_keeps_the_levels_of_a_file(self):
-        """Levels of 8 x 8, 4 x 4, 2 x 2 and 1 x 1 texels, each of a colour that 5, 6 and 5 bits hold exactly."""
+        """Levels of 8 × 8, 4 × 4, 2 × 2 and 1 × 1 texels, each of a colour that 5, 6 and 5 bits hold exactly."""
         colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0)]
         for cube in (False, True):
             own, out = self.path / "own.dds", self.path / "out.dds"
@@ -84,7 +84,7 @@ class Compress(Texshot):
                     self.assertEqual((written["levels"], written["losses"]), (4, []))
                     for face in (0, 5):
                         self.assertEqual(decoded(face), [(8 >> i, [((8 >> i) ** 2, color)]) for i, color in enumerate(colors)])
-            for mips, levels, said in (("box", 4, "3 of its 4 mip levels (made anew of the base)"), ("none", 1, "3 of its 4 mip levels")):
+            for mips, levels, said in (("box", 4, "3 of its 4 mip levels (generated from the base)"), ("none", 1, "3 of its 4 mip levels")):
                 with self.subTest(f"--mips {mips}, cube map: {cube}"):
                     result = texshot("compress", own, out, "--format", "dxt1", "--mips", mips, "--json")
                     self.assertEqual((result.returncode, result.stderr.decode()), (0, f"texshot: {own}: lost in DDS: {said}\n"))
@@ -97,9 +97,9 @@ class Compress(Texshot):
         picture, out = self.path / "ramp.png", self.path / "out.dds"
         ramp = Image.linear_gradient("L").resize((16, 16))
         Image.merge("RGBA", (ramp, ramp.rotate(90), ramp.rotate(180), ramp)).save(picture)
-        for name, components, sentence in (("dxt1", "RGB", "alpha (DXT1 keeps red, green and blue alone)"),
-                                           ("bc4", "R", "green, blue and alpha (BC4 keeps red alone)"),
-                                           ("bc5", "RG", "blue and alpha (BC5 keeps red and green alone)"),
+        for name, components, sentence in (("dxt1", "RGB", "alpha (DXT1 keeps only red, green and blue)"),
+                                           ("bc4", "R", "green, blue and alpha (BC4 keeps only red)"),
+                                           ("bc5", "RG", "blue and alpha (BC5 keeps only red and green)"),
                                            ("dxt5", "RGBA", None)):
             with self.subTest(name):
                 told = texshot("compress", picture, out, "--format", name, "--json")
@@ -109,7 +109,7 @@ class Compress(Texshot):
                 self.assertEqual([loss["sentence"] for loss in written["losses"]], [sentence] if sentence else [])
                 self.assertEqual({level["components"] for level in written["report"]["levels"]}, {components})
                 report = texshot("compress", picture, out, "--format", name, "--report").stdout.decode()
-                self.assertRegex(report, rf"level  0  16 x 16 +\d+ bytes  [^\n]* in {components}\n")
+                self.assertRegex(report, rf"level  0  16 × 16 +\d+ bytes  [^\n]* in {components}\n")
                 self.assertEqual(report.splitlines()[-1] == f"lost: {sentence}", sentence is not None)
 
     def test_an_alpha_that_says_nothing_does_not_count(self):
@@ -150,7 +150,7 @@ class Compress(Texshot):
         report = self.succeeds("compress", source, out, "--format", "dxt1", "--report").decode()
         # 4 x 4 blocks of 8 bytes, then 2 x 2, then one each for 4 x 4, 2 x 2 and 1 x 1: 184 bytes for 341 texels.
         self.assertEqual(len(report.splitlines()), 6)
-        self.assertRegex(report, r"level  0  16 x 16 +128 bytes +\d+\.\d dB")
+        self.assertRegex(report, r"level  0  16 × 16 +128 bytes +\d+\.\d dB")
         self.assertRegex(report, r"sum +184 bytes, 1\.438 times the base; 13\.5 % of RGBA8, 18\.0 % of RGB8")
         facts = self.facts(out)
         self.assertAlmostEqual(facts["ratioToBase"], 184 / 128)
@@ -185,7 +185,7 @@ class Compress(Texshot):
         try:
             while more := os.read(terminal, 1000):
                 said += more
-        except OSError:  # how Linux says that nobody holds the other end any more
+        except OSError:  # Linux reports in this way that the other end is closed
             pass
         self.assertEqual(work.wait(timeout=60), 130)
         self.assertRegex(said.decode(), r"\rtexshot: compressing: \d+ %")

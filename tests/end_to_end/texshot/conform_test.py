@@ -27,7 +27,7 @@ class Conform(Texshot):
         self.assertRegex(said, r"reference against fixed\nfeature +scenes")
         self.assertEqual(len([line for line in said.splitlines() if " agree " in line]), 4)
         self.assertIn("with GALLIVM_PERF=no_rho_approx", said)
-        self.assertIn("\n16 scenes of 64 x 64 pixels, seed 1, in ", said)
+        self.assertIn("\n16 scenes of 64 × 64 pixels, seed 1, in ", said)
 
     def test_the_command_that_a_report_gives_makes_it_again(self):
         report = self.succeeds(*self.FEW, "--json", "--seed", "7", "--renderer", "shader")
@@ -134,8 +134,8 @@ class Conform(Texshot):
             ("--feature: expected one of coverage, depth, ", "--feature", "none"),
             ("--renderer: expected one of fixed, shader, reference, found \"gpu\"", "--renderer", "gpu"),
             ("expected two different renderers, found \"fixed\" twice", "--renderer", "fixed", "--against", "fixed"),
-            ("--renderer: expected another renderer than fixed, which --against is unless it is given", "--renderer", "fixed"),
-            ("--against: expected another renderer than fixed, which --renderer is", "--against", "fixed"),
+            ("--renderer: expected a renderer other than fixed, the default of --against", "--renderer", "fixed"),
+            ("--against: expected a renderer other than fixed, the default of --renderer", "--against", "fixed"),
             ("--scenes: expected a whole number from 1 to 100000, found \"0\"", "--scenes", "0"),
             ("--seed: expected a whole number from 0 to 4294967295, found \"-1\"", "--seed", "-1"),
             ("--seed: expected a whole number from 0 to 4294967295, found \"some\"", "--seed", "some"),

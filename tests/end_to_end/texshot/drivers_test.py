@@ -1,5 +1,5 @@
-"""texshot drivers and --context: every context that there is, asked by ctypes as well; drivers that crash, hang or are
-none; and that a scene is the same picture by whichever context."""
+"""texshot drivers and --context: every available context, also queried by ctypes; drivers that crash, hang or are not
+drivers; and that a scene gives the same picture with every context."""
 
 import ctypes
 import json
@@ -15,14 +15,14 @@ from PIL import Image
 
 from texshot import TEXSHOT, Texshot, texshot
 
-# What was built: a module for each library of contexts.
+# The built modules: one for each library of contexts.
 MODULES = {path.stem.removeprefix("texshot_")
            for path in (pathlib.Path(TEXSHOT).resolve().parents[1] / "lib/texplorer").glob("texshot_*.so")}
 ASSETS = pathlib.Path(__file__).resolve().parents[3] / "assets/scenes"
 GL_VENDOR, GL_RENDERER, GL_VERSION, GL_EXTENSIONS, GL_SHADING_LANGUAGE_VERSION = 0x1F00, 0x1F01, 0x1F02, 0x1F03, 0x8B8C
 GL_MAX_TEXTURE_SIZE, GL_MAX_TEXTURE_MAX_ANISOTROPY = 0x0D33, 0x84FF
 
-# A driver as a vendor of libglvnd's EGL: its entry point, and what becomes of whoever calls it.
+# A driver as a vendor of libglvnd's EGL: its entry point ends the caller in different ways.
 VENDOR = """
 #include <signal.h>
 #include <stdio.h>
@@ -34,7 +34,7 @@ int __egl_Main(unsigned version, const void *exports, void *vendor, void *import
     return 0;
 }
 """
-FATES = {  # what the entry point does: what is said of it
+FATES = {  # the body of the entry point: the reported error
     'fputs("no such\\033 GPU\\n", stderr); abort();': "the driver crashed: SIGABRT, aborted; the last that it printed "
                                                       'is "no such\\u001b GPU"',
     "raise(SIGSEGV);": "the driver crashed: SIGSEGV, segmentation fault",
@@ -45,7 +45,7 @@ FATES = {  # what the entry point does: what is said of it
 
 
 def say(gl):
-    """What the current context says of itself."""
+    """The current context's own description."""
     gl.glGetString.restype = ctypes.c_char_p
     gl.glGetString.argtypes = [ctypes.c_uint]
     gl.glGetIntegerv.argtypes = [ctypes.c_uint, ctypes.c_void_p]
@@ -150,12 +150,12 @@ class Drivers(Texshot):
                     self.assertIn("llvmpipe", each["renderer"])
             result = texshot("drivers", env=environment)
             self.assertEqual((result.returncode, result.stderr),
-                             (1, b"texshot: Texplorer can draw in none of these contexts\n"))
+                             (1, b"texshot: Texplorer can't draw in any of these contexts\n"))
             self.assertIn("\n  not usable      ", result.stdout.decode())
 
     def test_a_wrong_context_is_refused(self):
         for word in ("EGL", "egl:", "egl:-1", "egl:1x", "egl:99999999999", "glx"):
-            self.complains(2, f'--context: expected auto, osmesa, egl, egl:surfaceless or egl: and the number of a '
+            self.complains(2, f'--context: expected auto, osmesa, egl, egl:surfaceless or egl:N with the number of a '
                               f'device, found "{word}"', "shot", "--context", word, "-o", "-")
         result = texshot("shot", "-o", "-", env={**os.environ, "TEXPLORER_CONTEXT": "bogus"})
         self.assertEqual(result.returncode, 2)
@@ -170,7 +170,7 @@ class Drivers(Texshot):
 
 
 class Contexts(Texshot):
-    """Of the same driver: the pictures are the same."""
+    """With the same driver the pictures are the same."""
 
     SCENES = {
         "anisotropy": ("--set", "textures[0].minFilter=GL_LINEAR_MIPMAP_LINEAR", "--set", "textures[0].maxAnisotropy=8"),
@@ -197,7 +197,7 @@ class Contexts(Texshot):
                         self.assertIsNone(self.difference(first, other))
 
     def test_the_window_is_the_same_picture_in_each(self):
-        """Into the context's own framebuffer: OSMesa's is memory, EGL's is a pbuffer."""
+        """Draws into the context's own framebuffer: OSMesa's is memory, EGL's is a pbuffer."""
         for window in (("--size", "1280x800"), ("--size", "1920x1080", "--scale", "1.5", "--theme", "light", "--layout",
                                                 "teacher", "--tab", "levels", "--renderer", "shader")):
             first = self.shot("--ui", *window)
@@ -213,7 +213,7 @@ class Contexts(Texshot):
         self.assertEqual("libOSMesa" in self.libraries_of(), "osmesa" in MODULES)
 
     def libraries_of(self, **environment):
-        """What the dynamic linker found for a shot (ld.so(8))."""
+        """The libraries that the dynamic linker loaded for a shot (ld.so(8))."""
         result = subprocess.run([TEXSHOT, "shot", "--size", "16x16", "-o", str(self.path / "out.png")], check=True,
                                 env={**os.environ, "LD_DEBUG": "libs", **environment}, capture_output=True, timeout=120)
         return "\n".join(line for line in result.stderr.decode().splitlines() if "calling init" in line)
@@ -230,10 +230,10 @@ class Contexts(Texshot):
 
 @unittest.skipUnless("egl" in MODULES, "the others are those of OSMesa, in driver_test.py")
 class BadDrivers(Texshot):
-    """EGL's, which are chosen by variables: a picture or one sentence, never a signal."""
+    """EGL's libraries are chosen by variables: the result is a picture or one sentence, never a signal."""
 
     def vendor(self, fate):
-        """A variable that names a vendor of EGL with this fate."""
+        """A variable that names an EGL vendor with this behaviour."""
         source, library, description = (self.path / f"vendor.{end}" for end in ("c", "so", "json"))
         source.write_text(VENDOR % fate)
         subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source], check=True)
@@ -241,7 +241,7 @@ class BadDrivers(Texshot):
         return {**os.environ, "__EGL_VENDOR_LIBRARY_FILENAMES": str(description)}
 
     def mesa_driver(self, fate):
-        """Mesa's EGL is there, and what it loads to draw with has this fate."""
+        """Mesa's EGL is there, and the driver that it loads has this behaviour."""
         source, library = self.path / "driver.c", self.path / "swrast_dri.so"
         source.write_text("#include <stdlib.h>\n#include <unistd.h>\n"
                           "__attribute__((constructor)) static void fate(void) { %s }\n" % fate)
@@ -258,7 +258,7 @@ class BadDrivers(Texshot):
         return contexts
 
     def refused(self, environment, *arguments):
-        """One sentence of a call that fails."""
+        """The error of a failing call, in one sentence."""
         result = texshot(*arguments, env=environment)
         said = result.stderr.decode()
         self.assertEqual((result.returncode, result.stdout), (1, b""), said)

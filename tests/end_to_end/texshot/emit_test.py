@@ -1,4 +1,4 @@
-"""texshot emit: a scene as a program. What programs draw, tests/end_to_end/emitted looks at."""
+"""texshot emit: a scene as a program. tests/end_to_end/emitted tests what programs draw."""
 
 import json
 import os
@@ -20,7 +20,7 @@ class Emit(Texshot):
         return file.read_text()
 
     def refused(self, *arguments, code=1):
-        """The sentence, after a look at whether anything was written."""
+        """The error, after a check that nothing was written."""
         file = self.path / "demo.c"
         result = texshot("emit", *arguments, "-o", file)
         self.assertEqual((result.returncode, result.stdout), (code, b""), result.stderr)
@@ -43,11 +43,11 @@ class Emit(Texshot):
         text = self.emitted("--lesson", "filters", "--step", "1")
         self.assertTrue(text.startswith(f"/* {title}: Texels are squares\n"), text[:200])
         self.assertIn("This image has 16", text[:400])
-        self.assertRegex(text, r"/\* How a colour is found where a texel covers more than a pixel: [^\n]*\*/\n"
+        self.assertRegex(text, r"/\* How a colour is found where a texel covers more than one pixel, [^\n]*\*/\n"
                                r" *glTexParameteri\(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST\);")
 
     def test_the_texels_of_an_image_are_in_it(self):
-        """Unpacked here by the format's own words, qoiformat.org, from the numbers in the program."""
+        """Unpacks the numbers in the program by the format's description, qoiformat.org."""
         picture = Image.effect_noise((32, 16), 60).convert("RGBA")
         picture.putpixel((3, 4), (1, 2, 3, 77))
         picture.save(self.path / "noise.png")
@@ -61,7 +61,7 @@ class Emit(Texshot):
         self.assertEqual(bytes(texels), turned.tobytes())
 
     def test_what_a_program_has_no_words_for_is_one_sentence(self):
-        self.assertIn("models[0].shape: a program (C with OpenGL 2.1) can't move this as its key frames do", self.refused(self.keyed()))
+        self.assertIn("models[0].shape: a program (C with OpenGL 2.1) can't animate this by key frames", self.refused(self.keyed()))
         self.assertIn("--as", self.refused("--as", "assembler", code=2))
         self.assertIn("internalFormat", self.refused("--preset", "shadow-map", "--set", "textures[0].internalFormat=GL_RGBA",
                                                      self.shadowed()))
@@ -104,10 +104,10 @@ class Emit(Texshot):
         result = texshot("emit", *step, "--files", "-o", self.path / "uv.bmp")  # which would read itself
         self.assertEqual((result.returncode, (self.path / "uv.bmp").read_bytes()), (1, b"mine"), result.stderr)
         (self.path / "uv.bmp").unlink()
-        for device in "/dev/full", "/dev/null":  # beside which nothing is left
+        for device in "/dev/full", "/dev/null":  # no files are written next to these
             result = texshot("emit", *step, "--files", "-o", device)
             self.assertEqual((result.returncode, result.stderr.count(b"\n")), (2, 1), result.stderr)
-            self.assertIn(b"expected a file, beside which there may be others", result.stderr)
+            self.assertIn(b"expected a file, to write other files next to it", result.stderr)
             self.assertFalse(Path("/dev/uv.bmp").exists())
         self.assertIn("--files", self.refused("--example", "cube", "--files", code=2))
         self.notes("--files: has no effect here: a page", "emit", *step, "--as", "webgl", "--files", "-o", self.path / "page.html")
@@ -126,16 +126,16 @@ class Emit(Texshot):
                 (lesson / "s.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": name}],
                                                            "passes": [{"units": [{"enabled": True}]}]}))
                 text = self.emitted("--lesson", lesson, "--step", "1", "--files")
-                beside = sorted(file.name for file in self.path.iterdir() if file.is_file())
-                self.assertRegex(" ".join(beside), r"\Ademo\.c image-[0-9a-f]{8}\.bmp\Z")
-                self.assertIn(f'readBmp("{beside[1]}", 2, 2, ', text)
-                self.assertEqual((self.path / beside[1]).read_bytes(), (lesson / name).read_bytes())
+                neighbours = sorted(file.name for file in self.path.iterdir() if file.is_file())
+                self.assertRegex(" ".join(neighbours), r"\Ademo\.c image-[0-9a-f]{8}\.bmp\Z")
+                self.assertIn(f'readBmp("{neighbours[1]}", 2, 2, ', text)
+                self.assertEqual((self.path / neighbours[1]).read_bytes(), (lesson / name).read_bytes())
                 self.succeeds("lessons", "--page", self.path / "out", "--lesson", lesson)
                 written = [file.name for file in (self.path / "out").rglob("*") if file.is_file()]
-                self.assertIn(beside[1], written)
+                self.assertIn(neighbours[1], written)
                 self.assertFalse({name, name.split("\n")[0]} & set(written))
                 shutil.rmtree(self.path / "out")
-                (self.path / beside[1]).unlink()
+                (self.path / neighbours[1]).unlink()
                 (self.path / "demo.c").unlink()
 
     def test_a_hostile_name_stays_within_its_comment(self):

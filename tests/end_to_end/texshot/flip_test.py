@@ -56,7 +56,7 @@ class Flip(Texshot):
 
     def test_flip_keeps_every_layer_of_an_array(self):
         noise = random.Random(3)
-        pixels = noise.randbytes(3 * 4 * 5 * 4)  # three layers of 5 x 4 texels, RGBA
+        pixels = noise.randbytes(3 * 4 * 5 * 4)  # three layers of 5 × 4 texels, RGBA
         turned = dds(5, 4, self.rows_turned(pixels, 20, 4), 28, layers=3)
         plain, flipped = self.path / "plain.dds", self.path / "flipped.dds"
         plain.write_bytes(dds(5, 4, pixels, 28, layers=3))
@@ -71,7 +71,7 @@ class Flip(Texshot):
 
     def test_flip_keeps_blocks_of_every_cube_of_an_array(self):
         noise = random.Random(4)
-        blocks = noise.randbytes(2 * 6 * (4 * 16 + 16 + 16 + 16))  # two cubes of 8 x 8 texels with all levels, BC3
+        blocks = noise.randbytes(2 * 6 * (4 * 16 + 16 + 16 + 16))  # two cubes of 8 × 8 texels with all levels, BC3
         plain, flipped, back = (self.path / name for name in ("plain.dds", "flipped.dds", "back.dds"))
         plain.write_bytes(dds(8, 8, blocks, 77, levels=4, layers=2, cube=True))
         self.succeeds("flip", plain, flipped)

@@ -16,7 +16,7 @@ class Info(Texshot):
         facts = self.facts(file)
         self.assertEqual((facts["format"], facts["width"], facts["height"], facts["fileBytes"]),
                          ("BMP", 5, 3, file.stat().st_size))
-        self.assertIn(b"5 x 3", self.succeeds("info", file))
+        self.assertIn("5 × 3".encode(), self.succeeds("info", file))
 
     def large_image(self):
         """A gigabyte of pixels in a small file, and a scene that shows them."""
@@ -34,7 +34,7 @@ class Info(Texshot):
         _, scene = self.large_image()
         drawn = texshot("shot", "--renderer", "reference", scene, "-o", self.path / "out.png", **within_memory(512))
         self.assertEqual(drawn.returncode, 1)
-        self.assertRegex(drawn.stderr.decode(), r"\Atexshot: [^\n]*large.tga[^\n]*no memory[^\n]*\n\Z")
+        self.assertRegex(drawn.stderr.decode(), r"\Atexshot: [^\n]*large.tga[^\n]*not enough memory[^\n]*\n\Z")
 
     def test_info_and_check_decode_no_pixels(self):
         file, scene = self.large_image()
@@ -53,7 +53,7 @@ class Info(Texshot):
         self.assertEqual(checked.returncode, 1)
         errors = [line for line in checked.stdout.decode().splitlines() if line.startswith("error")]
         self.assertEqual(errors, [f"error: textures[62].file: {self.path}/third.tga: the image needs 1073741824 bytes, "
-                                  "and of the 2147483648 that a scene's images may take together, 0 are left"])
+                                  "but of the 2147483648 for all images of a scene, 0 are left"])
 
     def test_info_and_check_say_that_an_array_is_shown_in_part(self):
         file = self.path / "array.dds"

@@ -1,4 +1,4 @@
-"""No output of a call takes the place of one of its inputs, or of another output, under whatever name."""
+"""No output of a call replaces one of its inputs or another output, under any name."""
 
 import json
 import os
@@ -49,7 +49,7 @@ class Inputs(Suites):
         return {each: each.read_bytes() for each in self.inputs.rglob("*") if each.is_file()}
 
     def kept(self, *call, said="which is read", **options):
-        """The call is refused, and every input is as it was."""
+        """Checks that the call is refused and that every input is unchanged."""
         result = texshot(*call, cwd=self.path, **options)
         self.assertEqual(result.returncode, 2, (call, result.stderr))
         self.assertIn(said, result.stderr.decode(), call)
@@ -57,7 +57,7 @@ class Inputs(Suites):
         self.assertEqual(self.contents(), self.before, call)
 
     def calls(self):
-        """Of each output option of each command: a call, with what it reads. {} is the output."""
+        """For each output option of each command: a call, with its inputs. {} is the output."""
         read = self.inputs
         shot = ["scene.json", "image.png"]
         suite = ["a.suite.json", "b.suite.json", "scene.json", "image.png", "mask.png", "golden.png",
@@ -105,7 +105,7 @@ class Inputs(Suites):
                     os.link(out, hard)
                     names = [out, link, hard, self.inputs / ".." / "inputs" / name, os.path.relpath(out, self.path)]
                     if command in ("shot", "sweep", "animate", "texture", "compare", "flip", "convert", "decode") \
-                            and out.suffix != ".png":  # by its extension it is no picture, but by a link's
+                            and out.suffix != ".png":  # not a picture by its extension, but a link to one
                         names = [self.path / "picture.png"]
                         names[0].symlink_to(out)
                     if command == "scene" and out.suffix != ".json":
@@ -113,14 +113,15 @@ class Inputs(Suites):
                         names[0].symlink_to(out)
                     for path in names:
                         with self.subTest(command=command, option=option, name=name, path=path):
-                            # What is no file of durations can't be read as one, and is not written either.
+                            # A file that is not a list of durations cannot be read as one, and is not overwritten
+                            # either.
                             self.kept(*[str(path) if each == "{}" else each for each in call],
                                       said="" if (command, option) == ("test", "--durations") else "which is read")
                     for each in (link, hard, self.path / "picture.png", self.path / "scene.json"):
                         each.unlink(missing_ok=True)
 
     def test_every_output_option_is_tried(self):
-        """Those whose value help calls FILE or DIR: an output among them that isn't tried here, or said not to be one."""
+        """The options whose value help calls FILE or DIR: each output must be tested here or listed as an exception."""
         reads = {"--shaders", "--mask", "--lesson", "--expected", "--actual", "--accept", "--resume", "--check", "--diff"}
         elsewhere = {("schema", "--out"), ("conform", "--out"), ("conform", "--report"), ("lessons", "--page"), ("test", "--report"),
                      ("merge", "--report"), ("flip", "--out"), ("convert", "--out"), ("decode", "--out"), ("compress", "--out")}
@@ -160,13 +161,13 @@ class Inputs(Suites):
         (pairs / "brick.json").write_text(json.dumps({"version": 1, "textures": [
             {"source": "file", "file": "brick.png", "mipmaps": "none", "minFilter": "GL_LINEAR"}], "passes": [{"units": [{"enabled": True}]}]}))
         before = (pairs / "brick.png").read_bytes()
-        self.complains(2, "--update: expected another file than", "test", pairs, "--update")
+        self.complains(2, "--update: expected a file other than", "test", pairs, "--update")
         masked = self.suite([{"name": "one", "scene": {"example": "cube"}, "golden": "mask.png", "mask": "./mask.png"}], "pairs/s.suite.json")
         shutil.copy(self.inputs / "mask.png", pairs / "mask.png")
-        self.complains(2, "--update: expected another file than", "test", masked, "--update")
+        self.complains(2, "--update: expected a file other than", "test", masked, "--update")
         (pairs / "list").write_text("one/fixed@24x16\n")
-        self.complains(2, "--accept: expected another file than", "test", masked, "--accept", pairs / "list")
-        self.complains(2, "--update: expected another file than", "test", "--pictures", "--expected", pairs, "--actual", pairs, "--update")
+        self.complains(2, "--accept: expected a file other than", "test", masked, "--accept", pairs / "list")
+        self.complains(2, "--update: expected a file other than", "test", "--pictures", "--expected", pairs, "--actual", pairs, "--update")
         self.assertEqual((pairs / "brick.png").read_bytes(), before)
 
     def test_outputs_of_one_call_are_apart(self):
@@ -203,7 +204,7 @@ class Inputs(Suites):
         self.assertEqual((site / "pictures" / "cat-actual.png").read_bytes(), b"a cat")
         fresh = self.path / "fresh"
         fresh.mkdir()
-        (fresh / "journal.jsonl").write_text("")  # as a run leaves it that couldn't begin
+        (fresh / "journal.jsonl").write_text("")  # left by a run that could not begin
         self.assertIn(self.run_of(suite, "--report", fresh).returncode, (0, 1))
         for _ in range(2):  # its own report is replaced
             self.succeeds("conform", "--feature", "wrap", "--scenes", "1", "-o", self.path / "report")

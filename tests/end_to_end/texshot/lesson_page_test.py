@@ -1,4 +1,4 @@
-"""texshot lessons --page: the lessons as a page, with their pictures beside it."""
+"""texshot lessons --page: the lessons as a page, with their pictures in its folder."""
 
 import html
 import html.parser
@@ -89,7 +89,7 @@ class LessonPage(Texshot):
                          ["mine-1.png", "mine-1-answer-1.png", "mine-1-answer-2.png", "mine-2.png", "mine-2-reached.png"])
 
     def test_answers_can_be_told_apart_on_paper(self):
-        """What an alpha of 0 leaves is no white paper: blocks 9 asks for ramps of alpha that end in black."""
+        """An alpha of 0 is not shown as white paper: blocks 9 asks for ramps of alpha that end in black."""
         self.page("--lesson", "blocks", "--lesson", "objects")
         pictures = sorted((self.path / "out").glob("*.png"))
         self.assertIn("blocks-9-answer-2.png", [each.name for each in pictures])
@@ -119,7 +119,7 @@ class LessonPage(Texshot):
         self.assertIn("In the window this step opens the figure Emboss.", text)
 
     def test_programs_are_what_emit_writes(self):
-        """Each one that the flavour can say; and else the sentence in which emit refuses it."""
+        """Every program that the flavour supports; otherwise the error of emit."""
         (self.path / "emitted").mkdir()
         for lesson in "wrap", "dds":
             text = html.unescape(self.page("--lesson", lesson))
@@ -134,9 +134,9 @@ class LessonPage(Texshot):
                         self.assertEqual(written.read_bytes(), emitted.read_bytes())
                     else:
                         self.assertIn(result.stderr.decode().removeprefix("texshot: ").strip(), text)
-        beside = {file.name for file in (self.path / "emitted").iterdir()} - {file.name for file in (self.path / "out/programs").glob("wrap/*")}
-        self.assertEqual(beside, {file.name for file in (self.path / "out/programs/dds").iterdir()})
-        self.assertIn("turned.dds", beside)
+        files = {file.name for file in (self.path / "emitted").iterdir()} - {file.name for file in (self.path / "out/programs").glob("wrap/*")}
+        self.assertEqual(files, {file.name for file in (self.path / "out/programs/dds").iterdir()})
+        self.assertIn("turned.dds", files)
 
     def test_a_program_of_one_s_own_lesson_has_its_files(self):
         folder = self.folder_of({**LESSON, "steps": [{"title": "One", "text": "Text.", "scene": "scene.json"}]})
@@ -154,7 +154,7 @@ class LessonPage(Texshot):
         other = self.folder_of(LESSON, "more/mine")
         page = Page(self.page("--lesson", folder, "--lesson", other))
         self.assertLessEqual({"mine", "mine-again", "mine-again-2"}, page.ids)
-        # A name that is a program's own takes no program's place.
+        # A file with the name of a program does not replace the program.
         (folder / "image.bmp").rename(folder / "mine-1.c")
         (folder / "scene.json").write_text((folder / "scene.json").read_text().replace("image.bmp", "mine-1.c"))
         self.page("--lesson", folder)
@@ -176,9 +176,9 @@ class LessonPage(Texshot):
         (folder / "photo.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "photo.png", "minFilter": "GL_LINEAR"}],
                                                        "models": [{}], "passes": [{"units": [{"enabled": True}]}]}))
         text = html.unescape(self.page("--lesson", folder))
-        self.assertEqual(text.count("can't move this as its key frames do; texshot animate draws it"), 3)
+        self.assertEqual(text.count("can't animate this by key frames; texshot animate can"), 3)
         self.assertIn("Page with WebGL 2: textures[0].wrapS: WebGL 2 has no GL_CLAMP_TO_BORDER", text)
-        self.assertRegex(text, r"C with OpenGL 2\.1: the program holds \d+ MB of texels")
+        self.assertRegex(text, r"C with OpenGL 2\.1: the program contains \d+ MB of texels")
         self.assertEqual({name for name in self.files() if name.startswith("programs/")},
                          {"programs/mine/mine-2.c", "programs/mine/mine-2-glsl.c"})
         self.assertLess(len(text), 60_000)
@@ -211,7 +211,7 @@ class LessonPage(Texshot):
         folder = self.folder_of({**LESSON, "steps": [{"title": "One", "text": "One.", "scene": "cube"}]})
         Image.new("RGB", (8, 4), (255, 0, 0)).save(folder / "mine-1.png")
         before = {file: file.read_bytes() for file in folder.iterdir()}
-        self.complains(1, "found other files, which the page's might replace", "lessons", "--page", folder, "--lesson", folder)
+        self.complains(1, "found other files, which the page might overwrite", "lessons", "--page", folder, "--lesson", folder)
         self.assertEqual({file: file.read_bytes() for file in folder.iterdir()}, before)
         self.page("--lesson", folder)
         (self.path / "out" / "mine-1.png").write_bytes(b"old")

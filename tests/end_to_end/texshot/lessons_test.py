@@ -47,7 +47,7 @@ class Listing(Lessons):
 
 class Checking(Lessons):
     def says(self, folder, *expected):
-        """Every mistake in a sentence of its own, with its file and place."""
+        """Every mistake has its own sentence, with its file and position."""
         said = self.complains(1, expected[0], "lessons", "--check", folder)
         for each in expected:
             self.assertIn(each, said)
@@ -90,7 +90,7 @@ class Checking(Lessons):
                 self.says(self.lesson(step), *expected)
 
     def test_numbers_and_marks(self):
-        """What depends on the picture's size, and what has no number."""
+        """Values that depend on the picture's size, and values without a number."""
         probed = json.loads(self.succeeds("probe", "--example", "checker", "--at", "156,115", "--size", "320x240", "--json"))
         rho = f"{probed['fragments'][-1]['units'][0]['sample']['lod']['rho']:.2f}"
         mark = {"look": {"probe": [490, 480]}}
@@ -100,7 +100,7 @@ class Checking(Lessons):
                 ({**STEP, "look": {"probe": [1, 1]}}, "/steps/0/look/probe", "nothing is drawn"),
                 ({**STEP, **mark, "scene": "checker", "text": "{texel}", "edits": ["passes[0].units[0].enabled=false"]},
                  "/steps/0/text", "{texel} has no number"),
-                ({**STEP, "fallback": {"text": "F", "edits": ["view.distance=9"]}}, "/steps/0/fallback", "nothing needs it"),
+                ({**STEP, "fallback": {"text": "F", "edits": ["view.distance=9"]}}, "/steps/0/fallback", "it is not needed"),
         ]:
             with self.subTest(step=step):
                 self.says(self.lesson(step), *expected)
@@ -116,7 +116,7 @@ class Checking(Lessons):
         catalogue()
         self.succeeds("lessons", "--check", folder)
         catalogue(Old="Alt")
-        self.says(folder, "ru.po", "no text \"Old\" any more")
+        self.says(folder, "ru.po", "no longer has the text \"Old\"")
         catalogue(Small="")
         self.says(folder, "ru.po", "expected a translation of \"Small\"")
         catalogue(**{"Two {}s.": "Zwei."})
@@ -206,7 +206,7 @@ class Drawing(Lessons):
         self.assertIn(b"pixel", self.succeeds("probe", "--lesson", "wrap", "--at", "10,10").lower())
 
     def test_one_unit_is_fallen_back_on(self):
-        """NeHe 22: units > 1 ? two : one. Step 8 draws with one unit, whatever there is."""
+        """NeHe 22: units > 1 ? two : one. Step 8 draws with one unit on every driver."""
         wanted = self.shot("--lesson", "bumps", "--step", "8", "--size", "320x240")
         for pretence in "units=1", "no-multitexture":
             result = texshot("shot", "--lesson", "bumps", "--pretend", pretence, "--size", "320x240", "-o", "-")

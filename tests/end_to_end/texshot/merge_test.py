@@ -85,7 +85,7 @@ class Merge(Suites):
             broken.write_text(text)
             self.complains(2, "broken.json", "merge", first, broken, "-o", self.path / "run.json")
         self.complains(2, "nothing.json", "merge", first, self.path / "nothing.json", "-o", self.path / "run.json")
-        self.complains(2, "standard input: can be read once", "merge", "-", "-", "-o", self.path / "run.json")
+        self.complains(2, "standard input: can be read only once", "merge", "-", "-", "-o", self.path / "run.json")
         before = first.read_bytes()
         self.complains(2, "which is read", "merge", first, "-o", first)
         self.complains(2, "one text on standard output", "merge", first, "-o", "-", "--junit", "-")

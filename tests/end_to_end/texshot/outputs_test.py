@@ -1,4 +1,4 @@
-"""Where a picture goes: its extension decides what it is; pipes and devices are places like any other."""
+"""Where pictures are written: the extension sets the format; pipes and devices work like files."""
 
 import json
 import os
@@ -21,7 +21,7 @@ class Outputs(Texshot):
         self.bmp = self.path / "in.bmp"
         self.bmp.write_bytes(bmp(16, 8, lambda x, y: (x * 15, y * 30, 60)))
         self.dds = self.path / "in.dds"
-        self.succeeds("compress", self.bmp, self.dds, "--format", "dxt1", "--mips", "none")  # which every format holds
+        self.succeeds("compress", self.bmp, self.dds, "--format", "dxt1", "--mips", "none")  # every format can store it
         self.writers = {
             "shot": (["shot", "--renderer", "reference", "--size", "16x16", "-o"], []),
             "decode": (["decode", self.dds], []),
@@ -41,7 +41,7 @@ class Outputs(Texshot):
                         self.assertEqual(written.format, format)
                     out.unlink()
             for wrong in ("out.jpg", "out.jpeg", "out.xyz", "out", "png"):
-                self.complains(2, f'expected a name that ends in one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
+                self.complains(2, f'expected a name that ends with one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
                                *before, self.path / wrong, *after)
         before, after = self.writers["compress"]
         for wrong in ("out.png", "out"):
@@ -66,8 +66,8 @@ class Outputs(Texshot):
     def test_an_output_that_cant_be_written_is_known_before_the_work(self):
         for name, (before, after) in self.writers.items():
             with self.subTest(name):
-                lost = self.bmp / "out.dds"  # below a file
-                missing = [str(argument).replace("in.", "missing.") for argument in before]  # not even looked at
+                lost = self.bmp / "out.dds"  # a path below a file
+                missing = [str(argument).replace("in.", "missing.") for argument in before]  # not even checked
                 self.complains(1, f"{lost}: can't be written: Not a directory", *missing, lost, *after)
                 folder = self.path / "folder.dds"
                 folder.mkdir(exist_ok=True)
@@ -128,7 +128,7 @@ class Outputs(Texshot):
         self.assertFalse((self.path / "new").exists())
 
     def test_no_output_takes_the_place_of_what_its_scene_reads(self):
-        """Under whatever name, and the files that key frames name; of a lesson's folder every file."""
+        """Under any name, including the files that key frames name, and every file of a lesson's folder."""
         red = Image.new("RGB", (8, 8), (255, 0, 0))
         files = [self.path / name for name in ("image.png", "2.png", "3.png")]
         for file in files:
@@ -157,13 +157,13 @@ class Outputs(Texshot):
                 (("animate", keyed, *small, "--fps", "2"), files[1], files[1]),
                 (("animate", keyed, *small, "--fps", "4"), self.path / "%d.png", files[1])):
             with self.subTest((call, out)):
-                self.complains(2, f'--out: expected another file than "{lost}", which is read', *call, "-o", out)
+                self.complains(2, f'--out: expected a file other than "{lost}", which is read', *call, "-o", out)
                 self.assertEqual({file: file.read_bytes() for file in files}, before)
-        drawn = self.path / "drawn.png"  # which holds its scene
+        drawn = self.path / "drawn.png"  # contains its scene
         self.succeeds("shot", "--example", "cube", *small, "-o", drawn)
         for call in (("texture", drawn), ("shot", drawn, *small), ("shot", drawn, *small, "--no-metadata")):
-            self.complains(2, f'expected another file than "{drawn}", which is read', *call, "-o", drawn)
-        for _ in range(2):  # what was written is no file of the lesson's
+            self.complains(2, f'expected a file other than "{drawn}", which is read', *call, "-o", drawn)
+        for _ in range(2):  # a written file does not belong to the lesson
             self.succeeds("emit", "--lesson", lesson, "-o", lesson / "one.c")
         self.succeeds("emit", "--lesson", "dds", "--step", "8", "--files", "-o", self.path / "dds.c")
         result = texshot("shot", "--lesson", "dds", "--step", "8", *small, "-o", "dxt1.dds", cwd=self.path)  # the program's own is no file
@@ -183,12 +183,12 @@ class Outputs(Texshot):
         self.assertEqual(len(list((self.path / "new" / "folder").iterdir())), 3)
 
     def test_options_without_effect_are_notes(self):
-        """Nothing else changes, so that a loop over renderers or formats goes on."""
+        """Nothing else depends on it, so that a loop over renderers or formats works."""
         out, small = self.path / "out", ("--size", "16x16")
         shaders = Path(__file__).resolve().parents[3] / "shaders"
         for expected, *call in [
-            ("--rle: has no effect here: it is for TGA files, OUT is DDS", "convert", self.bmp, f"{out}.dds", "--rle"),
-            ("--small: has no effect here: it is for PNG files, OUT is BMP", "convert", self.bmp, f"{out}.bmp", "--small"),
+            ("--rle: has no effect here: it applies to TGA files only, OUT is DDS", "convert", self.bmp, f"{out}.dds", "--rle"),
+            ("--small: has no effect here: it applies to PNG files only, OUT is BMP", "convert", self.bmp, f"{out}.bmp", "--small"),
             ("--gamma: has no effect here", "compress", self.bmp, f"{out}.dds", "--format", "dxt1", "--gamma", "--mips", "none"),
             ("--shaders: has no effect here", "shot", *small, "--shaders", shaders, "-o", f"{out}.png"),
             ("--context: has no effect here", "shot", *small, "--renderer", "reference", "--context", "auto", "-o", f"{out}.png"),

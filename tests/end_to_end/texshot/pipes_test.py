@@ -74,7 +74,7 @@ class Pipes(Texshot):
         line = '"$0" info <(cat "$1")'
         result = subprocess.run(["bash", "-c", line, TEXSHOT, self.path / "in.bmp"], capture_output=True, timeout=60)
         self.assertEqual((result.returncode, result.stderr), (0, b""))
-        self.assertIn(b"16 x 8 texels", result.stdout)
+        self.assertIn("16 × 8 texels".encode(), result.stdout)
 
     def test_a_scene_comes_from_standard_input(self):
         scene = json.dumps({"version": 1, "view": {"background": [1, 0, 0, 1]}, "models": [], "textures": [],
@@ -104,11 +104,11 @@ class Pipes(Texshot):
         result = texshot("check", "-", input=b'{"version": 1, "veiw": {}}')
         self.assertEqual(result.returncode, 1)
         self.assertRegex(result.stderr.decode(), r'\Atexshot: standard input: /veiw: unknown key; did you mean "view"\?\n\Z')
-        self.refuses(b"x" * ((16 << 20) + 1), 1, f"standard input: at most {16 << 20} bytes are read, there are more",
+        self.refuses(b"x" * ((16 << 20) + 1), 1, f"standard input: at most {16 << 20} bytes are read, but there are more",
                      "check", "-")
 
     def test_standard_input_can_be_read_once(self):
-        said = "standard input: can be read once, and is named twice"
+        said = "standard input: can be read only once, but is named twice"
         for call in (["diff", "-", "-"], ["diff", "-", "/dev/stdin"], ["info", "-", self.path / "in.bmp", "-"],
                      ["validate", "-", "-"], ["scene", "-", "--diff", "-"],
                      ["convert", "-", "-", "-o", self.path / "out", "--to", "png"]):
@@ -131,11 +131,11 @@ class Pipes(Texshot):
         endless.stdout.close()
         endless.wait(timeout=60)
         self.assertEqual((result.returncode, result.stderr.decode()),
-                         (1, f"texshot: standard input: at most {16 << 20} bytes are read, there are more\n"))
+                         (1, f"texshot: standard input: at most {16 << 20} bytes are read, but there are more\n"))
 
     def test_an_image_that_never_ends_is_read_as_far_as_its_header_goes(self):
         wrong = b"BM" + b"y\n" * 60  # no header that more bytes would make right
-        for begin, code, expected in ((self.bmp, 0, b"16 x 8 texels"), (wrong, 1, b"BMP: ")):
+        for begin, code, expected in ((self.bmp, 0, "16 × 8 texels".encode()), (wrong, 1, b"BMP: ")):
             with self.subTest(begin[:4]):
                 read, write = os.pipe()
                 os.write(write, begin)
@@ -178,7 +178,7 @@ class Pipes(Texshot):
                 result = subprocess.run([TEXSHOT, *map(str, call)], stdout=terminal, stderr=subprocess.PIPE, timeout=60)
                 self.assertEqual(result.returncode, 2)
                 self.assertRegex(result.stderr.decode(), r"\Atexshot: (standard output|/dev/pts/\d+): is a terminal, which "
-                                 r"a picture would only disturb; name a file, or redirect it\n\Z")
+                                 r"can't show a picture; name a file or redirect it\n\Z")
         result = subprocess.run([TEXSHOT, "info", self.path / "in.bmp"], stdout=terminal, stderr=subprocess.PIPE,
                                 timeout=60)
         self.assertEqual((result.returncode, result.stderr), (0, b""))  # text is for terminals

@@ -1,4 +1,4 @@
-"""texshot probe: a square of 2 x 2 texels that fills a picture of 4 x 4 pixels exactly."""
+"""texshot probe: a square of 2 × 2 texels that fills a picture of 4 × 4 pixels exactly."""
 
 import json
 import os
@@ -63,7 +63,7 @@ class Probe(Texshot):
 
     def test_the_text_says_what_the_json_says(self):
         said = self.succeeds("probe", self.scene, "--size", "4x4", "--at", "0,3").decode()
-        for expected in ("pixel 0, 3 of 4 x 4, from the top left", "reference  45 45 45 255", "fixed      ", "shader     ",
+        for expected in ("pixel 0, 3 of 4 × 4, from the top left", "reference  45 45 45 255", "fixed      ", "shader     ",
                          "(0, 0)", "0.5625", "GL_REPLACE", "rho = the longer", "lambda is not above 0"):
             self.assertIn(expected, said)
 
@@ -73,13 +73,13 @@ class Probe(Texshot):
         shutil.copy(TEXSHOT, alone)
         result = subprocess.run([alone, "probe", self.scene, "--size", "4x4", "--at", "0,3"], capture_output=True)
         self.assertEqual((result.returncode, result.stderr), (0, b""))
-        self.assertIn(b"can't load the part that draws", result.stdout)
+        self.assertIn(b"can't load the module for", result.stdout)
         self.assertIn(b"reference  45 45 45 255", result.stdout)
 
     def test_where_nothing_is_drawn_it_says_so(self):
         said = self.succeeds("probe", self.scene, "--size", "8x8", "--at", "0,0", "--no-gl",
                              "--set", "models[0].size=0.5", "--set", "view.background=0,0.5,1,1")
-        self.assertIn(b"Nothing covers it: it shows the background", said)
+        self.assertIn(b"No model covers it, so it shows the background", said)
         self.assertIn(b"reference  0 128 255", said)
 
     def test_a_texel_is_found_in_the_pixels_that_read_it(self):
@@ -123,7 +123,7 @@ class Probe(Texshot):
                          [("texels", "s", {0, 1}), ("texels", "t", {0, 1})])
         said = self.succeeds(*call).decode()
         self.assertIn("either is right", said)
-        self.assertEqual(said.count("as right, on a tie"), 3 + 2 * (found["fixed"] != found["reference"]), said)
+        self.assertEqual(said.count("also correct, on a tie"), 3 + 2 * (found["fixed"] != found["reference"]), said)
 
     def test_a_pixel_of_many_fragments_is_explained_in_part(self):
         scene = json.loads(self.scene.read_text())
@@ -141,7 +141,7 @@ class Probe(Texshot):
                          (0, 43_690, 43_658, 32))
         self.assertLess(used.ru_maxrss, (400 if SANITIZED else 200) * 1024)  # KiB
         said = self.succeeds("probe", self.scene, "--size", "4x4", "--at", "1,1", "--no-gl").decode()
-        self.assertIn("43690 fragments cover it. Explained are numbers 43659 to 43690: at most 32.", said)
+        self.assertIn("43690 fragments cover it. Numbers 43659 to 43690 are explained (at most 32).", said)
         self.assertIn("fragment 43690 of 43690", said)
 
     def test_what_it_does_not_have_is_refused(self):

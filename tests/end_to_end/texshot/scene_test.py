@@ -1,4 +1,4 @@
-"""texshot scene: a scene as a file, with all that it says, or the least."""
+"""texshot scene: a scene as a file, complete or minimal."""
 
 import json
 import shlex
@@ -42,7 +42,7 @@ class Scene(Texshot):
         out = self.path / "out.json"
         self.assertEqual(self.succeeds("scene", "--set", "view.distance=9", "-o", out), b"")
         self.assertEqual(json.loads(out.read_text())["view"]["distance"], 9)
-        self.complains(2, f'--out: expected another file than "{out}", which is read', "scene", out, "--short", "-o", out)
+        self.complains(2, f'--out: expected a file other than "{out}", which is read', "scene", out, "--short", "-o", out)
         self.succeeds("scene", out, "--short", "--in-place")
         self.assertEqual(json.loads(out.read_text()), {"version": 1, "view": {"distance": 9}})
         self.succeeds("scene", "--short", "-o", self.path / "new" / "out.json")
@@ -62,8 +62,8 @@ class Scene(Texshot):
         self.assertEqual(json.loads(named(cwd=self.path / "a"))["textures"][0]["file"], "in.bmp")
         named("-o", self.path / "above.json")
         self.assertEqual(json.loads((self.path / "above.json").read_text())["textures"][0]["file"], "a/in.bmp")
-        named("-o", self.path / "a" / "beside.json", cwd="/")
-        self.assertEqual(json.loads((self.path / "a" / "beside.json").read_text())["textures"][0]["file"], "in.bmp")
+        named("-o", self.path / "a" / "near.json", cwd="/")
+        self.assertEqual(json.loads((self.path / "a" / "near.json").read_text())["textures"][0]["file"], "in.bmp")
         (self.path / "b").mkdir()
         named("-o", self.path / "b" / "else.json")
         self.assertEqual(json.loads((self.path / "b" / "else.json").read_text())["textures"][0]["file"],

@@ -147,7 +147,7 @@ class Shot(Texshot):
         self.assertEqual(difference.getpixel((95, 100)), 0)
 
     def test_the_reference_needs_no_opengl(self):
-        alone = self.path / "bin" / "texshot"  # without the module that holds OpenGL beside it
+        alone = self.path / "bin" / "texshot"  # without the module that contains OpenGL next to it
         alone.parent.mkdir()
         shutil.copy(TEXSHOT, alone)
         shoot = [alone, "shot", "--size", "16x16", "-o", "-"]
@@ -276,8 +276,8 @@ class Shot(Texshot):
             with self.subTest(" ".join(arguments)):
                 self.complains(1, "nowhere/", "shot", *arguments, "--shaders", self.path / "nowhere", "-o", out)
                 self.assertFalse(out.exists())
-        nobody = texshot("shot", "--size", "8x8", "-o", out, env={**os.environ, "TEXPLORER_SHADERS": "nowhere"})
-        self.assertEqual((nobody.returncode, nobody.stderr), (0, b""), "nobody asks for what the environment names")
+        unused = texshot("shot", "--size", "8x8", "-o", out, env={**os.environ, "TEXPLORER_SHADERS": "nowhere"})
+        self.assertEqual((unused.returncode, unused.stderr), (0, b""), "the unused variable is not an error")
 
     def test_a_driver_can_be_treated_as_lacking_something(self):
         scene = self.path / "units.json"
@@ -299,14 +299,14 @@ class Shot(Texshot):
     def test_what_no_driver_lacks_is_refused(self):
         out = self.path / "out.png"
         for command in (("shot", "-o", out), ("shot", "--ui", "-o", out), ("probe", "--at", "1,1"), ("conform",)):
-            self.complains(2, '--pretend: no driver lacks "no-s3ct"; did you mean "no-s3tc"?', *command, "--pretend", "no-s3ct")
+            self.complains(2, '--pretend: "no-s3ct" cannot be taken away; did you mean "no-s3tc"?', *command, "--pretend", "no-s3ct")
             self.complains(2, '--pretend: expected units= and a whole number from 1 to 4, found "units=9"',
                            *command, "--pretend", "no-rgtc,units=9")
         small = ("--size", "16x16")
         self.notes("--pretend: has no effect here", "shot", *small, "--renderer", "reference", "--pretend", "no-s3tc", "-o", "-")
         self.notes("--pretend: has no effect here", "probe", *small, "--at", "1,1", "--no-gl", "--pretend", "no-s3tc")
         self.notes("--pretend: has no effect here", "probe", *small, "--texel", "0,0,1,1", "--pretend", "no-s3tc")
-        self.complains(1, "which --pretend takes away", "shot", "--renderer", "shader", "--pretend", "no-shaders", "-o", out)
+        self.complains(1, "which --pretend disables", "shot", "--renderer", "shader", "--pretend", "no-shaders", "-o", out)
         help = self.succeeds("shot", "--help").decode()
         for word in ("no-multitexture", "units=N", "max-texture-size=N", "no-npot", "no-seamless-cube-maps"):
             self.assertIn(word, help)

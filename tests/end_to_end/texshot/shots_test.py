@@ -1,4 +1,5 @@
-"""texshot shot with several scenes, sizes, times and axes: one call, many pictures, each with its name and its texts."""
+"""texshot shot with several scenes, sizes, times and axes: one call, many pictures, each with its name and its
+texts."""
 
 import json
 import os
@@ -24,12 +25,13 @@ def chunk(kind, data):
 
 
 def with_chunks(png, *chunks):
-    """The PNG with more chunks behind its header."""
+    """The PNG with additional chunks after its header."""
     return png[:33] + b"".join(chunks) + png[33:]
 
 
 def packed_zeros(megabytes):
-    """A zlib stream of so many; not made as a whole, lest this process seem to be texshot's memory."""
+    """A zlib stream of so many zeros; not made as a whole, so that this process is not mistaken for texshot's
+    memory."""
     packer = zlib.compressobj(9)
     return b"".join(packer.compress(b"0" * (1 << 20)) for _ in range(megabytes)) + packer.flush()
 
@@ -52,7 +54,7 @@ class Shots(Texshot):
         self.assertEqual(self.succeeds("shot", *(() if "--size" in arguments else SMALL), *arguments), b"")
         return self.names()
 
-    # -- what is drawn, and what it is called
+    # -- the pictures and their names
 
     def test_json_tells_of_every_picture_what_it_is_of(self):
         blue = self.scene("blue.json", view={"background": [0, 0, 1, 1]})
@@ -144,7 +146,7 @@ class Shots(Texshot):
         self.assertEqual(self.draws("--lesson", "filters", "--step", "2", "-o", self.out / "{scene}.tga")[-1],
                          "filters-2.tga")
 
-    # -- what is refused before anything is drawn
+    # -- errors before anything is drawn
 
     def refuses(self, expected, *arguments, code=2):
         self.complains(code, expected, "shot", *(() if "--size" in arguments else SMALL), *arguments)
@@ -166,15 +168,15 @@ class Shots(Texshot):
         self.refuses("{envMode} may be passes[0].units[0].envMode or passes[0].units[1].envMode", a,
                      "--axis", "passes[0].units[0].envMode=*", "--axis", "passes[0].units[1].envMode=*",
                      "-o", self.out / "{envMode}.png")
-        self.refuses("expected a name and } behind each {", a, b, "-o", self.out / "{scene.png")
-        self.refuses("expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
+        self.refuses("expected a name and } after each {", a, b, "-o", self.out / "{scene.png")
+        self.refuses("expected a name that ends with one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
         self.refuses('expected a name that differs for each picture, as in {minFilter}.png or {number}.png, found "-"',
                      a, *axis, "-o", "-")
         self.refuses("expected each axis once, found textures[0].minFilter twice", a, *axis, *axis, "-o", self.out / "{number}.png")
         self.refuses('expected each once, found "0" twice', a, "--time", "0,1,0", "-o", self.out / "{time}.png")
         self.refuses("--size: expected WIDTHxHEIGHT", a, "--size", "8x8,", "-o", self.out / "{size}.png")
         self.refuses("textures[0].nonsense", a, b, "--axis", "textures[0].nonsense=*", "-o", self.out / "{number}.png")
-        self.notes("--no-metadata: has no effect here: it is for PNG files", "shot", *SMALL, a, b, "--no-metadata",
+        self.notes("--no-metadata: has no effect here: it applies to PNG files only", "shot", *SMALL, a, b, "--no-metadata",
                    "-o", self.out / "{scene}.bmp")
 
     def test_folders_are_made_whatever_the_name(self):
@@ -235,14 +237,14 @@ class Shots(Texshot):
         axes = []
         for path in ("view.azimuth=0..100/100", "view.elevation=0..80/100", "view.distance=2..9/100"):
             axes += ["--axis", path]
-        self.refuses("one call draws at most 100000 pictures, these are more", *axes, "-o", self.out / "{number}.png")
+        self.refuses("one call draws at most 100000 pictures, expected fewer", *axes, "-o", self.out / "{number}.png")
         for times in (11, 40):
             self.refuses("at most 100000", *axes[:4], "--time", ",".join(map(str, range(times))), "-o", self.out / "{number}.png")
         million = [*axes, "--axis", "view.fieldOfView=10..90/100"]
         if not SANITIZED:
             self.assertLess(self.peak([], *million, "-o", self.out / "{number}.png", code=2), 64 << 10, "kilobytes")
 
-    # -- what goes wrong on the way
+    # -- errors while drawing
 
     def test_broken_scenes_are_said_and_the_others_drawn(self):
         good, more = self.scene("good.json"), self.scene("more.json")
@@ -274,7 +276,7 @@ class Shots(Texshot):
         self.assertEqual((self.names(), (self.out / "0.png").read_bytes()), (["0.png"], old))
 
     def test_a_disk_that_fills_up_keeps_what_was_written(self):
-        """Small pictures fit, a large one doesn't: those before it are whole."""
+        """Small pictures fit, a large one does not: the pictures before it are complete."""
         call = ("shot", "--size", "16x16,512x512", "--axis", "view.azimuth=0..90/4", "-o", self.out / "{size}-{azimuth}.png")
         limit = 12000
         result = texshot(*call, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
@@ -323,7 +325,7 @@ class Shots(Texshot):
 
     @unittest.skipIf(SANITIZED, "AddressSanitizer keeps what was freed")
     def test_memory_stays_bounded_over_many_scenes(self):
-        """Of 500 scenes with 250 images and as many meshes; what one of them alone takes isn't there 500 times."""
+        """500 scenes with 250 images and as many meshes; the memory of a single one is not used 500 times."""
         files = [self.scene(f"scene{i}.json", models=[{"shape": "sphere", "slices": 16 + i % 40, "stacks": 50 + i // 40}],
                             textures=[{"source": "file", "file": f"{i // 2}.bmp", "mipmaps": "generated"}],
                             passes=[{"units": [{"enabled": True, "envMode": mode}]}])
@@ -348,7 +350,7 @@ class Shots(Texshot):
             self.assertEqual(work.returncode, code, said.read())
         return usage.ru_maxrss
 
-    # -- what a picture says of itself
+    # -- the texts in a picture
 
     def texts(self, name):
         with Image.open(self.out / name) as picture:
@@ -395,11 +397,11 @@ class Shots(Texshot):
         evil = self.path / "evil.png"
         at = good.index(b"iTXt")
         cases = [
-            ("expected a scene, found a PNG without one", plain),
+            ("expected a scene, found a PNG without a scene", plain),
             ("line 1, column 3", with_chunks(plain, chunk(b"tEXt", keyword + b"{nonsense"))),
             ("holds more than 16777216 bytes", with_chunks(plain, chunk(b"zTXt", keyword + b"\0" + bomb))),
             ("the zlib stream is damaged", with_chunks(plain, chunk(b"zTXt", keyword + b"\0" + zlib.compress(b"{}" * 99)[:-3]))),
-            ("expected 0 for the method", with_chunks(plain, chunk(b"zTXt", keyword + b"\7" + bomb[:90]))),
+            ("expected compression method 0", with_chunks(plain, chunk(b"zTXt", keyword + b"\7" + bomb[:90]))),
             ("expected a language", with_chunks(plain, chunk(b"iTXt", keyword + b"\0\0enenen"))),
             ("is damaged", with_chunks(plain, chunk(b"tEXt", keyword + b'{"version": 1}')[:-1] + b"?")),
             ("", good[:at + 40]),
@@ -411,14 +413,14 @@ class Shots(Texshot):
                 said = self.complains(1, expected, "shot", *SMALL, evil, "-o", self.out / "new.png")
                 self.assertIn("evil.png", said)
                 evil.unlink()
-        evil.write_bytes(with_chunks(plain, chunk(b"tEXt", keyword + b'{"version": 1}')))  # from somebody else: why not
+        evil.write_bytes(with_chunks(plain, chunk(b"tEXt", keyword + b'{"version": 1}')))  # not texshot's
         self.draws(evil, "-o", self.out / "new.png")
 
     def test_info_shows_texts_whatever_they_hold(self):
         self.draws("-o", self.out / "good.png")
         shown = self.succeeds("info", self.out / "good.png").decode()
         self.assertRegex(shown, r"keyword +Texplorer renderer\n.*text +fixed\n")
-        self.assertRegex(shown, r'text +\{\\u000a  "\$schema": .* \d+ bytes once they are unpacked')
+        self.assertRegex(shown, r'text +\{\\u000a  "\$schema": .* \d+ bytes uncompressed')
         png = (self.out / "good.png").read_bytes()
         hostile = [chunk(b"tEXt", b"Comment\0\x1b[2J\nred \xe4"), chunk(b"tEXt", b"\0"), chunk(b"tEXt", b"x" * 300),
                    chunk(b"zTXt", b"Bomb\0\0" + packed_zeros(64)), chunk(b"zTXt", b"Cut\0"),
@@ -431,7 +433,7 @@ class Shots(Texshot):
             self.assertNotIn("\x1b", shown)
             self.assertNotIn("\u202e", shown)
             for expected in ("red ä", "expected a keyword of 1 to 79 letters", "more than 1048576 bytes once",
-                             "expected 0 for the method", "the zlib stream is damaged", "expected 0 or 1"):
+                             "expected compression method 0", "the zlib stream is damaged", "expected 0 or 1"):
                 self.assertIn(expected, shown)
         with Image.open(self.out / "good.png") as picture:
             picture.verify()

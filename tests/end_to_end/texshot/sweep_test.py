@@ -232,13 +232,13 @@ class Sweep(Texshot):
             (2, "differs for each of 2 pages, as in sheet-{page}.png or {distance}.png, found", *many[:6], "-o", x),
             (2, "found {azimuth}", *many[:4], "-o", self.out / "{azimuth}.png"),
             (2, "found {flavour}", *many[:4], "-o", self.out / "{flavour}.png"),
-            (2, "--size: expected a sheet of at most 16384 x 16384 pixels", *many[:2], "--size", "9000x9000", "-o", x),
+            (2, "--size: expected a sheet of at most 16384 × 16384 pixels", *many[:2], "--size", "9000x9000", "-o", x),
             (2, "--axis is missing", "-o", x),
             (2, "expected one of first, found \"last\"", *many[:2], "--difference", "last", "-o", x),
             (2, "expected one of names, words, found \"gl\"", *many[:2], "--labels", "gl", "-o", x),
             (2, "--difference: expected a name for sheets", *many[:2], "--difference", "first", "-o", self.out / "{azimuth}.png"),
             (2, "not both", *many[:2], "--json", "-o", "-"),
-            (2, "ends in one of .bmp, .dds, .png, .tga", *many[:2], "-o", self.out / "x.txt"),
+            (2, "ends with one of .bmp, .dds, .png, .tga", *many[:2], "-o", self.out / "x.txt"),
             (2, "expected PATH=VALUES", "--axis", "view.azimuth", "-o", x),
         ]
         for code, expected, *arguments in cases:
@@ -262,7 +262,7 @@ class Sweep(Texshot):
         drawn = self.out / "scene.png"
         self.succeeds("shot", self.scene, *SMALL, "-o", drawn)
         before = drawn.read_bytes()
-        self.complains(2, "expected another file", "sweep", drawn, *SMALL, "--axis", WRAP, "-o", drawn)
+        self.complains(2, "expected a file other", "sweep", drawn, *SMALL, "--axis", WRAP, "-o", drawn)
         self.assertEqual(drawn.read_bytes(), before)
 
     def test_ctrl_c_leaves_nothing_half_written(self):
@@ -289,7 +289,7 @@ class Sweep(Texshot):
     def test_help_and_completion_know_it(self):
         shown = self.succeeds("help", "sweep").decode()
         self.assertRegex(shown, r"--axis PATH=VALUES")
-        self.assertIn("16384 x 16384", re.sub(r"\s+", " ", shown))
+        self.assertIn("16384 × 16384", re.sub(r"\s+", " ", shown))
         self.assertIn("--difference", self.succeeds("--completion", "bash").decode())
 
 

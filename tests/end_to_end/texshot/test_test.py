@@ -25,7 +25,7 @@ class Test(Suites):
     def test_goldens_are_written_once_and_held_against_from_then_on(self):
         suite = self.suite(self.backgrounds("grey", "dark", "blue"))
         self.assertEqual(set(self.states(suite, code=1).values()), {"new"})
-        self.assertFalse((self.path / "golden").exists(), "nobody asked for them")
+        self.assertFalse((self.path / "golden").exists(), "they were not requested")
         said = self.passes(suite, "--update")
         self.assertIn("3 goldens written", said)
         goldens = sorted((self.path / "golden").iterdir())
@@ -117,7 +117,7 @@ class Test(Suites):
         picture.save(golden)
         case = self.record(suite, code=1)["pile"]
         self.assertEqual(case["state"], "failed", case.get("sentence"))
-        self.assertIn("500 fragments cover it. Explained are numbers 469 to 500: at most 32.", case["explanation"])
+        self.assertIn("500 fragments cover it. Numbers 469 to 500 are explained (at most 32).", case["explanation"])
         self.assertLess(len(case["explanation"]), 70_000)
 
     def test_a_failed_case_can_be_drawn_again_and_opened_from_its_report(self):
@@ -268,7 +268,7 @@ class Test(Suites):
             self.complains(2, "expected a new folder or one with a report", "test", suite, "--report", folder)
             self.assertEqual({name: (folder / name).read_bytes() for name in kept}, {name: files[name] for name in kept})
         self.assertEqual(self.run_of(suite, "--report", self.path / "new", "--json", self.path / "new/result.json").returncode, 1)
-        self.complains(2, "no run to go on with", "test", suite, "--resume", self.path / "none")
+        self.complains(2, "no run to resume", "test", suite, "--resume", self.path / "none")
         self.assertFalse((self.path / "none").exists())
 
     def test_names_with_dots_have_pictures(self):
@@ -315,7 +315,7 @@ class Test(Suites):
         self.assertEqual(accepted.returncode, 0, accepted.stderr)
         empty = texshot("test", suite, "--accept", "-", input=b"\n")
         self.assertEqual((empty.returncode, empty.stderr),
-                         (2, b"texshot: standard input: expected the name of a case on a line, found none\n"))
+                         (2, b"texshot: standard input: expected the name of a case on each line, found none\n"))
 
     def test_what_failed_is_said_even_if_the_results_can_not_be_written(self):
         suite = self.suite(self.backgrounds("grey"))
@@ -348,7 +348,7 @@ class Test(Suites):
         return []
 
     def seconds_of(self, process):
-        """What it has computed so far; infinitely much once it is gone."""
+        """The processor time used so far; infinite once it has ended."""
         try:
             fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
         except (FileNotFoundError, ProcessLookupError):
@@ -390,7 +390,7 @@ class Test(Suites):
         for child in self.workers_of(run):
             while self.seconds_of(child) < 0.3:  # before that it has no case yet, and another would get it
                 time.sleep(0.005)
-            with contextlib.suppress(ProcessLookupError):  # it took that long
+            with contextlib.suppress(ProcessLookupError):  # it ended in the meantime
                 os.kill(child, signal.SIGSTOP)
         out = run.communicate(timeout=300)[0]
         (case,) = json.loads(out)["cases"]
@@ -403,7 +403,7 @@ class Test(Suites):
                            for i in range(count)], size="160x160")
 
     def interrupted(self, suite, report, how):
-        """A run that was ended in its middle, and the cases that its journal has."""
+        """Ends a run in its middle, and returns the cases in its journal."""
         run = self.begun(suite, "-j", 2, "--report", report)
         journal = report / "journal.jsonl"
         while run.poll() is None and (not journal.exists() or journal.read_bytes().count(b"\n") < 6):
@@ -441,15 +441,15 @@ class Test(Suites):
         status, _, done = self.interrupted(suite, report, signal.SIGKILL)
         self.assertEqual(status, -signal.SIGKILL)
         journal = report / "journal.jsonl"
-        with open(journal, "ab") as file:  # as of a machine that went down
+        with open(journal, "ab") as file:  # as after a power failure
             file.write(b'{"name": "case-3')
         golden = self.path / "golden" / f"{done[0].replace('/', '__')}.png"
-        Image.new("RGB", (160, 160)).save(golden)  # what has changed since is run again
+        Image.new("RGB", (160, 160)).save(golden)  # a case that changed since then runs again
         result = self.run_of(suite, "--resume", report, "--json", "-")
         states = {case["name"]: case["state"] for case in json.loads(result.stdout)["cases"]}
         self.assertEqual((len(states), [name for name in states if states[name] != "passed"]), (40, [done[0]]))
         other = self.suite(self.backgrounds("grey", renderer="reference"), "other.suite.json")
-        self.assertIn(b"the journal is of other cases", self.run_of(other, "--resume", report).stderr)
+        self.assertIn(b"the journal has other cases", self.run_of(other, "--resume", report).stderr)
         both = self.run_of(suite, "--resume", report, "--report", report)
         self.assertEqual(both.stderr, b"")
         self.assertIn(b"40 of 40 cases were done before", both.stdout)
@@ -467,7 +467,7 @@ class Test(Suites):
         while run.poll() is None and not (report / "journal.jsonl").exists():
             time.sleep(0.002)
         second = self.run_of(suite, "--report", report)
-        if run.poll() is None:  # else it was too late
+        if run.poll() is None:  # otherwise it was too late
             self.assertEqual(second.returncode, 2)
             self.assertIn(b"another run writes its report there", second.stderr)
         run.communicate(timeout=120)
@@ -567,8 +567,8 @@ class Test(Suites):
         report.mkdir()
         (report / "pictures").symlink_to(outside)
         (outside / "holiday-actual.png").write_text("a picture of the user's")
-        # Its goldens would lie there as well; a suite that has none finds the folder to be somebody else's.
-        self.assertIn(b"expected another folder than that of", self.run_of(suite, "--report", report).stderr)
+        # Its goldens would be there as well; a suite without goldens reports the folder as not its own.
+        self.assertIn(b"expected a folder other than that of", self.run_of(suite, "--report", report).stderr)
         other = self.suite(self.backgrounds("grey"), "reference.suite.json", golden="reference")
         self.assertIn(b"of something else", self.run_of(other, "--report", report).stderr)
         (outside / "holiday-actual.png").unlink()
@@ -651,7 +651,7 @@ class Test(Suites):
         self.passes(suite, "--accept", self.path / "accept.txt")
         self.assertEqual(golden.read_bytes(), right)
         golden.unlink()
-        golden.mkdir()  # it can't be read, whoever runs this
+        golden.mkdir()  # unreadable for any user
         self.assertEqual(self.record(suite, "--update", code=2)["grey"]["state"], "error")
 
     def test_a_suite_that_is_named_without_its_folder_has_goldens_beside_it(self):
@@ -673,7 +673,7 @@ class Test(Suites):
         suite = self.suite(self.backgrounds("grey"), golden="reference", renderer="reference")
         self.complains(2, "/cases/0: \"golden\": \"reference\" has no effect", "test", suite)
         suite = self.suite(self.backgrounds("grey"), golden="reference")
-        self.complains(2, "it is held against itself", "test", suite, "--renderer", "reference")
+        self.complains(2, "it is compared with itself", "test", suite, "--renderer", "reference")
         suite = self.suite(self.backgrounds("grey", tolerance=2), golden="reference")
         self.complains(2, "/cases/0/tolerance: has no effect: the rule decides", "test", suite)
 
@@ -796,7 +796,7 @@ class Pictures(Suites):
             self.assertEqual(self.states("--pictures", *folders, code=1)["missing.png"], "missing")
         before = {each: each.read_bytes() for each in self.path.rglob("*.png")}
         for option in (["--update"], ["--accept", self.path / "list"]):
-            self.complains(2, "expected --expected DIR and --actual DIR where goldens are written", "test", "--pictures",
+            self.complains(2, "expected --expected DIR and --actual DIR when goldens are written", "test", "--pictures",
                            self.golden, self.actual, *option)
         for wrong in ([self.golden], [self.golden, self.actual, self.path], ["--expected", self.golden],
                       ["--expected", self.golden, "--actual", self.actual, self.path]):

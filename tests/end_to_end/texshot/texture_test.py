@@ -1,4 +1,4 @@
-"""texshot texture: what is done to a texture's image, step by step, and its levels; Pillow is the oracle."""
+"""texshot texture: the preparation of a texture's image, step by step, and its levels; Pillow is the oracle."""
 
 import io
 import json
@@ -31,7 +31,7 @@ class TexturePictures(Texshot):
         self.assertEqual(self.picture_of(scene, "--step", "0").convert("RGB").tobytes(), self.original.tobytes())
         inverted = ImageOps.invert(self.original)
         self.assertEqual(self.picture_of(scene, "--step", "1").convert("RGB").tobytes(), inverted.tobytes())
-        grey = inverted.convert("L")  # which rounds in another place
+        grey = inverted.convert("L")  # rounds at another step
         self.assert_near(self.picture_of(scene, "--step", "2").convert("L"), grey, 1)
         self.assert_near(self.picture_of(scene, "--step", "3").getchannel("A"), grey, 1)
         self.complains(2, "--step: there is no step 4: textures[0] has 3 steps", "texture", scene, "-o", "-", "--step", "4")
@@ -63,7 +63,7 @@ class TexturePictures(Texshot):
         for options in ([], ["--step", "0"]):
             seen = self.picture_of(file, *options)
             self.assertEqual(seen.mode, "L")
-            self.assertEqual(seen.getpixel((0, 0)), 255)  # beside the quad
+            self.assertEqual(seen.getpixel((0, 0)), 255)  # outside the quad
             self.assertAlmostEqual(seen.getpixel((4, 4)), 255 * 20 / 19 * (1 - 1 / 6), delta=1)
 
     def test_wrong_calls(self):

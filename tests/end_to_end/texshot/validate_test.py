@@ -1,4 +1,4 @@
-"""texshot validate: images and scenes, to the letter."""
+"""texshot validate: strict checks of images and scenes."""
 
 import io
 import json
@@ -52,7 +52,7 @@ class Validate(Texshot):
         self.faulty("/x: unknown key", self.make("deep.json", deep))
 
     def test_what_is_larger_than_all_that_is_drawn_is_valid(self):
-        # A line of 20000 pixels of one bit, which every reader may take; and a header that only claims to be one.
+        # A line of 20000 pixels of one bit, which every reader may accept; and a header that only claims such a line.
         out = io.BytesIO()
         Image.new("1", (20000, 1)).save(out, "PNG")
         self.assertIn("valid, but not drawn: PNG: at most", self.succeeds("validate", self.make("long.png", out.getvalue())).decode())
@@ -111,7 +111,7 @@ class Validate(Texshot):
                 self.faulty(expected, self.make("wrong.json", text.encode()))
         self.faulty("expected an object, found an array", self.make("list.json", b"[]"))
         self.faulty("empty", self.make("empty.json", b""))
-        # What a scene draws is not looked at, nor its images.
+        # The drawn picture and the images of a scene are not checked.
         self.valid("scene", self.make("lost.json", b'{"version": 1, "textures": [{"source": "file", "file": "no.png"}]}'))
 
     def test_all_faults_of_a_scene_are_told(self):

@@ -22,7 +22,7 @@ Image filled(int width, int height, std::byte value) {
 }
 
 void put(const fs::path& file) {
-    ASSERT_TRUE(writeFileAtomically(file, viewBytes("somebody's")));
+    ASSERT_TRUE(writeFileAtomically(file, viewBytes("another user's")));
 }
 
 std::vector<std::string> namesIn(const fs::path& folder) {
@@ -64,7 +64,7 @@ TEST_F(CasePicturesTest, LinkInTheirPlaceIsReplacedAndNotFollowed) {
     suite::CaseRecord record;
     ASSERT_TRUE(writePictures(folder.path(), "a", {.actual = &image}, record));
     EXPECT_FALSE(fs::is_symlink(pictures / "a-actual.png"));
-    EXPECT_EQ(*readText(folder / "outside"), "somebody's");
+    EXPECT_EQ(*readText(folder / "outside"), "another user's");
 }
 
 TEST_F(CasePicturesTest, WhatAnotherRunLeftGoesAndNothingElse) {

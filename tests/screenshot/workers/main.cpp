@@ -1,4 +1,4 @@
-// Runs the tests; or, started by one of them as a worker process, does to itself what the job says.
+// Runs the tests. Started by a test as a worker process, it does what the job says.
 
 #include "app/screenshot/workers/work_loop.h"
 
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// "VERB REST"; the answer is what the test looks at.
+/// "VERB REST"; the test checks the answer.
 std::string work(const std::string& job, int socket) {
     const std::string verb = job.substr(0, job.find(' '));
     const std::string rest = job.substr(std::min(job.size(), verb.size() + 1));
@@ -31,7 +31,7 @@ std::string work(const std::string& job, int socket) {
     else if (verb == "hang")
         for (;;)
             ::pause();
-    else if (verb == "print") { // as drivers do, in the middle of everything
+    else if (verb == "print") { // as drivers do, at any time
         std::cout << rest << std::flush;
         std::cerr << rest << std::flush;
     } else if (verb == "killed-once" && !std::filesystem::exists(rest)) {
@@ -49,7 +49,7 @@ std::string work(const std::string& job, int socket) {
     else if (verb == "environment") {
         const char* value = std::getenv(rest.c_str());
         return value != nullptr ? value : "(none)";
-    } else if (verb == "inherited") { // whether somebody else's file is open here
+    } else if (verb == "inherited") { // whether another open file was inherited
         return ::fcntl(std::stoi(rest), F_GETFD) < 0 ? "closed" : "open";
     }
     return rest;
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     using namespace texplorer::workers;
     if (const std::optional<int> socket = workerSocket(argc, argv)) {
         if (std::getenv("TEST_WORKER_FAILS") != nullptr) {
-            std::cerr << "no screen to be had";
+            std::cerr << "no screen available";
             return 1;
         }
         workLoop(*socket, [socket](const std::string& job) { return work(job, *socket); });

@@ -76,7 +76,7 @@ TEST_F(Messages, EndOfTheOtherSideIsTold) {
     EXPECT_FALSE(read());
     EXPECT_FALSE(inbox.take());
     ASSERT_EQ(::shutdown(ends[1], SHUT_RDWR), 0);
-    EXPECT_FALSE(send(ends[0], Kind::Job, "nobody reads it"));
+    EXPECT_FALSE(send(ends[0], Kind::Job, "without a reader"));
 }
 
 } // namespace

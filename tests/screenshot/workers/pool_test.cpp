@@ -28,7 +28,7 @@ PoolSetup setupWith(unsigned processes) {
     return setup;
 }
 
-/// What became of jobs with these messages, in their order.
+/// The outcomes of jobs with these messages, in their order.
 std::vector<Outcome> outcomesOf(Pool& pool, const std::vector<std::string>& messages,
                                 std::chrono::duration<double> limit = 60s) {
     std::vector<Outcome> outcomes(messages.size());
@@ -137,7 +137,7 @@ TEST(Pool, WhatADriverPrintsIsNoAnswerAndIsKeptForTheSentence) {
     EXPECT_EQ(outcomes[2].lastWords, "") << "that was said by the job before";
     EXPECT_EQ(outcomes[3].answer, "1");
     std::string loud = "print " + std::string(300000, 'x');
-    EXPECT_EQ(outcomesOf({loud})[0].answer.size(), 300000U) << "nobody waits for a reader";
+    EXPECT_EQ(outcomesOf({loud})[0].answer.size(), 300000U) << "the writer does not wait for a reader";
 }
 
 TEST(Pool, GarbageFromAProcessEndsItAndItsJob) {
@@ -167,7 +167,7 @@ TEST(Pool, JobsWithAnotherEnvironmentHaveOtherProcesses) {
 
 TEST(Pool, ProcessThatGrewIsReplaced) {
     PoolSetup setup = setupWith(1);
-    setup.mostResidentBytes = std::size_t{200} << 20;
+    setup.maxResidentBytes = std::size_t{200} << 20;
     Pool pool(setup);
     const std::vector<Outcome> outcomes = outcomesOf(pool, {"process", "process", "grow 300", "process"});
     EXPECT_EQ(outcomes[0].answer, outcomes[1].answer);
@@ -176,7 +176,7 @@ TEST(Pool, ProcessThatGrewIsReplaced) {
 
 TEST(Pool, ProcessIsReplacedAfterSoManyJobs) {
     PoolSetup setup = setupWith(1);
-    setup.mostJobs = 2;
+    setup.maxJobs = 2;
     Pool pool(setup);
     const std::vector<Outcome> outcomes = outcomesOf(pool, {"process", "process", "process", "process"});
     EXPECT_EQ(outcomes[0].answer, outcomes[1].answer);
@@ -186,7 +186,7 @@ TEST(Pool, ProcessIsReplacedAfterSoManyJobs) {
 
 TEST(Pool, JobsThatAreTooHeavyTogetherAreDoneOneByOne) {
     PoolSetup setup = setupWith(4);
-    setup.mostWeight = 10;
+    setup.maxWeight = 10;
     Pool pool(setup);
     int handed = 0;
     int answered = 0;
@@ -212,12 +212,12 @@ TEST(Pool, ProcessesThatNeverBeginEndTheRunWithWhatTheySaid) {
     Result<void> done = Pool(setup).run(once, never);
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().message,
-              "worker processes end as soon as they are started; the last one said: no screen to be had");
+              "worker processes end immediately; the last one printed: no screen available");
     setup = setupWith(2);
     setup.command.program = "/nonexistent/program";
     done = Pool(setup).run(once, never);
     ASSERT_FALSE(done);
-    EXPECT_EQ(done.error().message, "worker processes end as soon as they are started");
+    EXPECT_EQ(done.error().message, "worker processes end immediately");
 }
 
 TEST(Pool, StopRequestEndsWorkAndProcesses) {
@@ -267,11 +267,11 @@ TEST(Pool, ProcessesEndWithTheProgramThatStartedThem) {
     ASSERT_EQ(::kill(program, SIGKILL), 0);
     ASSERT_EQ(::waitpid(program, nullptr, 0), program);
     const std::string state = "/proc/" + std::to_string(process) + "/stat";
-    const auto isGone = [&state] { // or nobody has asked for its status yet
+    const auto isGone = [&state] { // or its parent has not asked for its status yet
         const Result<std::string> stat = readText(state, 4096);
         return !stat || stat->find(") Z ") != std::string::npos;
     };
-    while (!isGone()) // for ever, if it isn't so: ctest has a limit
+    while (!isGone()) // for ever if it never happens: ctest has a time limit
         std::this_thread::sleep_for(5ms);
     ::close(pipe[0]);
     ::close(pipe[1]);

@@ -25,7 +25,7 @@ protected:
     [[nodiscard]] StepRecord record(std::size_t step) {
         return session->window.settings.lessons["wrap"].at(step);
     }
-    /// Turns the wheel over the step, which lies above its buttons, until an item is in sight.
+    /// Turns the wheel over the step, above its buttons, until an item is visible.
     void wheelTo(std::string_view name) {
         const ImVec2 buttons = place("lesson:Next");
         for (int turn = 0; turn < 50; ++turn) {
@@ -39,7 +39,7 @@ protected:
     }
 };
 
-// Without room for a menu of their own they are among what one opens.
+// Without room for their own menu they are in the menu that opens all others.
 TEST_F(LessonTab, AreHighUpInTheFileMenuWhereTextIsLarge) {
     session->window.settings.textPercent = 200;
     frames(4);
@@ -198,7 +198,7 @@ TEST_F(LessonTab, AsksAboutUnsavedChangesFirst) {
     click("menu:lesson:wrap");
     click("discard:drop");
     ASSERT_TRUE(session->window.lesson);
-    texture().wrapS = Wrap::Clamp; // nobody misses what was tried in a lesson
+    texture().wrapS = Wrap::Clamp; // edits of a lesson are not saved
     recordEdit(*session, "Wrap s");
     frames(1);
     click("menu:Lessons");
@@ -240,7 +240,7 @@ TEST_F(LessonTab, IsDrawnWhateverItSays) {
 
 TEST_F(LessonTab, ShowsThePicturesOfItsAnswers) {
     openWrap();
-    static_cast<void>(picture()); // which expects that no renderer has anything to say
+    static_cast<void>(picture()); // expects no message from a renderer
     next();
     const Image before = picture();
     run().pictures = nullptr;

@@ -1,5 +1,5 @@
 // Every lesson from its first step to its last, in each language: its words fit, every question and every
-// picture is done as a student would, and the marks say so.
+// task is done as a student would, and the marks show it.
 
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/keys.h"
@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 using testing::StartsWith;
 
-/// A window as this part of Dear ImGui has it, a child of another one.
+/// A window as Dear ImGui's internal API has it, the child of another one.
 const ImGuiWindow* childNamed(std::string_view part) {
     for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
         if (each->WasActive && std::string_view(each->Name).find(part) != std::string_view::npos)
@@ -36,7 +36,7 @@ protected:
     [[nodiscard]] LessonRun& run() { return *session->window.lesson; }
     [[nodiscard]] bool isDone() { return isStepDone(*session, run().key, run().step); }
 
-    /// Nothing reaches beyond the right edge, and nothing is wider than where it stands.
+    /// No item extends beyond the right edge or is wider than its parent.
     void expectUncut() {
         const ImGuiWindow* step = childNamed("/step_");
         ASSERT_TRUE(step);
@@ -49,7 +49,7 @@ protected:
         }
     }
 
-    /// Turns the wheel over the step until an item is whole in sight.
+    /// Turns the wheel over the step until an item is completely visible.
     void wheelTo(std::string_view name) {
         const ImVec2 buttons = place("lesson:Next");
         for (int turn = 0; turn < 60; ++turn) {
@@ -61,14 +61,14 @@ protected:
         FAIL() << name << " is nowhere";
     }
 
-    /// Where the keyboard is.
+    /// The item with the keyboard focus.
     [[nodiscard]] static std::optional<ImRect> focused() {
         const ImGuiContext& context = *ImGui::GetCurrentContext();
         if (!context.NavWindow || context.NavId == 0 || !context.NavIdIsAlive)
             return std::nullopt;
         return ImGui::WindowRectRelToAbs(context.NavWindow, context.NavWindow->NavRectRel[context.NavLayer]);
     }
-    /// By F6 to the panel, then by pages and arrows; fails the test where they don't lead there.
+    /// Goes to the panel by F6, then to the item by pages and arrows; fails the test if it is not reached.
     void walkTo(std::string_view name) {
         const auto isInPanel = [&] {
             const ImGuiWindow* now = ImGui::GetCurrentContext()->NavWindow;
@@ -158,7 +158,7 @@ protected:
         EXPECT_EQ(progressOf(*session, name, steps).done, steps);
     }
 
-    /// The first lesson, and one in three, others in each language: together all of them.
+    /// The first lesson and a third of the others, different in each language: all of them together.
     void walkThird(std::size_t shift) {
         const std::vector<std::string> names = lesson::builtInLessons();
         for (std::size_t i = 0; i < names.size() && !HasFatalFailure(); ++i) {
@@ -179,7 +179,7 @@ TEST_P(LessonWalk, LeadsThroughEveryStepByKeyboard) {
     walkThird(1);
 }
 
-/// Every step of every lesson, only looked at, in a narrow panel.
+/// Every step of every lesson in a narrow panel, without doing its tasks.
 TEST_P(LessonWalk, CutsNoWordsInASmallWindow) {
     start(defaultScene(), 1024, 700);
     ServicesAtOnce atOnce;
@@ -194,7 +194,7 @@ TEST_P(LessonWalk, CutsNoWordsInASmallWindow) {
         for (std::size_t i = 0; i < run().lesson.steps.size(); ++i) {
             SCOPED_TRACE(fmt::format("step {}", i + 1));
             goToLessonStep(*session, i);
-            frames(4); // until there is a bar to scroll with, and its words are wrapped beside it
+            frames(4); // until there is a bar to scroll with, and its words are wrapped next to it
             expectUncut();
         }
     }

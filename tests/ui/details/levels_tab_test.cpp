@@ -24,7 +24,7 @@ protected:
         start.textures[0].minFilter = MinFilter::LinearMipmapLinear;
         start.passes[0].units[0].enabled = true;
         this->start(std::move(start));
-        scene().view.distance = distance; // now that it has been fitted
+        scene().view.distance = distance; // after the camera was fitted
         session->window.wantedTab = Tab::Levels;
         frames(4);
     }
@@ -75,7 +75,7 @@ TEST_F(LevelsTab, MarksTheLevelsOfThePixelUnderThePointer) {
     EXPECT_TRUE(has("levels:read " + std::to_string(levels->first)));
     EXPECT_TRUE(has("levels:read " + std::to_string(levels->second)));
     EXPECT_FALSE(has("levels:read " + std::to_string(lastLevel())));
-    // λ stands between the two levels, as near to each as its share says.
+    // λ is shown between the two levels, at the position of its fraction.
     const float first = middleOf("levels:picture " + std::to_string(levels->first));
     const float second = middleOf("levels:picture " + std::to_string(levels->second));
     EXPECT_NEAR(middleOf("levels:lambda"), std::lerp(first, second, levels->share), 1.5F);
@@ -112,7 +112,7 @@ TEST_F(LevelsTab, AClickReadsALevelAloneAndTheNextOneLetsGo) {
     EXPECT_EQ(texture().baseLevel, 1);
     key('Z', {ctrl});
     EXPECT_EQ(texture().maxLevel, 3) << "each click is a step";
-    texture().baseLevel = texture().maxLevel = 2; // by other hands
+    texture().baseLevel = texture().maxLevel = 2; // by another control
     frames(2);
     click("levels:level 2");
     EXPECT_EQ(texture().baseLevel, 0);
@@ -236,7 +236,7 @@ TEST_F(LevelsTab, ShowsLinesVolumesAndFaces) {
     }
 }
 
-// Each level in the colour that is its own, and its flag beside its number as well.
+// Each level in its own colour, with the flag next to its number.
 TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
     open();
     texture().mipmaps = MipPolicy::Colored;
@@ -253,7 +253,7 @@ TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
     }
 }
 
-// Another scene's texture may read one level alone, too: what was before belongs to the one that is gone.
+// Another scene's texture may also use a single level: the earlier range belongs to the old scene.
 TEST_F(LevelsTab, AnotherSceneKnowsNothingOfTheLevelsFromBefore) {
     open();
     texture().maxLevel = 5;
@@ -283,7 +283,7 @@ TEST_F(LevelsTab, AnotherTextureKnowsNothingOfTheLevelsFromBefore) {
     texture().baseLevel = 2;
     texture().maxLevel = 3;
     frames(1);
-    texture().baseLevel = 3; // by other hands
+    texture().baseLevel = 3; // by another control
     frames(2);
     click("levels:level 3");
     EXPECT_EQ(texture().maxLevel, 1000);

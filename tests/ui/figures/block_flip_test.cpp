@@ -87,7 +87,7 @@ TEST_F(BlockFlipFigure, SixAndTenRowsCannotBe) {
     EXPECT_TRUE(has("flip:row 0 of step 4 is 5"));
     const std::vector<std::string> words = flipSentences(state().steps, 3);
     EXPECT_EQ(words.back(),
-              "Wrong: the picture begins with 2 unused rows, and as many of its own have fallen out.");
+              "Wrong: the image begins with 2 unused rows, and has lost as many rows of its own.");
     click("flip:height 10");
     frames(2);
     EXPECT_EQ(state().steps.back().act, FlipStep::Act::Recompress);

@@ -97,7 +97,7 @@ TEST_F(EnvironmentTable, SaysInNumbersOrInSymbols) {
 }
 
 TEST_F(EnvironmentTable, ShowsPicturesAloneWhereCellsAreNarrow) {
-    EXPECT_FALSE(has("table text:Pictures")) << "they stand beside the text";
+    EXPECT_FALSE(has("table text:Pictures")) << "they are next to the text";
     session->window.settings.workspace.textureSpace = false;
     moveTab(session->window.settings.workspace, Tab::Figures, Dock::Right);
     frames(3);

@@ -162,7 +162,7 @@ TEST_F(Sheet, ItsCommandIsCopied) {
     EXPECT_TRUE(session->window.notice.isGood);
     scene().textures.push_back({});
     click("sheet:copy");
-    EXPECT_THAT(session->window.notice.text, testing::HasSubstr("There is no command for this sheet: "));
+    EXPECT_THAT(session->window.notice.text, testing::HasSubstr("No command can draw this sheet: "));
 }
 
 TEST_F(Sheet, IsWrittenAsAFile) {

@@ -67,7 +67,7 @@ TEST_F(TextureObjects, CallsMeanTheActiveUnit) {
     EXPECT_EQ(names().units[0].bound, 0U);
     EXPECT_EQ(names().units[1].bound, 1U);
     EXPECT_TRUE(has("objects:last glBindTexture(GL_TEXTURE_2D, 1);"));
-    click("objects:env 0=GL_REPLACE"); // of a unit that isn't active
+    click("objects:env 0=GL_REPLACE"); // of an inactive unit
     EXPECT_EQ(names().units[0].envMode, EnvMode::Modulate);
 }
 
@@ -99,10 +99,10 @@ TEST_F(TextureObjects, PlaysTexbind) {
                                         return std::holds_alternative<objects::SetEnvMode>(each.call);
                                     }),
               1);
-    click("objects:bind 1"); // a call of one's own ends it
+    click("objects:bind 1"); // a call by the user ends it
     EXPECT_EQ(state().played, 0U);
     EXPECT_EQ(names().units[0].envMode, EnvMode::Decal);
-    click("objects:texbind"); // begins anew
+    click("objects:texbind"); // starts again
     EXPECT_EQ(state().log.size(), 1U);
     click("objects:reset");
     EXPECT_EQ(names(), objects::TextureNames{});

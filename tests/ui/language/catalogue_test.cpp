@@ -58,7 +58,8 @@ TEST(Catalogue, TakesTheKeyThatSaysMost) {
         << "the first place ends where it can";
 }
 
-// With a capital a text is that key, too, which says more of it than one that begins with a place.
+// With a capital letter a text still matches that key, which is more specific than one that begins with a
+// placeholder.
 TEST(Catalogue, TakesTheKeyThatSaysMostWithItsCapitalToo) {
     const Catalogue catalogue =
         read("msgid \"{} is incomplete: {}\"\nmsgstr \"A {} {}\"\n\n"
@@ -161,7 +162,7 @@ TEST(Catalogue, RefusesATranslationWithOtherPlaces) {
     }
 }
 
-// A text of any length is named by its beginning, and one with more places than ours ever have is refused.
+// A long text is quoted by its beginning; one with more placeholders than any of ours is refused.
 TEST(Catalogue, SaysLittleOfALongText) {
     const std::string longText(100'000, 'x');
     const Error error = refused("msgid \"a place: {}\"\nmsgstr \"" + longText + "\"\n");
@@ -174,7 +175,7 @@ TEST(Catalogue, SaysLittleOfALongText) {
                 HasSubstr("at most 32 places, found 100000"));
 }
 
-// Texts of files and drivers are looked up, too: whatever they are, it ends soon.
+// Texts of files and drivers are looked up, too: the lookup ends soon for any text.
 TEST(Catalogue, AnswersForTextsThatAreMadeForItWithoutACrash) {
     const Catalogue catalogue = read("msgid \"{} abc {} abc {} abc {} abc {} end\"\nmsgstr \"{}{}{}{}{}\"\n");
     std::string text;
@@ -185,7 +186,7 @@ TEST(Catalogue, AnswersForTextsThatAreMadeForItWithoutACrash) {
     EXPECT_EQ(catalogue.translate("\xff\xfe abc \xc0"), std::nullopt);
 }
 
-// A name that a scene's file brings along, in a tooltip: to divide it in every way would take minutes.
+// A name from a scene's file, in a tooltip: trying every division would take minutes.
 TEST(Catalogue, GivesUpATextThatCanBeDividedInTooManyWays) {
     for (const Language language : {Language::Chinese, Language::Russian}) {
         const auto catalogue = catalogueOf(language).value();

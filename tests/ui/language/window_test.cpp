@@ -62,8 +62,9 @@ void lookUp(const Catalogue& catalogue, const StructTable& table, std::set<std::
             // What a preview and the history say.
             const std::string edit = fmt::format("{}: {}", row.label, choice.label);
             const auto choiceInWords = catalogue.translate(choice.label);
-            if (const auto label = catalogue.translate(row.label); label && choiceInWords)
+            if (const auto label = catalogue.translate(row.label); label && choiceInWords) {
                 EXPECT_EQ(catalogue.translate(edit), *label + ": " + *choiceInWords) << edit;
+            }
         }
     }
     for (const ChildRow& child : table.children) {

@@ -25,7 +25,7 @@ TEST_F(Examples, EveryFileHasARowAndEveryRowAFile) {
     EXPECT_THAT(rows, testing::UnorderedElementsAreArray(files));
 }
 
-/// Nobody learns from an example that is wrong.
+/// Examples must not contain mistakes.
 TEST_F(Examples, NothingIsWrongWithThem) {
     for (const Example& example : examples()) {
         const Result<Scene> scene = exampleScene(example.file);
@@ -40,7 +40,7 @@ TEST_F(Examples, AreDrawnByTheWindow) {
     for (const Example& example : examples()) {
         SCOPED_TRACE(example.file);
         start(*exampleScene(example.file));
-        static_cast<void>(picture()); // which expects that no renderer has anything to say
+        static_cast<void>(picture()); // expects no message from a renderer
         expectSoundFrame();
     }
 }

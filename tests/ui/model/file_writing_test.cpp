@@ -64,9 +64,9 @@ TEST(FileWriting, WhatFailsIsOneSentenceAndTheFileStays) {
     EXPECT_EQ(saidOf(refused), "The thing can't be written: textures[0]: it has no words.");
     refused.make = [](const FileMaking&) -> Result<MadeFile> { throw std::runtime_error("a reason"); };
     EXPECT_EQ(saidOf(refused),
-              "The thing can't be written: it can't be made: " + std::string(ownMistake) + ".");
+              "The thing can't be written: it can't be created: " + std::string(ownMistake) + ".");
     refused.make = [](const FileMaking&) -> Result<MadeFile> { throw std::bad_alloc(); };
-    EXPECT_EQ(saidOf(refused), "The thing can't be written: there is no memory for it.");
+    EXPECT_EQ(saidOf(refused), "The thing can't be written: not enough memory for it.");
     EXPECT_THAT(saidOf(order(folder / "missing" / "a.txt", "")), HasSubstr("missing"));
     EXPECT_EQ(readText(folder / "a.txt").value(), "before");
 }

@@ -1,4 +1,4 @@
-// What reads beside the window and what reads at once answer alike.
+// Reading in the background and reading at once give the same results.
 
 #include "app/ui/model/files.h"
 #include "tests/support/raw_file.h"

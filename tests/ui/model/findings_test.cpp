@@ -1,5 +1,5 @@
-// What the diagnosis says, in the window: the sign beside the control, the status bar, the way there and the
-// fix.
+// The findings of the diagnosis in the window: the mark next to the control, the status bar, the link to the
+// control and the fix.
 
 #include "tests/ui/workbench.h"
 
@@ -61,7 +61,7 @@ TEST_F(Findings, ASmallWindowOffersTheFirstWayAndTheOthersAtTheControl) {
 
 TEST_F(Findings, WhatADriverLacksIsNoMatterWhereOnlyTheReferenceDraws) {
     states.parameters.tab = ParameterTab::Texture;
-    texture().border = 1; // Mesa takes it away
+    texture().border = 1; // Mesa removes it
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
     showOne(session->window.view, RendererKind::Reference);
@@ -81,7 +81,7 @@ TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
     click("finding");
     EXPECT_EQ(session->window.selection.unit, 2);
     frames(2);
-    const ImVec2 control = place("passes[0].units[2].matrix[0].amount[1]"); // fails where it is out of sight
+    const ImVec2 control = place("passes[0].units[2].matrix[0].amount[1]"); // fails if it is not visible
     EXPECT_LT(control.x, static_cast<float>(layout.parameters.right()));
     EXPECT_TRUE(has("passes[0].units[2].matrix[0].amount#problem"));
     EXPECT_EQ(session->window.shownParam, "passes[0].units[2].matrix[0].amount");

@@ -112,7 +112,7 @@ TEST_F(Kept, TheViewSplitsBothAcrossOnePicture) {
     const Image both = picture();
     EXPECT_TRUE(has("side:A"));
     EXPECT_TRUE(has("side:Now"));
-    EXPECT_TRUE(has("A against now"));
+    EXPECT_TRUE(has("A and now"));
     EXPECT_TRUE(has("share over")) << "the numbers of both";
     // Left of the seam there are colours, which the board on its right has none of.
     const auto colors = [&](const Image& image, int from, int to) {

@@ -103,7 +103,7 @@ TEST_F(LessonFolderInTheWindow, StaysAsItWasWhileItIsBrokenAndSaysWhere) {
     EXPECT_THAT(session->window.notice.text, HasSubstr("/steps/1: edits/0"));
     writeRaw(folder / "lesson.json", std::string("{\"lesson\": 1,"));
     tell("lesson.json");
-    EXPECT_THAT(session->window.notice.text, HasSubstr("can't be read now, the old one stays"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("can't be read, so the old one stays"));
     EXPECT_EQ(run().step, 1U);
     write("Third text.", "textures[0].wrapS=GL_CLAMP");
     tell("lesson.json");

@@ -1,4 +1,4 @@
-// A lesson in a session: what a step shows, what an answer does, what is kept.
+// A lesson in a session: the picture of a step, the effect of an answer, the saved state.
 
 #include "app/ui/model/asking.h"
 #include "app/ui/model/details_tabs.h"
@@ -144,7 +144,7 @@ TEST_F(LessonRuns, MatchIsDoneByThePictureAlone) {
     openSmall(2);
     ASSERT_TRUE(run().grade);
     EXPECT_FALSE(run().grade->passed);
-    EXPECT_FALSE(run().hintAsked) << "nobody has asked for one";
+    EXPECT_FALSE(run().hintAsked) << "it was not requested";
     EXPECT_FALSE(isStepDone(*session, run().key, 2));
     edit({0.5F, 0.5F, 0.5F, 1});
     EXPECT_FALSE(run().grade->passed);
@@ -299,7 +299,7 @@ TEST_F(LessonRuns, ReceiveTheirFoldersImagesLater) {
     EXPECT_TRUE(run().grade);
 }
 
-/// What was done in the program's lesson is not done in a teacher's of the same name.
+/// Progress in a built-in lesson does not count for a teacher's lesson of the same name.
 TEST_F(LessonRuns, KeepFoldersApartByWhereTheyAre) {
     fs::create_directories(parent / "wrap");
     ASSERT_TRUE(writeFileAtomically(parent / "wrap" / "lesson.json", viewBytes(small)));
@@ -327,11 +327,11 @@ TEST_F(LessonRuns, TakeOverWhatWasKeptByAFoldersNameAlone) {
 }
 
 TEST_F(LessonRuns, AreKeptOfSoManyLessonsAsSettingsHold) {
-    for (std::size_t i = 0; i < mostLessonsKept; ++i)
+    for (std::size_t i = 0; i < maxLessonsKept; ++i)
         session->window.settings.lessons[fmt::format("/gone/{}", i)] = {{true, 0, -1}};
     ASSERT_TRUE(openLessonNamed(*session, "wrap", 0));
     openSmall();
-    EXPECT_EQ(session->window.settings.lessons.size(), mostLessonsKept);
+    EXPECT_EQ(session->window.settings.lessons.size(), maxLessonsKept);
     EXPECT_TRUE(session->window.settings.lessons.contains("wrap"));
     EXPECT_TRUE(session->window.settings.lessons.contains(run().key));
     EXPECT_TRUE(parseSettings(writeSettings(session->window.settings)));
@@ -340,13 +340,13 @@ TEST_F(LessonRuns, AreKeptOfSoManyLessonsAsSettingsHold) {
 TEST(LessonTabs, AreThoseOfTheWindow) {
     std::vector<std::string_view> names;
     for (const TabRow& row : tabRows) {
-        if (row.tab != Tab::Lesson && row.tab != Tab::Figures) // which Look::figure brings along
+        if (row.tab != Tab::Lesson && row.tab != Tab::Figures) // Look::figure sets it
             names.push_back(row.name);
     }
     EXPECT_THAT(names, testing::UnorderedElementsAreArray(lesson::lookTabs));
 }
 
-/// Nothing of a lesson stays English, in any of them.
+/// All texts of a lesson are translated, in every language.
 class LessonTexts : public testing::TestWithParam<std::string> {};
 
 TEST_P(LessonTexts, AreTranslated) {

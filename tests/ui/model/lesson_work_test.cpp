@@ -11,7 +11,7 @@ lesson::LessonScene ofColor(glm::vec4 color) {
     return scene;
 }
 
-// Answers are told by their place: one whose edits can't be made must not lend its place to the next.
+// Answers are identified by their place: one whose edits fail must not pass its place to the next.
 TEST(LessonWork, KeepsThePlaceOfWhatHasNoPicture) {
     LessonWork work(When::AtOnce);
     work.askPictures({std::nullopt, ofColor({1, 0, 0, 1}), std::nullopt, ofColor({0, 1, 0, 1})});

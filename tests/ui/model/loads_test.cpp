@@ -113,8 +113,8 @@ TEST_F(Loads, AFileBeyondTheBudgetIsRefusedAndTheSceneStays) {
     EXPECT_EQ(scene(), before);
     EXPECT_THAT(
         session->window.notice.text,
-        HasSubstr("red.bmp: the image needs 3 bytes, and of the 2147483648 that a scene's images may take "
-                  "together, 0 are left"));
+        HasSubstr("red.bmp: the image needs 3 bytes, but of the 2147483648 for all images of a scene, 0 "
+                  "are left"));
 }
 
 TEST_F(Loads, EditsInBetweenStay) {
@@ -268,7 +268,7 @@ TEST_F(Loads, ADamagedFileKeepsItsOldPictureAndIsMentionedOnce) {
     write("live.bmp", "BM, and no more");
     framesUntil([&] { return !session->window.notice.text.empty(); });
     EXPECT_THAT(session->window.notice.text, HasSubstr("live.bmp"));
-    EXPECT_THAT(session->window.notice.text, HasSubstr("old picture"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("old image"));
     EXPECT_EQ(red(), 10);
     session->window.notice = {};
     lookInto(*session, folder / "live.bmp"); // shows when the file has been noticed once more

@@ -1,4 +1,4 @@
-// Unsaved work of a window that has died: kept while one edits, and offered by the next window.
+// Unsaved work of a window that crashed: kept while the user edits, and offered by the next window.
 
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_saving.h"
@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 
 class Restoring : public Workbench {
 protected:
-    /// A window begins: what was unsaved before is offered. Nothing is written but by `flush`.
+    /// Opens a window, which offers earlier unsaved work. Only `flush` writes.
     void window() {
         session.reset();
         unsaved.reset();
@@ -85,14 +85,14 @@ TEST_F(Restoring, ADraftWhoseLockCannotBeOpenedIsSaidAndStays) {
     const Recovery::Offer& offer = unsaved->recovery.offers().front();
     ASSERT_FALSE(offer.draft);
     EXPECT_THAT(offer.draft.error().message, testing::HasSubstr("can't be locked: "));
-    unsaved->recovery.discard(); // it isn't this window's to remove
+    unsaved->recovery.discard(); // this window does not own it
     EXPECT_EQ(drafts(), 1U);
 }
 
 TEST_F(Restoring, NothingIsOfferedWhereNothingWasLost) {
     window();
     EXPECT_EQ(session->window.dialog, Dialog::None);
-    scene().view.azimuth += 10; // to look around in a scene of nobody's is no work
+    scene().view.azimuth += 10; // looking around in an unedited scene is not an edit
     recordEdit(*session, "Orbit");
     frames(1);
     EXPECT_TRUE(flush());
@@ -132,7 +132,7 @@ TEST_F(Restoring, ItsPictureIsDrawn) {
     edit(77);
     ASSERT_TRUE(flush());
     window();
-    while (!unsaved->recovery.picture()) // where it never comes, the test's time runs out
+    while (!unsaved->recovery.picture()) // if it never comes, the test times out
         std::this_thread::yield();
     frames(1);
     EXPECT_TRUE(has("restore:picture"));
@@ -231,7 +231,7 @@ TEST_F(Restoring, ADamagedDraftIsASentence) {
     ASSERT_EQ(session->window.dialog, Dialog::Restore);
     EXPECT_TRUE(has("restore:error"));
     EXPECT_FALSE(has("restore:restore"));
-    key(key::enter); // means nothing here
+    key(key::enter); // has no meaning here
     EXPECT_EQ(session->window.dialog, Dialog::Restore);
     click("restore:discard");
     EXPECT_EQ(drafts(), 0U);

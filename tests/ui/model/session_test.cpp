@@ -1,4 +1,4 @@
-// What stays and what goes when another scene is opened.
+// What is kept and what is reset when another scene is opened.
 
 #include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_run.h"
@@ -106,7 +106,7 @@ constexpr std::size_t filtersWithReference = 4; // a step that shows λ, as the 
 struct Opening {
     const char* name;
     void (*open)(Session& session);
-    bool isNew = false; ///< then nothing of how the old one was drawn stays
+    bool isNew = false; ///< then no setting of the old scene's drawing is kept
 };
 
 void PrintTo(const Opening& opening, std::ostream* out) {
@@ -155,7 +155,7 @@ TEST_P(AnotherDocument, IsLookedAtAnew) {
     EXPECT_EQ(states.details.figures.environments.texel, std::nullopt);
 }
 
-/// A key moves vertices with the mouse until a click: those of the scene that is shown.
+/// A key moves vertices with the mouse until a click: those of the shown scene.
 TEST_P(AnotherDocument, IsNotWhereVerticesAreMovedThatWereTheOldOnes) {
     states.textureSpace.move = VertexMove{.byKey = true, .vertices = {0}, .places = {{0, 0}}};
     open();
@@ -173,12 +173,12 @@ TEST_P(AnotherDocument, IsNotDrawnByTheRenderersOfALessonsStep) {
     EXPECT_EQ(shown, GetParam().isNew ? ShownPictures{} : own);
 
     ASSERT_TRUE(openLessonNamed(*session, "filters", filtersWithReference));
-    showOne(session->window.view, RendererKind::Shader); // the user's own choice stays
+    showOne(session->window.view, RendererKind::Shader); // the user's own choice is kept
     open();
     EXPECT_EQ(shown.renderer, GetParam().isNew ? RendererKind::Fixed : RendererKind::Shader);
 }
 
-/// The lesson would speak of a scene that is no longer there.
+/// The lesson would mention a scene that is no longer there.
 TEST_P(AnotherDocument, EndsTheLesson) {
     ASSERT_TRUE(openLessonNamed(*session, "filters", filtersWithReference));
     const LessonRun* before = session->window.lesson.get();
@@ -215,7 +215,7 @@ TEST_F(OpeningAScene, SelectsAModelThatIsSeen) {
     EXPECT_EQ(selectedModel(*session)->shape, Shape::Sphere);
     EXPECT_EQ(session->window.selection.vertex, std::nullopt);
 
-    const Session another(session->services, session->document); // as texshot begins with it
+    const Session another(session->services, session->document); // as in texshot
     EXPECT_EQ(another.document.scene.models[static_cast<std::size_t>(another.window.selection.model)].shape,
               Shape::Sphere);
 }
@@ -228,7 +228,7 @@ TEST_F(OpeningAScene, SelectsNoPassThatThereIsNotAtAnyTime) {
     EXPECT_EQ(&selectedPass(*session), &scene().passes[0]);
 }
 
-// A menu does it in the middle of a frame.
+// A menu does it during a frame.
 TEST_F(OpeningAScene, UndoAndRedoSelectNoPassThatThereIsNotAtAnyTime) {
     const auto havePasses = [&](std::size_t count) {
         scene().passes.resize(count);

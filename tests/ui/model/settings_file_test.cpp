@@ -105,7 +105,7 @@ TEST(RecentFiles, ComeFirstWhenTheyAreOpened) {
     EXPECT_EQ(settings.recentFiles.size(), 2U);
     for (int i = 0; i < 20; ++i)
         rememberFile(settings, "/" + std::to_string(i));
-    EXPECT_EQ(settings.recentFiles.size(), mostRecentFiles);
+    EXPECT_EQ(settings.recentFiles.size(), maxRecentFiles);
     EXPECT_EQ(settings.recentFiles.front(), "/19");
     EXPECT_EQ(parseRecentFiles(writeRecentFiles(settings)).value(), settings.recentFiles);
 }
@@ -334,7 +334,7 @@ TEST_F(KeptSettings, AFolderThatCannotBeWrittenIsSaid) {
     std::optional<std::string> problem = file.takeProblem();
     while (!problem) // a thread writes
         problem = file.takeProblem();
-    EXPECT_THAT(*problem, HasSubstr("Settings can't be kept"));
+    EXPECT_THAT(*problem, HasSubstr("Settings can't be saved"));
 }
 
 TEST_F(KeptSettings, WhatCouldNotBeWrittenIsTriedAgainAtTheEnd) {

@@ -95,7 +95,7 @@ TEST(SheetFile, WhatCantBeDrawnSaysWhyInItsPlace) {
     asked.content.across = sheet::AxisLabels{"Texture", asked.columns.values};
     writing.write(fileOrder(asked, folder / "sheet.png").value());
     EXPECT_THAT(writing.takeNews()->text,
-                testing::EndsWith(". 2 of 4 pictures can't be drawn, and say why."));
+                testing::EndsWith(". 2 of 4 pictures can't be drawn. Each shows the reason."));
     EXPECT_TRUE(std::filesystem::exists(folder / "sheet.png"));
     asked.columns.values = {"-1"};
     asked.content.across->values = asked.columns.values;
@@ -112,7 +112,7 @@ TEST(SheetFile, WhatIsTooLargeIsRefusedBeforeAnyWork) {
     asked.content.cell = {9000, 9000};
     const Result<FileOrder> refused = fileOrder(asked, "sheet.png");
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message, HasSubstr("expected a sheet of at most 16384 x 16384 pixels"));
+    EXPECT_THAT(refused.error().message, HasSubstr("expected a sheet of at most 16384 × 16384 pixels"));
 }
 
 TEST(SheetFile, IsCountedInPicturesAndEndsWithTheNextOne) {

@@ -16,7 +16,7 @@ protected:
         test::writeRaw(folder / name, test::onePixelBmp({0, 0, red}));
         return folder / name;
     }
-    /// Asked for in a frame, and there in the next one.
+    /// Requested in a frame, and available in the next one.
     std::shared_ptr<const Image> shown(const std::filesystem::path& file,
                                        std::filesystem::file_time_type modified = {}) {
         (void)thumbnails.find(file, modified);
@@ -55,22 +55,22 @@ TEST_F(ThumbnailCache, AChangedFileGetsANewPicture) {
 }
 
 TEST_F(ThumbnailCache, WhatIsOutOfSightIsCancelled) {
-    std::latch seen{1}; // the file can't be done before it is out of sight
+    std::latch seen{1}; // the file must not be done before it is out of sight
     Thumbnails held{[&seen] { seen.wait(); }};
     const auto gone = bmp("a.bmp", 50);
     (void)held.find(gone, {});
-    (void)held.receive(); // in this frame it is not asked for
+    (void)held.receive(); // not requested in this frame
     (void)held.receive();
     seen.count_down();
     held.wait();
     EXPECT_FALSE(held.receive());
-    EXPECT_EQ(held.find(gone, {}), nullptr) << "it was asked for anew";
+    EXPECT_EQ(held.find(gone, {}), nullptr) << "it was requested again";
 }
 
 TEST_F(ThumbnailCache, HoldsABoundedNumber) {
     const auto first = bmp("first.bmp", 50);
     ASSERT_NE(shown(first), nullptr);
-    for (std::size_t i = 0; i < Thumbnails::mostPictures + 5; ++i)
+    for (std::size_t i = 0; i < Thumbnails::maxPictures + 5; ++i)
         ASSERT_EQ(redOf(shown(bmp("other" + std::to_string(i) + ".bmp", 7))), 7);
     EXPECT_EQ(thumbnails.find(first, {}), nullptr) << "the oldest had to go";
 }

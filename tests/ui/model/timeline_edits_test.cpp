@@ -151,7 +151,7 @@ TEST_F(TimelineEdits, KeysAreAddedMovedAndRemovedOneStepEach) {
     removeKey(session, 7);
     EXPECT_EQ(keys().size(), 1U);
     addKey(session, "view.nothing", 0);
-    EXPECT_THAT(session.window.notice.text, HasSubstr("There can be no key frame: "));
+    EXPECT_THAT(session.window.notice.text, HasSubstr("A key frame can't be added: "));
 }
 
 TEST_F(TimelineEdits, WhatLosesItsKeysStaysWhatItIs) {

@@ -1,4 +1,4 @@
-// The equation beside the environment's mode, as in the tables of section 3.8.13.
+// The equation next to the environment's mode, as in the tables of section 3.8.13.
 
 #include "app/ui/model/session.h"
 #include "tests/ui/workbench.h"

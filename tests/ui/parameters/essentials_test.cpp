@@ -169,9 +169,9 @@ TEST_F(Essentials, AnisotropyHasItsButtonsInASmallWindowToo) {
 
 TEST(Anisotropy, EndsWhereTheDriversDoes) {
     const ParamRow& row = *findParam(textureTable(), "maxAnisotropy");
-    EXPECT_EQ(mostAnisotropy(8, row), 8);
-    EXPECT_EQ(mostAnisotropy(64, row), 16) << "scenes go as far as this";
-    EXPECT_EQ(mostAnisotropy(1, row), 16) << "the driver has none, but the reference renderer has";
+    EXPECT_EQ(maxAnisotropyOf(8, row), 8);
+    EXPECT_EQ(maxAnisotropyOf(64, row), 16) << "scenes go as far as this";
+    EXPECT_EQ(maxAnisotropyOf(1, row), 16) << "the driver has none, but the reference renderer has";
 }
 
 TEST_F(Essentials, AButtonSaysItsLabelItsGlNameAndItsHelp) {

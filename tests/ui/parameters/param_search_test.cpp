@@ -16,7 +16,7 @@ TEST(ParamSearch, FindsByLabelNameCallChoiceAndHelp) {
     const ParamRow& filter = rowOf(textureTable(), "minFilter");
     EXPECT_EQ(matchOf(filter, "minif"), 2);
     EXPECT_EQ(matchOf(filter, "GL_TEXTURE_MIN"), 2);
-    EXPECT_EQ(matchOf(filter, "gl_texture_min"), 2) << "in whatever case";
+    EXPECT_EQ(matchOf(filter, "gl_texture_min"), 2) << "in any case";
     EXPECT_EQ(matchOf(filter, "trilinear"), 1);
     EXPECT_EQ(matchOf(filter, "seen from afar"), 1);
     EXPECT_EQ(matchOf(filter, "wrap"), 0);
@@ -36,7 +36,7 @@ TEST(ParamSearch, FindsInTheWindowsLanguageToo) {
     useCatalogue(&*catalogue);
     const ParamRow& filter = rowOf(textureTable(), "minFilter");
     EXPECT_EQ(matchOf(filter, "сжатие"), 2);
-    EXPECT_EQ(matchOf(filter, "СЖАТ рёв"), 2) << "in whatever case";
+    EXPECT_EQ(matchOf(filter, "СЖАТ рёв"), 2) << "in any case";
     EXPECT_EQ(matchOf(filter, "minif"), 2) << "English words are still good";
     EXPECT_EQ(matchOf(filter, "рост"), 0);
     useCatalogue(nullptr);

@@ -1,4 +1,4 @@
-// The lists of a texture: steps of its preparation and levels that are given one by one.
+// The lists of a texture: the steps of its preparation and its individual levels.
 
 #include "tests/ui/workbench.h"
 
@@ -20,7 +20,7 @@ TEST_F(TextureLists, AStepIsAddedAndShowsItsPicture) {
     frames(2);
     EXPECT_TRUE(has("picture:textures[0].preparation[0]"));
     EXPECT_TRUE(has("picture:textures[0].source"));
-    EXPECT_FALSE(has("textures[0].preparation[0].factor[0]")) << "it is of no use to it";
+    EXPECT_FALSE(has("textures[0].preparation[0].factor[0]")) << "it does not use it";
     key('Z', {ctrl});
     EXPECT_TRUE(texture().preparation.empty());
 }
@@ -46,7 +46,7 @@ TEST_F(TextureLists, LevelsAreAddedDownToTheLast) {
     EXPECT_EQ(texture().levels.size(), 1U);
     scrollTo("add all levels");
     click("add all levels");
-    EXPECT_EQ(texture().levels.size(), 6U) << "below 64 x 64 texels";
+    EXPECT_EQ(texture().levels.size(), 6U) << "below 64 × 64 texels";
     scrollTo("textures[0].levels[0]#remove");
     frames(2);
     EXPECT_TRUE(has("picture:textures[0].levels[0]"));

@@ -1,4 +1,4 @@
-// Mouse and keys over the texture space: what is chosen, and how it is moved.
+// Mouse and keys over the texture space: selecting and moving.
 
 #include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/scene_files.h"
@@ -110,7 +110,7 @@ TEST_F(PlaneInput, AClickThatTremblesMovesNothing) {
     EXPECT_EQ(session->window.selection.vertex, 2U);
 }
 
-// A scale by 1/2 takes (1, 1) to (0.5, 0.5): what is dragged by a way there, was given by twice as much.
+// A scale by 1/2 maps (1, 1) to (0.5, 0.5): a drag changes the coordinate by twice its distance.
 TEST_F(PlaneInput, WhereACoordinateEndsCanBeDragged) {
     unit().matrix = {{.op = MatrixOp::Scale, .amount = {0.5F, 0.5F, 1}}};
     frames(2);
@@ -126,7 +126,7 @@ TEST_F(PlaneInput, WhereACoordinateEndsCanBeDragged) {
     expectCoord(1, 1, -20 / unitPixels);
 }
 
-// x = 0.5 s, y = t, w = 1 + 0.5 s: what ends at x was given as s = x / (0.5 - 0.5 x).
+// x = 0.5 s, y = t, w = 1 + 0.5 s: the end point x has the coordinate s = x / (0.5 - 0.5 x).
 TEST_F(PlaneInput, TheDivisionByQIsTakenBack) {
     glm::mat4 matrix(1);
     matrix[0][0] = 0.5F;
@@ -195,7 +195,7 @@ TEST_F(PlaneInput, SaysWhereTheMatrixHasNoInverse) {
     frames(2);
     EXPECT_EQ(session->window.selection.vertex, 2U);
     EXPECT_EQ(noted("refusal:"),
-              "refusal:the texture matrix has no inverse: it takes many coordinates to one place");
+              "refusal:the texture matrix has no inverse: it maps many coordinates to one place");
     ImGui::GetIO().MouseDown[0] = false;
     frames(3);
     EXPECT_EQ(scene(), before);
@@ -217,7 +217,7 @@ TEST_F(PlaneInput, GMovesUntilEnter) {
     EXPECT_EQ(undoSteps(), 1U);
 }
 
-// It would be a step of undo in the middle of the move's.
+// It would add an undo step during the move.
 TEST_F(PlaneInput, AnImageThatArrivesWaitsForTheEndOfAMove) {
     const TempDir folder;
     const std::filesystem::path file = folder.path() / "two.png";
@@ -250,7 +250,7 @@ TEST_F(PlaneInput, EscapeTakesAKeyedMoveBackAndNothingElse) {
     key('G');
     moveTo(at(0.75F, 0.6F));
     EXPECT_NE(scene(), before);
-    key('T'); // t alone: elsewhere it is a shortcut
+    key('T'); // t alone: a shortcut elsewhere
     key(key::escape);
     EXPECT_EQ(scene(), before);
     EXPECT_EQ(undoSteps(), 0U);
@@ -393,7 +393,7 @@ TEST_F(PlaneInput, NumbersNameTheVertices) {
     EXPECT_EQ(noted("coord label:"), "coord label:2   (1.00, 1.00) → (0.50, 0.50)");
 }
 
-// The step is an ordinary one: somebody else's edit in the middle of a drag doesn't end the program.
+// The step is an ordinary one: an edit from elsewhere during a drag does not end the program.
 TEST_F(PlaneInput, AMoveOfWhatIsGoneEndsWithoutACrash) {
     clickAt(place("coord:3"));
     moveTo(at(0.5F, 0.5F));

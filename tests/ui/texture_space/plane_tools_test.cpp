@@ -1,4 +1,4 @@
-// The line over the texture space, and what is behind "…".
+// The toolbar of the texture space, and the controls behind "…".
 
 #include "app/ui/model/chosen_vertices.h"
 #include "app/ui/texture_space/plane_keys.h"
@@ -54,7 +54,7 @@ TEST_F(PlaneTools, StayInOneLine) {
     EXPECT_TRUE(has("mirror t")) << "with so much room";
 }
 
-// 255 times 2^-1 is 127.5; from 0.25 to 0.75 it is white again, and 0 stays black.
+// 255 times 2^-1 is 127.5; with the range 0.25 to 0.75 it is white again, and 0 stays black.
 TEST_F(PlaneTools, ExposureAndRangeChangeWhatIsShown) {
     EXPECT_EQ(shown(white()), 255);
     const Scene before = scene();
@@ -89,7 +89,7 @@ TEST_F(PlaneTools, AChannelIsShownAsGrey) {
     EXPECT_EQ(state().look.channel, Channel::All) << "pressed again, all are shown";
 }
 
-// The last level of a picture that is half white: grey everywhere.
+// The last level of a half-white picture: grey everywhere.
 TEST_F(PlaneTools, ShowsTheLevelThatIsChosen) {
     texture().mipmaps = MipPolicy::Generated;
     state().look.level = 6;
@@ -110,7 +110,7 @@ TEST_F(PlaneTools, TheHistogramHasItsNumbers) {
     for (const char* name : {"statistics:R 0 255 127.50", "statistics:B 0 255 127.50",
                              "statistics:A 255 255 255.00", "statistics:L 0 255 127.50"})
         EXPECT_TRUE(has(name)) << name << ", not " << noted("statistics:");
-    // Each component has a line of its own, one below the other.
+    // Each component has its own line, one below the other.
     EXPECT_LE(places.items.at("histogram:R").bottom, places.items.at("histogram:G").top + 1);
     EXPECT_LE(places.items.at("histogram:G").bottom, places.items.at("histogram:B").top + 1);
     EXPECT_FALSE(has("histogram:A"));
@@ -153,7 +153,7 @@ TEST_F(PlaneTools, MirrorTheChosenOnesOrAll) {
     expectCoord(3, 1, 1);
 }
 
-// Longitudes of the square's corners, which lie in the plane z = 0: 0.25 at the left, 0.75 at the right.
+// Longitudes of the square's corners in the plane z = 0: 0.25 on the left, 0.75 on the right.
 TEST_F(PlaneTools, ProjectIsOneStep) {
     openTools();
     click("project:Spherical");
@@ -191,8 +191,7 @@ TEST_F(PlaneTools, WhatDoesNotFitIsToldAndChangesNothing) {
               "The clipboard has no texture coordinates: line 1: expected a number, found \"hello\".");
     ImGui::SetClipboardText("0 0\n1 1\n");
     key('V', {ctrl});
-    EXPECT_EQ(session->window.notice.text,
-              "Expected coordinates of 4 vertices, the clipboard has those of 2.");
+    EXPECT_EQ(session->window.notice.text, "Expected coordinates of 4 vertices, but the clipboard has 2.");
     EXPECT_EQ(scene(), before);
     ImGui::SetClipboardText("");
     key('C', {ctrl});
@@ -219,7 +218,7 @@ TEST_F(PlaneTools, TheKeysOverThePlaneAreListed) {
     EXPECT_GE(planeKeys().size(), 8U);
 }
 
-/// With threads, a large image's levels come later: what was there before stays until then.
+/// With threads, a large image's levels arrive later: the previous picture stays until then.
 class PlaneToolsLater : public PlaneTools {
 protected:
     PlaneToolsLater() { lend(services.lend()); }
@@ -261,7 +260,7 @@ TEST_F(PlaneToolsLater, WhatWasCancelledComesWhenItIsWantedAgain) {
     EXPECT_NE(state().level.problem(), "");
     worker.retry({session->document.images.picturesOf(texture()), imageSettings(texture()), unit().target});
     frames(1);
-    EXPECT_EQ(state().level.problem(), "") << "it is on its way";
+    EXPECT_EQ(state().level.problem(), "") << "it is pending";
     waitForAll();
     ASSERT_NE(state().level.picture(), nullptr);
     EXPECT_EQ(state().level.picture()->width, 1024);

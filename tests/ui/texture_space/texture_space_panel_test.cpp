@@ -28,7 +28,7 @@ protected:
         return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) /
                session->window.plane.extent;
     }
-    /// Where the panel shows a coordinate.
+    /// The position of a coordinate in the panel.
     ImVec2 at(float s, float t) {
         const WidgetPlaces::Item& canvas = places.items.at("texture space");
         return {(canvas.left + canvas.right) / 2 + (s - session->window.plane.s) * pixelsPerUnit(),
@@ -68,7 +68,7 @@ TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
     frames(5);
     ASSERT_TRUE(std::ranges::any_of(places.items,
                                     [](const auto& item) { return item.first.starts_with("patch-frame:"); }));
-    int covered = 0; // while none is chosen
+    int covered = 0; // while none is selected
     for (const ImVec2& corner : {at(0, 0), at(1, 0), at(0, 1), at(1, 1)})
         covered += covers(corner);
     EXPECT_GT(covered, 0);
@@ -93,7 +93,7 @@ TEST_F(TextureSpace, DraggingElsewhereMovesThePlaneNotTheScene) {
     const Plane plane = session->window.plane;
     drag(at(0.5F, 0.5F), {30, 0});
     EXPECT_LT(session->window.plane.s, plane.s);
-    drag(at(1, 1), {30, 0}, ImGuiMouseButton_Right); // a right drag never takes a vertex
+    drag(at(1, 1), {30, 0}, ImGuiMouseButton_Right); // a right drag never moves a vertex
     wheel(at(0.3F, 0.3F), 3);
     EXPECT_LT(session->window.plane.extent, plane.extent);
     EXPECT_EQ(scene(), before);
@@ -128,7 +128,7 @@ void PrintTo(const Heavy& heavy, std::ostream* out) {
 
 class HeavyMesh : public TextureSpace, public testing::WithParamInterface<Heavy> {};
 
-/// Dear ImGui ends the program where a panel has more than 65535 vertices.
+/// Dear ImGui aborts if a panel has more than 65535 vertices.
 TEST_P(HeavyMesh, IsDrawnFromNearAndFarWithoutACrash) {
     Scene heavy = defaultScene();
     heavy.models.resize(1);
@@ -144,7 +144,7 @@ TEST_P(HeavyMesh, IsDrawnFromNearAndFarWithoutACrash) {
     (void)picture();
 }
 
-/// With two outlines, all vertices chosen, and a board behind what is transparent.
+/// With two outlines, all vertices selected, and a board behind transparent parts.
 TEST_P(HeavyMesh, IsDrawnTwiceWithEverythingChosenWithoutACrash) {
     Scene heavy = defaultScene();
     heavy.models.resize(1);
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(All, HeavyMesh,
                                          Heavy{"Sphere256", Shape::Sphere, 256}),
                          [](const auto& test) { return test.param.name; });
 
-/// A cube map has no vertices in this plane, whichever was chosen before.
+/// A cube map has no vertices in this plane, whichever was selected before.
 TEST_F(TextureSpace, OfACubeMapNoVertexIsUnderTheMouse) {
     unit().target = Target::CubeMap;
     session->window.selection.vertex = 3;
@@ -195,7 +195,7 @@ TEST_F(TextureSpace, TheLargestCoordinatesAreDrawnSomewhere) {
 
 TEST_F(TextureSpace, ADragEndsSomewhere) {
     session->window.plane.extent = 200;
-    for (int i = 0; i < 20; ++i) { // each by some 160 units, and then the plane is brought back
+    for (int i = 0; i < 20; ++i) { // each by some 160 units, then the plane is brought back
         session->window.plane.s = 0.5F + static_cast<float>(i == 0 ? 0 : coord(2).x - 0.5F);
         session->window.selection.vertex = 2;
         frames(1);
@@ -207,7 +207,7 @@ TEST_F(TextureSpace, ADragEndsSomewhere) {
 TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
     texture().wrapS = Wrap::ClampToBorder;
     texture().borderColor = {1, 0, 0, 1};
-    states.textureSpace.legend = false; // it would lie over what is looked at
+    states.textureSpace.legend = false; // it would cover the tested pixels
     frames(3);
     // checker.c: squares of 8 texels, the one at the lower left is black; t grows upwards.
     const float square = 1.0F / 8;
@@ -222,7 +222,7 @@ TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
     EXPECT_LT(channel(above, 1), 200);
 }
 
-// Beside an image without a transparent texel the border's alpha of 0 still shows the board.
+// Outside an opaque image, the border's alpha of 0 still shows the board.
 TEST_F(TextureSpace, ABoardLiesBehindWhatIsTransparent) {
     states.textureSpace.legend = false;
     const auto isBoard = [this](ImVec2 place) {
@@ -243,10 +243,10 @@ TEST_F(TextureSpace, ABoardLiesBehindWhatIsTransparent) {
     EXPECT_LT(channel(at(-0.15F, 0.4F), 0) - channel(at(-0.15F, 0.4F), 2), 20) << "not red";
     texture().pattern = Pattern::Tree;
     frames(3);
-    EXPECT_TRUE(isBoard(at(0.05F, 0.9F))) << "the sky beside the tree";
+    EXPECT_TRUE(isBoard(at(0.05F, 0.9F))) << "the sky around the tree";
 }
 
-// Sides that lie on each other, and the quad's one, are the same lines and dots.
+// Sides of neighbouring faces, and those of the quad, share lines and dots.
 TEST_F(TextureSpace, WhatFacesShareIsDrawnOnce) {
     states.textureSpace.numbers = false;
     const auto vertices = [this](Shape shape) {
@@ -265,7 +265,7 @@ TEST_F(TextureSpace, WhatFacesShareIsDrawnOnce) {
     EXPECT_EQ(vertices(Shape::Cube), quad);
 }
 
-// The middle of the plane is the edge of squares: a pixel whose centre lay on it would belong to both.
+// The middle of the plane is an edge of squares: a pixel centre on it would belong to both.
 TEST_F(TextureSpace, TheSquaresHaveStraightEdges) {
     for (const auto& [width, height] : {std::pair{1280, 800}, {900, 600}, {1279, 799}, {1366, 768}}) {
         start(defaultScene(), width, height);

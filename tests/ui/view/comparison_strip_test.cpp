@@ -150,7 +150,7 @@ TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
     session->window.view.tolerance = 2;
     static_cast<void>(window());
     EXPECT_TRUE(has("ring"));
-    session->window.view.tolerance = ViewSettings::largestTolerance;
+    session->window.view.tolerance = ViewSettings::maxTolerance;
     static_cast<void>(window());
     ASSERT_TRUE(has("worst"));
     EXPECT_FALSE(has("ring"));

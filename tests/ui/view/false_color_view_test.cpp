@@ -21,7 +21,7 @@ protected:
 
 TEST_F(FalseColorView, IsChosenInTheToolRow) {
     EXPECT_FALSE(has("false colors:legend"));
-    EXPECT_EQ(session->window.levels.answer, nullptr) << "nobody works for what nobody looks at";
+    EXPECT_EQ(session->window.levels.answer, nullptr) << "hidden panels request no work";
     choose("lambda");
     EXPECT_EQ(session->window.view.shown, Shown::Lambda);
     frames(2);
@@ -59,7 +59,7 @@ TEST_F(FalseColorView, TellsTheNumberUnderThePointer) {
     EXPECT_FALSE(session->window.levels.hovered);
 }
 
-// What is opaque is the false colour of the pixel itself.
+// Opaque parts have exactly the false colour of the pixel.
 TEST_F(FalseColorView, LiesOverThePicture) {
     choose("lambda");
     moveTo({5, 5});

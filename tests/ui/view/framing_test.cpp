@@ -1,4 +1,4 @@
-// A camera that was fitted follows the shape of its view until somebody moves it.
+// A fitted camera follows the shape of its view until the user moves it.
 
 #include "app/ui/model/camera.h"
 #include "tests/ui/workbench.h"
@@ -10,7 +10,7 @@ using namespace test;
 
 class Framing : public Workbench {
 protected:
-    /// The distance at which the scene would fill the view as it is now.
+    /// The distance at which the scene would fill the current view.
     [[nodiscard]] float filling() const {
         Scene copy = session->document.scene;
         fitDistance(copy, session->window.playback.time, aspectOf(layout));

@@ -95,9 +95,9 @@ TEST(Panes, NothingBeyondThePictureIsShown) {
     EXPECT_EQ(panes.partLow(), glm::vec2(0, 0.5F));
     EXPECT_EQ(panes.partHigh(), glm::vec2(0.5F, 1));
     zoomPictures(settings, layout, {101, 51}, 99);
-    EXPECT_EQ(settings.zoom.factor, PictureZoom::largest);
+    EXPECT_EQ(settings.zoom.factor, PictureZoom::maxFactor);
     zoomPictures(settings, layout, {0, 0}, -1);
-    EXPECT_EQ(settings.zoom.factor, PictureZoom::largest) << "the mouse is elsewhere";
+    EXPECT_EQ(settings.zoom.factor, PictureZoom::maxFactor) << "the mouse is elsewhere";
 }
 
 TEST(Panes, ToWindowIsTheInverseOfToPicture) {

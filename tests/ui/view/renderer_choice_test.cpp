@@ -17,7 +17,7 @@ protected:
     /// The pixels of the live picture, as the window shows them.
     std::vector<std::byte> view() {
         static_cast<void>(picture());
-        const Image window = picture(); // a new arrangement has its final layout with the second frame
+        const Image window = picture(); // a new arrangement has its final layout in the second frame
         std::vector<std::byte> pixels;
         for (int y = layout.picture.y; y < layout.picture.bottom(); ++y) {
             for (int x = layout.picture.x; x < layout.picture.right(); ++x) {
@@ -69,7 +69,7 @@ TEST_F(RendererChoice, TheReferenceHasBothEndsOfRho) {
     EXPECT_FALSE(view() == ideal);
 }
 
-/// A window whose host lacks some.
+/// A window whose host lacks some renderers.
 class FewerRenderers : public Workbench {
 protected:
     void lack(std::initializer_list<RendererKind> kinds) {
@@ -79,7 +79,7 @@ protected:
         std::ignore = offerRenderers(session->window.view, offered);
         frames(2);
     }
-    /// Of the tooltip in sight.
+    /// Whether a tooltip is visible.
     [[nodiscard]] bool hasTip() const {
         const ImVector<ImGuiWindow*>& windows = ImGui::GetCurrentContext()->Windows;
         return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* each) {
@@ -142,7 +142,7 @@ TEST_F(FewerRenderers, ASentenceSaysWhatGaveWay) {
     EXPECT_EQ(views.renderer, RendererKind::Reference);
 }
 
-// Buttons where there is room, else a menu; and "Keep as A" beside them in every usual window.
+// Buttons if there is room, else a menu; and "Keep as A" next to them in every usual window.
 TEST_F(RendererChoice, IsInReachAtEverySize) {
     for (const Language language : {Language::English, Language::Russian, Language::Chinese}) {
         for (const auto& [width, height, scale] :
@@ -178,7 +178,7 @@ TEST_F(RendererChoice, ANarrowWindowKeepsItsMenusAndItsClock) {
     EXPECT_TRUE(has("play"));
 }
 
-/// All agree closely; what is not GL differs in some pixel.
+/// All agree closely; one that does not use GL differs in some pixel.
 TEST_F(RendererChoice, EachDrawsThePictureItself) {
     start(defaultScene(), 800, 500);
     std::vector<std::vector<std::byte>> pictures;

@@ -34,13 +34,13 @@ bool isDrawn(const ImFontGlyph& letter) {
     return false;
 }
 
-/// Whether a font has a letter's picture, which lies within the atlas.
+/// Whether a font has a picture of a letter within the atlas.
 bool isLoaded(const ImFont& font, unsigned letter) {
     const ImFontGlyph* glyph = font.FindGlyphNoFallback(static_cast<ImWchar>(letter));
     return glyph && glyph->V0 >= 0 && glyph->V1 <= 1 && glyph->V1 > glyph->V0;
 }
 
-/// ImGui::GetFont() knows it within a frame alone.
+/// ImGui::GetFont() works only within a frame.
 const ImFont& textFont() {
     return *ImGui::GetIO().Fonts->Fonts.front();
 }
@@ -62,7 +62,8 @@ protected:
         int height = 0;
         ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
     }
-    /// A frame with the text, in both fonts. True: the fonts were made anew for the next one.
+    /// Draws a frame with the text in both fonts. Returns true if the fonts were built again for the next
+    /// one.
     bool draw(const std::string& text) {
         ImGui::GetIO().DisplaySize = {square, square};
         ImGui::NewFrame();
@@ -118,7 +119,7 @@ TEST_F(LettersOfText, ThatNoFontHasAreReplacedByASignThatOneSees) {
 
 TEST_F(LettersOfText, AreNoMoreThanAnAtlasHasRoomFor) {
     std::string text;
-    for (unsigned i = 0; i < 8000; ++i) { // a list has room for no more, written twice
+    for (unsigned i = 0; i < 8000; ++i) { // the limit of a list, written twice
         append(text, 0x4E00 + i);
         if (i % 250 == 249)
             text += '\n';
@@ -132,8 +133,8 @@ TEST_F(LettersOfText, AreNoMoreThanAnAtlasHasRoomFor) {
         return glyph.Codepoint >= 0x4E00 && glyph.Codepoint < 0xE000 && glyph.V0 >= 0;
     });
     EXPECT_GT(loaded, 1000);
-    EXPECT_LE(loaded, static_cast<std::ptrdiff_t>(mostLetters(font.FontSize)));
-    EXPECT_LT(mostLetters(120), mostLetters(15));
+    EXPECT_LE(loaded, static_cast<std::ptrdiff_t>(maxLetters(font.FontSize)));
+    EXPECT_LT(maxLetters(120), maxLetters(15));
 }
 
 using Names = test::Workbench;
@@ -154,7 +155,7 @@ TEST_F(Names, InAnyScriptAreShownByEveryPanelInEnglish) {
         EXPECT_TRUE(isLoaded(textFont(), letter)) << letter;
 }
 
-// Of pictures without a window.
+// Letters of pictures without a window.
 TEST(LettersOfSheets, AreThoseOfTheName) {
     const std::unique_ptr<sheet::Lettering> lettering = openLettering().value();
     const auto written = [&](std::string_view text) {

@@ -20,7 +20,7 @@ Rgb unpack(ImU32 color) {
     return {(color & 255U) / 255.0, (color >> 8 & 255U) / 255.0, (color >> 16 & 255U) / 255.0};
 }
 
-/// What one sees of a colour over an opaque one.
+/// The visible colour over an opaque one.
 Rgb over(ImU32 color, Rgb ground) {
     const double alpha = (color >> 24) / 255.0;
     Rgb seen = unpack(color);
@@ -68,7 +68,7 @@ constexpr std::array visions{
              {0.004733, 0.691367, 0.303900}}}},
 };
 
-/// CIE 1976 L*a*b* of what somebody sees, for the white of sRGB (D65).
+/// CIE 1976 L*a*b* of the perceived colour, for the white of sRGB (D65).
 Rgb labOf(ImU32 color, const Matrix& vision) {
     Rgb given = unpack(color);
     std::ranges::transform(given, given.begin(), linear);
@@ -117,7 +117,7 @@ protected:
     Themes(const Themes&) = delete;
     Themes& operator=(const Themes&) = delete;
 
-    /// A ground as it is seen over the panel.
+    /// A ground as it appears over the panel.
     [[nodiscard]] static Rgb ground(ImGuiCol style) {
         return over(ImGui::ColorConvertFloat4ToU32(ImGui::GetStyleColorVec4(style)), unpack(palette().panel));
     }

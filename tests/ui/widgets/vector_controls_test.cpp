@@ -31,5 +31,16 @@ TEST_F(VectorControls, NameTheCoordinateThatARowOfAMatrixMakes) {
         EXPECT_TRUE(has(letter)) << letter;
 }
 
+TEST_F(VectorControls, HaveTheirUnitNextToTheLabel) {
+    MatrixStep step;
+    step.op = MatrixOp::Rotate;
+    unit().matrix = {step};
+    open("Texture matrix");
+    scrollTo("passes[0].units[0].matrix[0].rate[1]");
+    EXPECT_TRUE(has("passes[0].units[0].matrix[0].rate#unit"));
+    EXPECT_FALSE(has("passes[0].units[0].matrix[0].amount#unit")) << "it has none";
+    EXPECT_FALSE(has("passes[0].units[0].matrix[0].angleRate#unit")) << "it is in the field";
+}
+
 } // namespace
 } // namespace texplorer::ui::vector_controls_test

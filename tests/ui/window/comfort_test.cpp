@@ -43,10 +43,10 @@ TEST_F(Comfort, TextGrowsAndShrinksByKeys) {
 TEST_F(Comfort, TextHasALargestAndASmallestSize) {
     for (int i = 0; i < 20; ++i)
         changeTextSize(*session, 1);
-    EXPECT_EQ(percent(), Settings::largestText);
+    EXPECT_EQ(percent(), Settings::maxText);
     for (int i = 0; i < 20; ++i)
         changeTextSize(*session, -1);
-    EXPECT_EQ(percent(), Settings::smallestText);
+    EXPECT_EQ(percent(), Settings::minText);
     percent() = 130; // between two
     changeTextSize(*session, 1);
     EXPECT_EQ(percent(), 150);
@@ -81,7 +81,7 @@ TEST_F(Comfort, CtrlAndTheWheelResizeWhereNothingElseDoes) {
 }
 
 TEST_F(Comfort, EverySizeOfTextFillsTheWindow) {
-    for (const int size : {Settings::smallestText, Settings::largestText}) {
+    for (const int size : {Settings::minText, Settings::maxText}) {
         percent() = size;
         frames(3);
         expectSoundFrame();
@@ -115,7 +115,7 @@ TEST_F(Comfort, HelpStandsBelowOrBesideThePointer) {
     EXPECT_FALSE(has("hint"));
 }
 
-/// A link in the clipboard, which Dear ImGui keeps where nobody else does.
+/// A link in the clipboard, which Dear ImGui keeps if the system has none.
 TEST_F(Comfort, ALinkLeadsBackToTheScene) {
     texture().wrapS = Wrap::ClampToBorder;
     recordEdit(*session, "Wrap s");

@@ -9,6 +9,7 @@
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <set>
@@ -39,11 +40,11 @@ TEST_F(FileBrowserDialog, SaysWhatAnEmptyFolderLacks) {
     session->document.file = folder / "mine.texplorer.json";
     key('S', {ctrl, shift});
     ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
-    EXPECT_TRUE(has("browser:Nothing to replace here."));
+    EXPECT_TRUE(has("browser:There are no files to replace here."));
     key(key::escape);
     key('O', {ctrl});
     ASSERT_EQ(session->window.dialog, Dialog::OpenScene);
-    EXPECT_TRUE(has("browser:Nothing to open here."));
+    EXPECT_TRUE(has("browser:There are no files to open here."));
 }
 
 TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
@@ -94,7 +95,7 @@ TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
     }
     EXPECT_EQ(listed, (std::set<std::string>{"a.json", "b.texplorer.json", "d.txt", "made.png"}));
     enter(folder / "plain.png");
-    EXPECT_THAT(states.dialogs.browser.error, HasSubstr("a PNG without one"));
+    EXPECT_THAT(states.dialogs.browser.error, HasSubstr("a PNG without a scene"));
     key(key::escape);
 
     key('O', {ctrl});
@@ -247,6 +248,7 @@ TEST_F(FileBrowserDialog, ChangesAreNotLostUnasked) {
     requestQuit(*session);
     frames(3);
     EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_TRUE(ImGui::FindWindowByName("Unsaved changes in this scene"));
     EXPECT_FALSE(requests.quit);
     click("discard:cancel");
     EXPECT_EQ(session->window.dialog, Dialog::None);

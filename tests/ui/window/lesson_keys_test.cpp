@@ -151,7 +151,7 @@ TEST_F(LessonKeys, TheWindowGoesOnWhileOneIsHeld) {
     EXPECT_TRUE(isMoving(*session));
     const double time = session->window.playback.time;
     advance(*session, 1);
-    EXPECT_EQ(session->window.playback.time, time) << "the clock stands still";
+    EXPECT_EQ(session->window.playback.time, time) << "the clock is stopped";
     setHeld(key::up, false);
     frames(2);
     EXPECT_FALSE(isMoving(*session));

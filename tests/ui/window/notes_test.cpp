@@ -1,4 +1,4 @@
-// What somebody who presents puts over the view: notes and the spotlight.
+// Overlays for presentations: notes and the spotlight.
 
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
@@ -13,7 +13,7 @@ using namespace ui;
 class Notes : public test::Workbench {
 protected:
     [[nodiscard]] ViewNotes& notes() { return session->window.notes; }
-    /// A point of the pictures' room, as shares of it.
+    /// A point of the picture area, as fractions of its size.
     [[nodiscard]] ImVec2 at(float x, float y) const {
         return {static_cast<float>(layout.canvas.x) + x * static_cast<float>(layout.canvas.width),
                 static_cast<float>(layout.canvas.y) + y * static_cast<float>(layout.canvas.height)};
@@ -108,15 +108,15 @@ TEST_F(Notes, ALongOneIsCutAndItsFieldStaysOverTheView) {
         key(ui::key::enter);
         frames(2);
         ASSERT_EQ(notes().list.size(), 1U);
-        EXPECT_LE(notes().list[0].text.size(), longestNote);
-        EXPECT_GE(notes().list[0].text.size(), longestNote - 2);
+        EXPECT_LE(notes().list[0].text.size(), maxNoteBytes);
+        EXPECT_GE(notes().list[0].text.size(), maxNoteBytes - 2);
         EXPECT_TRUE(notes().list[0].text.ends_with(letter + "…"));
         expectSoundFrame();
         clearNotes(*session);
     }
 }
 
-/// How many pixels there differ from the first picture by more than a little.
+/// The number of pixels that differ noticeably from the first picture.
 int pixelsThatDiffer(const Image& a, const Image& b, const WidgetPlaces::Item& item, int height) {
     int count = 0;
     for (int y = static_cast<int>(item.top); y < static_cast<int>(item.bottom); ++y) {
@@ -131,7 +131,7 @@ TEST_F(Notes, AreSeenWithTheirHalo) {
     const Image without = picture();
     write(at(0.4F, 0.4F), "MMMM");
     moveTo({1, 1});
-    clickAt(at(0.05F, 0.95F)); // it is no longer chosen: no frame
+    clickAt(at(0.05F, 0.95F)); // no longer selected: no frame
     moveTo({1, 1});
     const Image with = picture();
     const WidgetPlaces::Item item = places.items.find("note:0")->second;

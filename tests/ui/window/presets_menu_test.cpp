@@ -30,7 +30,7 @@ TEST_F(PresetsMenu, IsOneStepOfUndoThatBearsItsName) {
     EXPECT_TRUE(scene().passes[0].alphaTest);
     EXPECT_EQ(texture().pattern, Pattern::Tree);
     EXPECT_EQ(session->document.history.undoName(), "Alpha test > 0.5");
-    EXPECT_THAT(session->window.notice.text, HasSubstr("through the holes one sees the far sides"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("the far sides show through the holes"));
     key('Z', {ctrl});
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canUndo());

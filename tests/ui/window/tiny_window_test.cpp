@@ -1,6 +1,6 @@
 // A window manager may make the window smaller than it asks for: nothing fits, and nothing may break.
 
-#include "app/ui/window/smallest_window.h"
+#include "app/ui/window/min_window_size.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::tiny_window_test {
@@ -49,10 +49,10 @@ protected:
 };
 
 TEST_F(TinyWindow, BreaksNothing) {
-    for (const int width : {1, 2, 3, 8, 31, 33, 64, 150, smallestWindow.width})
-        tryAll(width, smallestWindow.height);
+    for (const int width : {1, 2, 3, 8, 31, 33, 64, 150, minWindowSize.width})
+        tryAll(width, minWindowSize.height);
     for (const int height : {1, 2, 3, 4, 8, 31, 57, 100})
-        tryAll(smallestWindow.width, height);
+        tryAll(minWindowSize.width, height);
     for (const int side : {1, 2, 5, 17, 60})
         tryAll(side, side);
 }

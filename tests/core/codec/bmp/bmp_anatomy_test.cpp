@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"Magic", 1, {'A'}, "bfType: expected \"BM\""},
         Spoilt{"FileSize", 2, {71}, "bfSize: the file has 70 bytes"},
         Spoilt{"Reserved", 8, {1}, "bfReserved2: expected 0"},
-        Spoilt{"DataPos0", 10, {0}, "bfOffBits: expected 62, which is taken instead"},
+        Spoilt{"DataPos0", 10, {0}, "bfOffBits: expected 62, which is used instead"},
         Spoilt{"DataPosLow", 10, {20}, "bfOffBits: lies within the headers, which end at 54"},
         Spoilt{"DataPosFar", 10, {200}, "bfOffBits: the file has 70 bytes"},
         Spoilt{"HeaderSize", 14, {65}, "biSize: expected 12, 16 to 64, 108 or 124"},
@@ -138,9 +138,9 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"Rle8", 30, {1}, "biCompression: needs 8 bits a pixel, the file has 4"},
         Spoilt{"Compression", 30, {9}, "biCompression: expected 0 to 6"},
         Spoilt{"ImageSize", 34, {7}, "biSizeImage: the pixels need 8 bytes"},
-        Spoilt{"Colors", 46, {17}, "biClrUsed: 4 bits a pixel tell 16 entries apart"},
-        Spoilt{"ColorsRoom", 46, {3}, "Palette: expected 3 entries, there is room for 2"},
-        Spoilt{"Important", 50, {3}, "biClrImportant: more than the 2 that there are"},
+        Spoilt{"Colors", 46, {17}, "biClrUsed: 4 bits a pixel can index 16 entries"},
+        Spoilt{"ColorsRoom", 46, {3}, "Palette: expected 3 entries, but there is space for 2"},
+        Spoilt{"Important", 50, {3}, "biClrImportant: more than the 2 available"},
         Spoilt{"NoPalette", 10, {54}, "Palette: 4 bits a pixel need one, the pixels begin at offset 54"}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -154,7 +154,7 @@ TEST(BmpAnatomy, GoesOnToThePointOfDamage) {
     EXPECT_EQ(dissectBmp({}).damage, "bfType needs 2 bytes from offset 0, the file has 0");
     file = indexedFile();
     put(file, 14, {200});
-    EXPECT_THAT(dissectBmp(file).damage, HasSubstr("this one says 200"));
+    EXPECT_THAT(dissectBmp(file).damage, HasSubstr("this one has 200"));
 }
 
 TEST(BmpAnatomy, CountsRunLengthCodes) {
@@ -165,8 +165,8 @@ TEST(BmpAnatomy, CountsRunLengthCodes) {
     file.insert(file.end(), codes.begin(), codes.end());
     Anatomy anatomy = dissectBmp(file);
     EXPECT_EQ(fieldNamed(anatomy, "Pixel data").value, "RLE4: 2 runs, 1 literal, 1 delta");
-    EXPECT_EQ(fieldNamed(anatomy, "Pixel data").meaning, "they paint 5 of 6 pixels");
-    EXPECT_EQ(fieldNamed(anatomy, "Pixel data").wrong, "2 codes go on beyond a row's end");
+    EXPECT_EQ(fieldNamed(anatomy, "Pixel data").meaning, "they set 5 of 6 pixels");
+    EXPECT_EQ(fieldNamed(anatomy, "Pixel data").wrong, "2 codes continue beyond the end of a row");
     EXPECT_EQ(anatomy.damage, "") << "nothing is missing";
 
     file.resize(66);
@@ -199,7 +199,7 @@ TEST(BmpAnatomy, ReadsMasksBehindAHeader) {
     EXPECT_THAT(sections(anatomy), ElementsAre("0+14 File header", "14+40 BITMAPINFOHEADER (Windows 3)",
                                                "54+12 Masks", "66+4 Pixel data"));
     EXPECT_EQ(fieldNamed(anatomy, "red mask").value, "0x0000f800, 5 bits from bit 11");
-    EXPECT_THAT(complaints(anatomy), ElementsAre("blue mask: its bits are not side by side"));
+    EXPECT_THAT(complaints(anatomy), ElementsAre("blue mask: its bits are not contiguous"));
     EXPECT_THAT(fieldNamed(anatomy, "Pixel data").meaning, HasSubstr("top row first"));
 }
 

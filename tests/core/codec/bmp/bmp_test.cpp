@@ -26,7 +26,8 @@ PixelFormat formatNamed(const std::string& name) {
     return name == "l" ? PixelFormat::Luminance8 : name == "rgba" ? PixelFormat::Rgba8 : PixelFormat::Rgb8;
 }
 
-/// Decodes NAME_FORMAT_WxH.bmp of a folder and compares with what lies beside each: how many there were.
+/// Decodes every NAME_FORMAT_WxH.bmp of a folder and compares it with the pixels next to it. Returns how many
+/// there were.
 int decodeFolder(const std::filesystem::path& folder) {
     int decoded = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -69,7 +70,7 @@ TEST(Bmp, EveryVariantGivesThePixelsThatWereWritten) {
     EXPECT_EQ(decodeFolder(folder.path()), written);
 }
 
-/// A file of 3 x 2 pixels, each row 9 bytes and 3 of padding, that the cases spoil one field at a time.
+/// A file of 3 x 2 pixels, each row 9 bytes and 3 of padding. The cases change one field each.
 Bytes goodFile() {
     Bytes file(54 + 24, std::byte{0});
     const auto put = [&](std::size_t offset, unsigned value) {
@@ -103,8 +104,8 @@ TEST(Bmp, ColorsAreBlueGreenRedAndTheFirstRowIsTheBottomOne) {
 struct Refusal {
     const char* name;
     std::size_t offset;
-    std::vector<int> bytes; // written there
-    std::size_t size;       // then cut to this
+    std::vector<int> bytes; // written at `at`
+    std::size_t size;       // size of the file after that
     ErrorCode code;
     const char* message;
 };
@@ -184,12 +185,13 @@ INSTANTIATE_TEST_SUITE_P(
                 78,
                 Malformed,
                 "BMP: pixel data begins at offset 54, within the headers, which end at 74"},
-        Refusal{"PaletteNone",
-                28,
-                {8},
-                78,
-                Malformed,
-                "BMP: 8 bits a pixel need a palette, there is none between offset 54 and the pixels at 54"},
+        Refusal{
+            "PaletteNone",
+            28,
+            {8},
+            78,
+            Malformed,
+            "BMP: 8 bits a pixel need a palette, but there is none between offset 54 and the pixels at 54"},
         Refusal{"Depth",
                 28,
                 {64},
@@ -209,71 +211,71 @@ INSTANTIATE_TEST_SUITE_P(
                 {4},
                 78,
                 Unsupported,
-                "BMP: the file wraps a whole JPEG file, which is meant for printers; take that out of it, it "
-                "begins at offset 54"},
+                "BMP: the file contains a whole JPEG file for printers, at offset 54; extract it first"},
         Refusal{"Png",
                 30,
                 {5},
                 78,
                 Unsupported,
-                "BMP: the file wraps a whole PNG file, which is meant for printers; take that out of it, it "
-                "begins at offset 54"},
+                "BMP: the file contains a whole PNG file for printers, at offset 54; extract it first"},
         Refusal{"Cmyk",
                 30,
                 {11},
                 78,
                 Unsupported,
-                "BMP: uncompressed, RLE and bit-field pixels are read, this file's compression is CMYK"},
-        Refusal{"CompressionUnknown",
-                30,
-                {9},
-                78,
-                Unsupported,
-                "BMP: uncompressed, RLE and bit-field pixels are read, this file's compression is number 9"},
-        Refusal{"Os2Rle24",
-                14,
-                {36, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0, 4},
-                78,
-                Unsupported,
-                "BMP: uncompressed and RLE pixels are read of OS/2 files, this one's compression is RLE24"},
+                "BMP: only uncompressed, RLE and bit-field pixels are read, this file's compression is CMYK"},
+        Refusal{
+            "CompressionUnknown",
+            30,
+            {9},
+            78,
+            Unsupported,
+            "BMP: only uncompressed, RLE and bit-field pixels are read, this file's compression is number 9"},
+        Refusal{
+            "Os2Rle24",
+            14,
+            {36, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0, 4},
+            78,
+            Unsupported,
+            "BMP: only uncompressed and RLE pixels of OS/2 files are read, this file's compression is RLE24"},
         Refusal{
             "Os2Huffman",
             14,
             {36, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 1, 0, 3},
             78,
             Unsupported,
-            "BMP: uncompressed and RLE pixels are read of OS/2 files, this one's compression is Huffman 1D"},
+            "BMP: only uncompressed and RLE pixels of OS/2 files are read, this file's compression is Huffman 1D"},
         Refusal{"WidthZero",
                 18,
                 {0},
                 78,
                 Malformed,
-                "BMP: a picture has at least 1 x 1 pixels, this one says 0 x 2 pixels"},
+                "BMP: a picture has at least 1 × 1 pixels, this one has 0 × 2 pixels"},
         Refusal{"HeightZero",
                 22,
                 {0},
                 78,
                 Malformed,
-                "BMP: a picture has at least 1 x 1 pixels, this one says 3 x 0 pixels"},
+                "BMP: a picture has at least 1 × 1 pixels, this one has 3 × 0 pixels"},
         Refusal{"WidthNegative",
                 18,
                 {0xFD, 0xFF, 0xFF, 0xFF},
                 78,
                 Malformed,
-                "BMP: a picture has at least 1 x 1 pixels, this one says -3 x 2 pixels"},
+                "BMP: a picture has at least 1 × 1 pixels, this one has -3 × 2 pixels"},
         Refusal{"HeightSmallestInt",
                 22,
                 {0, 0, 0, 0x80},
                 78,
                 TooLarge,
-                "BMP: at most 16384 x 16384 pixels are read, the file has 3 x 2147483648 pixels"},
+                "BMP: at most 16384 × 16384 pixels are read, the file has 3 × 2147483648 pixels"},
         // 100000 = 0x186A0
         Refusal{"TooWide",
                 18,
                 {0xA0, 0x86, 1, 0},
                 78,
                 TooLarge,
-                "BMP: at most 16384 x 16384 pixels are read, the file has 100000 x 2 pixels"}),
+                "BMP: at most 16384 × 16384 pixels are read, the file has 100000 × 2 pixels"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Bmp, TheLargestExtentIsTheCallersToSay) {
@@ -286,7 +288,7 @@ TEST(Bmp, TheLargestExtentIsTheCallersToSay) {
 TEST(Bmp, TheBytesAndPixelsThatAreReadAreTheCallersToSay) {
     EXPECT_TRUE(decodePicture(goodFile(), {.maxPixels = 6, .maxBytes = 18}));
     EXPECT_EQ(decodePicture(goodFile(), {.maxPixels = 5}).error().message,
-              "BMP: at most 5 pixels are read, the file has 3 x 2 pixels");
+              "BMP: at most 5 pixels are read, the file has 3 × 2 pixels");
     EXPECT_EQ(decodePicture(goodFile(), {.maxBytes = 17}).error().message,
               "BMP: at most 17 bytes of pixels are read, the picture has 18");
 }
@@ -321,7 +323,7 @@ TEST(Bmp, RunLengthCodesThatStopWithoutAnEndAreRefused) {
 TEST(Bmp, FewRunLengthCodesDoNotBuyMuchMemory) {
     EXPECT_TRUE(decodePicture(rleFile(1024, 1024, {0, 1})));
     EXPECT_EQ(decodePicture(rleFile(1024, 1025, {0, 1})).error().message,
-              "BMP: 2 bytes of run-length codes are good for at most 1048576 pixels, the file says 1049600");
+              "BMP: 2 bytes of run-length codes make at most 1048576 pixels, the file has 1049600");
 }
 
 std::vector<std::string> notesOf(const Bytes& file) {
@@ -330,7 +332,7 @@ std::vector<std::string> notesOf(const Bytes& file) {
     return texture ? texture->notes : std::vector<std::string>();
 }
 
-/// What is right about a file and isn't followed.
+/// Correct parts of a file that the decoder ignores.
 std::vector<std::string> remarksOf(const Bytes& file) {
     return decodeBmp(file)->remarks;
 }
@@ -341,9 +343,9 @@ TEST(Bmp, WhatWasOddIsNoted) {
     EXPECT_THAT(notesOf(goodFile()), IsEmpty());
     EXPECT_THAT(notesOf(rleFile(4, 2, {4, 1, 0, 0, 4, 0, 0, 1})), IsEmpty());
     EXPECT_THAT(notesOf(rleFile(4, 2, {9, 1, 0, 1})),
-                ElementsAre("1 run-length code went on beyond a row's end and were cut off there"));
+                ElementsAre("1 run-length code continued beyond the end of a row and ended there"));
     EXPECT_THAT(remarksOf(rleFile(4, 2, {9, 1, 0, 1})),
-                ElementsAre("the run-length codes leave 4 pixels out; they have the palette's first colour"));
+                ElementsAre("the run-length codes skip 4 pixels; these have the palette's first colour"));
     EXPECT_THAT(notesOf(rleFile(4, 1, {4, 7, 0, 1})),
                 ElementsAre("a pixel has colour 7, the palette has 2; it is black"));
     Bytes file = goodFile(); // 1 x 2 pixels of 32 bits, whose fourth bytes are 4 and 8
@@ -351,11 +353,11 @@ TEST(Bmp, WhatWasOddIsNoted) {
     file[28] = std::byte{32};
     EXPECT_THAT(notesOf(file), IsEmpty());
     EXPECT_THAT(remarksOf(file),
-                ElementsAre("the fourth bytes of the pixels differ and may be meant as alpha; "
-                            "without an alpha mask they are not used"));
+                ElementsAre("the fourth bytes of the pixels differ and may be alpha; without an alpha mask "
+                            "they are ignored"));
 }
 
-/// 2 x 1 pixels of 32 bits that are no bit fields, with a V4 header and its masks; `fourth` of both pixels.
+/// 2 x 1 pixels of 32 bits without bit fields, with a V4 header and its masks; `fourth` is in both pixels.
 Bytes v4File(std::uint8_t first, std::uint8_t second, std::uint8_t highestOfMask) {
     Bytes file(14 + 108 + 8, std::byte{0});
     const auto put = [&](std::size_t at, std::initializer_list<int> bytes) {
@@ -378,12 +380,12 @@ TEST(Bmp, AnAlphaMaskCountsWithoutBitFieldsToo) {
     EXPECT_EQ(alphas(v4File(0, 200, 0xFF)), std::pair(0, 200));
     EXPECT_THAT(remarksOf(v4File(0, 200, 0xFF)),
                 testing::ElementsAre(
-                    testing::HasSubstr("the header has an alpha mask: their fourth bytes are alpha")));
+                    testing::HasSubstr("the header has an alpha mask: the fourth bytes are used as alpha")));
     EXPECT_EQ(alphas(v4File(0, 0, 0xFF)), std::pair(255, 255))
         << "a picture that nothing is seen of is not meant";
     EXPECT_EQ(std::get<Image>(decodeBmp(v4File(0, 200, 0))->surfaces.front()).format, PixelFormat::Rgb8);
     EXPECT_THAT(remarksOf(v4File(0, 200, 0)),
-                testing::ElementsAre(testing::HasSubstr("without an alpha mask they are not used")));
+                testing::ElementsAre(testing::HasSubstr("without an alpha mask they are ignored")));
 }
 
 TEST(Bmp, SaysHowManyBitsAComponentHas) {
@@ -412,7 +414,7 @@ TEST(Bmp, SaysWhichRowTheFileBeginsWith) {
     EXPECT_FALSE(decodeBmp(file)->topFirst) << "they are turned around while decoding";
 }
 
-/// One file of each kind of pixels, small enough to be cut at every byte.
+/// One file for each kind of pixels, small enough to be cut at every byte.
 std::vector<Bytes> smallFiles() {
     const test::TempDir folder;
     EXPECT_TRUE(test::runPython("fixtures/make_bmp_variants.py", folder.path()));
@@ -426,7 +428,7 @@ std::vector<Bytes> smallFiles() {
     return files;
 }
 
-/// Either a sentence or a whole picture; the anatomy stays within its bounds whatever it is given.
+/// Either an error or a whole picture; the anatomy stays within its bounds for any bytes.
 bool survives(const Bytes& file) {
     const Anatomy anatomy = dissectBmp(file);
     EXPECT_LE(anatomy.fields.size(), 4096U);

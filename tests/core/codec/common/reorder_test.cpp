@@ -24,7 +24,7 @@ TEST(Reorder, AgreesWithItsScalarTwinForEveryLengthAndStaysInside) {
                                                                            order);
                 EXPECT_TRUE(std::equal(expected.begin(), expected.end(), to.begin())) << count << " pixels";
                 for (std::size_t i = expected.size(); i < to.size(); ++i)
-                    ASSERT_EQ(to[i], std::byte{0x5A}) << "written behind the end of " << count << " pixels";
+                    ASSERT_EQ(to[i], std::byte{0x5A}) << "written after the end of " << count << " pixels";
             }
         }
     }

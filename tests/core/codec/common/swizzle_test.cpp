@@ -34,7 +34,7 @@ TEST_P(Swizzle, AgreesWithItsScalarTwinForEveryLengthAndStaysInside) {
         swap.fast(from.data(), to.data(), count);
         EXPECT_TRUE(std::equal(expected.begin(), expected.end(), to.begin())) << count << " pixels";
         for (std::size_t i = from.size(); i < to.size(); ++i)
-            ASSERT_EQ(to[i], std::byte{0x5A}) << "written behind the end of " << count << " pixels";
+            ASSERT_EQ(to[i], std::byte{0x5A}) << "written after the end of " << count << " pixels";
     }
 }
 

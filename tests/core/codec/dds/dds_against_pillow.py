@@ -1,5 +1,5 @@
 """Reads every .dds file of a folder with Pillow, and those called both… with ImageMagick, and compares level 0 with the
-pixels beside it (.rgba, .rgb, .la or .l, top row first)."""
+pixels next to it (.rgba, .rgb, .la or .l, top row first)."""
 
 import pathlib
 import subprocess

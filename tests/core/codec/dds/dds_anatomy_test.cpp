@@ -81,9 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "DDSCAPS2_CUBEMAP_POSITIVEY | DDSCAPS2_CUBEMAP_NEGATIVEY | DDSCAPS2_CUBEMAP_POSITIVEZ | "
                   "DDSCAPS2_CUBEMAP_NEGATIVEZ"},
         FieldCase{"Reserved2", "dwReserved2", 124, 4, "0"}, FieldCase{"Pixels", "pixel data", 128, 336, ""},
-        FieldCase{"FirstLevel", "face +x, level 0", 128, 32, "8 x 8"},
-        FieldCase{"SecondFace", "face -x, level 1", 216, 8, "4 x 4"},
-        FieldCase{"LastLevel", "face -z, level 3", 456, 8, "1 x 1"},
+        FieldCase{"FirstLevel", "face +x, level 0", 128, 32, "8 × 8"},
+        FieldCase{"SecondFace", "face -x, level 1", 216, 8, "4 × 4"},
+        FieldCase{"LastLevel", "face -z, level 3", 456, 8, "1 × 1"},
         FieldCase{"DxgiFormat", "dxgiFormat", 128, 4, "72: DXGI_FORMAT_BC1_UNORM_SRGB"},
         FieldCase{"Dimension", "resourceDimension", 132, 4, "3: D3D10_RESOURCE_DIMENSION_TEXTURE2D"},
         FieldCase{"MiscFlag", "miscFlag", 136, 4, "0x00000004: DDS_RESOURCE_MISC_TEXTURECUBE"},

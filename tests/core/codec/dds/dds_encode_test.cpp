@@ -104,7 +104,7 @@ TEST(DdsEncode, RefusesLayersThatAreVolumes) {
     for (int i = 0; i < 2; ++i)
         texture.surfaces.emplace_back(Image{PixelFormat::Luminance8, 1, 1, 2, Bytes(2)});
     EXPECT_EQ(encodeDds(texture).error().message,
-              "DDS: the layers of an array are no volumes, these are 1 x 1 x 2");
+              "DDS: the layers of an array are no volumes, these are 1 × 1 × 2");
 }
 
 TEST(DdsEncode, WhatIsReadAgainIsWhatWasWritten) {
@@ -230,9 +230,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadTexture{"Nothing", [](TextureImage& texture) { texture = {}; },
                    "DDS: 1 layer of 1 faces with 1 levels are expected, there are 0 surfaces"},
         BadTexture{"Empty", [](TextureImage& texture) { texture = textureOf({}, "BMP"); },
-                   "DDS: a texture has at least 1 x 1 x 1 texels, this one has 0 x 0 x 1"},
+                   "DDS: a texture has at least 1 × 1 × 1 texels, this one has 0 × 0 × 1"},
         BadTexture{"Extents", [](TextureImage& texture) { std::get<Image>(texture.surfaces[1]).width = 3; },
-                   "DDS: level 1 of 3 x 4 x 1 texels is no mip level of 8 x 8 x 1"},
+                   "DDS: level 1 of 3 × 4 × 1 texels is no mip level of 8 × 8 × 1"},
         BadTexture{
             "Format",
             [](TextureImage& texture) { std::get<Image>(texture.surfaces[1]).format = PixelFormat::Rgba8; },
@@ -242,9 +242,9 @@ INSTANTIATE_TEST_SUITE_P(
                    "DDS: level 1 needs 48 bytes, it has 47"},
         BadTexture{"TooManyLevels",
                    [](TextureImage& texture) { texture = noise(PixelFormat::Rgb8, 2, 1, 1, 3); },
-                   "DDS: a mip chain of 2 x 1 x 1 texels has at most 2 levels, this one has 3"},
+                   "DDS: a mip chain of 2 × 1 × 1 texels has at most 2 levels, this one has 3"},
         BadTexture{"Oblong", [](TextureImage& texture) { texture = noise(PixelFormat::Rgb8, 8, 4, 1, 1, 6); },
-                   "DDS: the faces of a cube map are square, these are 8 x 4 x 1"}),
+                   "DDS: the faces of a cube map are square, these are 8 × 4 × 1"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 /// What Pillow and ImageMagick read: NAME_WxH.dds, NAME_WxH.raw as RGBA with the top row first.

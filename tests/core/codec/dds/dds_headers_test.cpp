@@ -1,4 +1,4 @@
-// Headers that lie and are survived, headers that are refused, and files that end too early.
+// Wrong headers that are accepted, headers that are refused, and files that end too early.
 
 #include "core/codec/dds/dds.h"
 #include "tests/core/codec/dds/dds_files.h"
@@ -25,7 +25,7 @@ Header sized(Header header, unsigned width, unsigned height, unsigned mips = 0) 
     return header;
 }
 
-/// A header with one of its fields changed.
+/// A header with one field changed.
 Header with(Header header, std::uint32_t Header::*field, std::uint32_t value) {
     header.*field = value;
     return header;
@@ -71,7 +71,7 @@ TEST_P(DdsLies, AreSurvivedAndSaid) {
     for (const Field& field : dissectDds(file).fields)
         wrong += field.meaning + field.wrong + "\n"; // by whether it is odd
     for (const std::string& note : row.notes)
-        EXPECT_THAT(wrong, testing::HasSubstr(note)) << "the anatomy says it beside the field";
+        EXPECT_THAT(wrong, testing::HasSubstr(note)) << "the anatomy says it next to the field";
 }
 
 const Header dxt1 = legacyDds("DXT1");
@@ -112,14 +112,14 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"dwPitchOrLinearSize is 64 where level 0 has 32 bytes; it is ignored"}},
+                 {"dwPitchOrLinearSize is 64, but level 0 has 32 bytes; it is ignored"}},
         Survival{"PitchWrong",
                  with(with(sized(rgb, 3, 2), &Header::flags, 0x100F), &Header::pitchOrLinearSize, 12),
                  18,
                  1,
                  1,
                  1,
-                 {"dwPitchOrLinearSize is 12 where a row has 9 bytes; it is ignored"}},
+                 {"dwPitchOrLinearSize is 12, but a row has 9 bytes; it is ignored"}},
         Survival{"MipCountZero",
                  with(sized(dxt1, 8, 8), &Header::flags, 0x21007),
                  32,
@@ -133,14 +133,14 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  4,
                  1,
-                 {"DDSD_MIPMAPCOUNT is not set although dwMipMapCount is 4; it is followed"}},
+                 {"DDSD_MIPMAPCOUNT is not set although dwMipMapCount is 4; the count is used"}},
         Survival{"MipCountBeyondTheChain",
                  sized(dxt1, 8, 8, 4000000000),
                  56,
                  1,
                  4,
                  1,
-                 {"dwMipMapCount is 4000000000, but the chain ends after 4 levels; no more are read"}},
+                 {"dwMipMapCount is 4000000000, but the chain ends after 4 levels; the others are ignored"}},
         Survival{
             "MipCountBeyondTheFile",
             sized(dxt1, 8, 8, 4),
@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"faces are named although DDSCAPS2_CUBEMAP is not set; it is read as one picture"}},
+                 {"faces are set although DDSCAPS2_CUBEMAP is not; it is read as one picture"}},
         Survival{"VolumeWithoutDepth",
                  volume(sized(dxt1, 8, 8), 0),
                  32,
@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"dwDepth is 9 although nothing says that it is a volume; it is ignored"}},
+                 {"dwDepth is 9 although it is not marked as a volume; it is ignored"}},
         Survival{"NoFlags",
                  with(sized(dxt1, 8, 8), &Header::flags, 0),
                  32,
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  {"dwFlags lacks DDSD_CAPS | DDSD_HEIGHT | DDSD_WIDTH | DDSD_PIXELFORMAT; the fields are "
-                  "followed all the same"}},
+                  "used anyway"}},
         Survival{"FormatSize",
                  with(sized(dxt1, 8, 8), &Header::formatSize, 24),
                  32,
@@ -235,22 +235,21 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"DDPF_FOURCC is not set although dwFourCC is \"DXT1\"; it is followed"}},
+                 {"DDPF_FOURCC is not set although dwFourCC is \"DXT1\"; dwFourCC is used"}},
         Survival{"FlagWithoutFourCC",
                  with(sized(rgb, 1, 1), &Header::formatFlags, 0x44),
                  3,
                  1,
                  1,
                  1,
-                 {"DDPF_FOURCC is set, but dwFourCC is 0; the masks are followed instead"}},
-        Survival{
-            "NoKindOfPixel",
-            with(sized(rgb, 1, 1), &Header::formatFlags, 0),
-            3,
-            1,
-            1,
-            1,
-            {"neither DDPF_RGB nor another kind of pixel is set; the masks are followed as if it were RGB"}},
+                 {"DDPF_FOURCC is set, but dwFourCC is 0; the masks are used instead"}},
+        Survival{"NoKindOfPixel",
+                 with(sized(rgb, 1, 1), &Header::formatFlags, 0),
+                 3,
+                 1,
+                 1,
+                 1,
+                 {"neither DDPF_RGB nor another kind of pixel is set; the masks are used as RGB"}},
         Survival{"AlphaFlagWithoutMask",
                  with(sized(rgb, 1, 1), &Header::formatFlags, 0x41),
                  3,
@@ -299,7 +298,7 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"DXGI_FORMAT_R8G8B8A8_TYPELESS leaves open what its bits mean; read as UNORM"}},
+                 {"DXGI_FORMAT_R8G8B8A8_TYPELESS does not define its bits; read as UNORM"}},
         Survival{"ArrayOfNone",
                  with(dxgi(28), &Header::arraySize, 0),
                  4,
@@ -328,7 +327,7 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"resourceDimension is 0, which is no texture; dwCaps2 is followed instead",
+                 {"resourceDimension is 0, which is not a texture; dwCaps2 is used instead",
                   "it is an array of 2 textures; scenes show the first"}},
         Survival{"ArrayOfCubeMaps",
                  with(with(dxgi(28), &Header::miscFlag, 4), &Header::arraySize, 2),
@@ -343,14 +342,14 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  1,
                  1,
-                 {"resourceDimension is 0, which is no texture; dwCaps2 is followed instead"}},
+                 {"resourceDimension is 0, which is not a texture; dwCaps2 is used instead"}},
         Survival{"AlphaMode",
                  dxgi(28, 7),
                  4,
                  1,
                  1,
                  1,
-                 {"miscFlags2 has alpha mode 7, which doesn't exist; what alpha means is unknown"}},
+                 {"miscFlags2 has alpha mode 7, which doesn't exist; the meaning of alpha is unknown"}},
         Survival{"Tail", sized(dxt1, 8, 8), 33, 1, 1, 1, {"1 byte after the last level: ignored"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -379,7 +378,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, DdsRefusals,
     testing::Values(
         Refusal{"HeaderSize", with(dxt1, &Header::size, 100), 8, Malformed,
-                "DDS: a header has 124 bytes, dwSize says 100"},
+                "DDS: a header has 124 bytes, dwSize is 100"},
         Refusal{"BaseCut", sized(dxt1, 8, 8, 4), 31, Malformed,
                 "DDS: level 0 needs 32 bytes from offset 128, the file has 159"},
         // Six chains of 1431655764 bytes: modulo 2^32 they would end before the header does.
@@ -393,20 +392,20 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"VolumeCut", volume(sized(dxt1, 8, 8), 3), 95, Malformed,
                 "DDS: level 0 needs 96 bytes from offset 128, the file has 223"},
         Refusal{"NoWidth", sized(dxt1, 0, 8), 8, Malformed,
-                "DDS: a picture has at least 1 x 1 texels, this one says 0 x 8"},
+                "DDS: a picture has at least 1 × 1 texels, this one says 0 × 8"},
         Refusal{"TooWide", sized(dxt1, 4294967295, 1), 8, TooLarge,
-                "DDS: at most 16384 texels along each axis are read, the file has 4294967295 x 1"},
+                "DDS: at most 16384 texels along each axis are read, the file has 4294967295 × 1"},
         Refusal{"TooDeep", volume(sized(dxt1, 16384, 16384), 2), 8, TooLarge,
-                "DDS: at most 268435456 texels are read, the file has 16384 x 16384 x 2"},
+                "DDS: at most 268435456 texels are read, the file has 16384 × 16384 × 2"},
         Refusal{"Lying", sized(dxt1, 16384, 16384), 8, Malformed,
                 "DDS: level 0 needs 134217728 bytes from offset 128, the file has 136"},
         Refusal{"PartialCubeMap", cube(sized(dxt1, 8, 8), 0x1400), 64, Unsupported,
                 "DDS: cube maps with all six faces are read, this one has 2: DDSCAPS2_CUBEMAP_POSITIVEX | "
                 "DDSCAPS2_CUBEMAP_POSITIVEY"},
         Refusal{"OblongCubeMap", cube(sized(dxt1, 8, 4)), 96, Malformed,
-                "DDS: the faces of a cube map are square, these are 8 x 4"},
+                "DDS: the faces of a cube map are square, these are 8 × 4"},
         Refusal{"CubeMapOfVolumes", with(with(dxgi(28), &Header::miscFlag, 4), &Header::dimension, 4), 24,
-                Malformed, "DDS: miscFlag says that it is a cube map, resourceDimension that it is not"},
+                Malformed, "DDS: miscFlag means a cube map, but resourceDimension does not"},
         Refusal{"ArrayCutInItsFirst", with(sized(dxgi(28), 2, 2), &Header::arraySize, 3), 15, Malformed,
                 "DDS: an array of 3 textures needs 196 bytes, the file has 163"},
         Refusal{"ArrayCutBehindItsFirst", with(dxgi(28), &Header::arraySize, 3), 11, Malformed,

@@ -92,7 +92,7 @@ TEST(Dds, OfAnArrayTheFirstElementIsReadWithItsFacesAndLevels) {
     const Field& others = anatomy.fields.back();
     EXPECT_EQ(others.name, "other elements");
     EXPECT_EQ(others.value, "2 of the array");
-    EXPECT_EQ(others.meaning, "scenes show the first alone");
+    EXPECT_EQ(others.meaning, "scenes show only the first");
     EXPECT_EQ(others.offset, 148U + 30);
     EXPECT_EQ(others.size, 60U);
 }
@@ -183,7 +183,7 @@ TEST(DdsPixels, AreWhatD3dxMeansWhereItsMasksSayTheOpposite) {
     EXPECT_THAT(std::get<Image>(texture->surfaces.front()).pixels, testing::ElementsAreArray(red));
     EXPECT_EQ(texture->componentBits, 10);
     EXPECT_THAT(texture->notes,
-                testing::ElementsAre(testing::HasSubstr("as D3DX writes those of 10:10:10:2")));
+                testing::ElementsAre(testing::HasSubstr("as D3DX writes them for 10:10:10:2")));
 }
 
 TEST(DdsPixels, OfDepthSayHowManyBitsItHas) {

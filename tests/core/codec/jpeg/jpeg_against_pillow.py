@@ -1,5 +1,5 @@
-"""Reads every .jpg file of a folder with Pillow and compares it with the pixels beside it (.rgb, bottom row first), and both
-with the slopes that were compressed."""
+"""Reads every .jpg file of a folder with Pillow and compares it with the pixels next to it (.rgb, bottom row first),
+and both with the slopes that were compressed."""
 
 import pathlib
 import sys

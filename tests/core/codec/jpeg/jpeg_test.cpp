@@ -95,11 +95,11 @@ TEST_F(JpegFiles, WhoseExtentsLieAreRefusedBeforeAnythingIsAllocated) {
     ASSERT_FALSE(texture);
     // 2048 x 2048 blocks of luminance, a quarter of that for each of the others
     EXPECT_EQ(texture.error().message,
-              "JPEG: 16384 x 16384 pixels need 6291456 coded blocks of at least 1 bit each, the file has " +
+              "JPEG: 16384 × 16384 pixels need 6291456 coded blocks of at least 1 bit each, the file has " +
                   std::to_string(file.size()) + " bytes");
     file[frame + 5] = std::byte{0xFF};
     EXPECT_EQ(decodeJpeg(file).error().message,
-              "JPEG: at most 16384 x 16384 pixels are read, the file has 16384 x 65280 pixels");
+              "JPEG: at most 16384 × 16384 pixels are read, the file has 16384 × 65280 pixels");
 }
 
 TEST_F(JpegFiles, LimitsAreTheCallersToSay) {
@@ -122,7 +122,7 @@ TEST_F(JpegFiles, WithStrayBytesAreReadAndTheyAreNoted) {
     ASSERT_TRUE(texture) << texture.error().message;
     EXPECT_EQ(std::get<Image>(texture->surfaces[0]), whole);
     EXPECT_THAT(texture->notes, testing::ElementsAre(testing::HasSubstr("3 extraneous bytes"),
-                                                     "2 bytes behind the end (EOI) left out"));
+                                                     "2 bytes after the end (EOI) ignored"));
 }
 
 TEST_F(JpegFiles, OfTwelveBitsOrWithoutLossAreRefusedByName) {
@@ -148,7 +148,7 @@ TEST_F(JpegFiles, AreDissectedToWhereTheyEnd) {
     EXPECT_EQ(fields["width"].value, "7");
     EXPECT_EQ(fields["height"].value, "5");
     EXPECT_EQ(fields["width"].offset, offsetOf(file, jpegSof0) + 7);
-    EXPECT_EQ(fields["component 1"].value, "2 x 2");
+    EXPECT_EQ(fields["component 1"].value, "2 × 2");
     EXPECT_EQ(fields["EOI"].offset, file.size() - 2);
     EXPECT_EQ(dissectJpeg(ByteView(file).first(10)).damage,
               "APP0 at offset 2 needs 18 bytes, the file has 10");
@@ -236,9 +236,8 @@ TEST(Jpeg, SamplingFactorsThatDivideNoLargestOneAreRefused) {
     while (const std::optional<JpegSegment> segment = segments.next())
         if (segment->isFrame())
             file[segment->offset + 11] = std::byte{0x31}; // which libjpeg itself doesn't write
-    EXPECT_EQ(
-        decodeJpeg(file).error().message,
-        "JPEG: sampling factors that divide the largest are read, the components have 3 x 1, 2 x 1, 1 x 1");
+    EXPECT_EQ(decodeJpeg(file).error().message,
+              "JPEG: sampling factors must divide the largest, the components have 3 × 1, 2 × 1, 1 × 1");
 }
 
 TEST(Jpeg, ThatEndsEarlyIsRefusedInItsOwnWords) {
@@ -261,8 +260,9 @@ TEST(Jpeg, OfTwoComponentsIsRefused) {
         }
     const Result<TextureImage> texture = decodeJpeg(file);
     ASSERT_FALSE(texture);
-    EXPECT_EQ(texture.error().message,
-              "JPEG: pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has 2");
+    EXPECT_EQ(
+        texture.error().message,
+        "JPEG: only pictures with 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has 2");
     EXPECT_EQ(texture.error().code, ErrorCode::Unsupported);
 }
 

@@ -139,28 +139,28 @@ INSTANTIATE_TEST_SUITE_P(
                 16,
                 {0, 0, 0, 0},
                 Malformed,
-                "PNG: a picture has at least 1 x 1 pixels, this one says 0 x 3 pixels"},
+                "PNG: a picture has at least 1 × 1 pixels, this one has 0 × 3 pixels"},
         Refusal{"TooWide",
                 16,
                 {0, 1, 0x86, 0xA0},
                 TooLarge,
-                "PNG: at most 16384 x 16384 pixels are read, the file has 100000 x 3 pixels"},
+                "PNG: at most 16384 × 16384 pixels are read, the file has 100000 × 3 pixels"},
         Refusal{"Bomb",
                 16,
                 {0, 0, 0x40, 0, 0, 0, 0x40, 0},
                 Malformed,
-                "PNG: 16384 x 16384 pixels need 805322752 bytes, the file's [0-9]+ bytes of pixel data can "
+                "PNG: 16384 × 16384 pixels need 805322752 bytes, the file's [0-9]+ bytes of pixel data can "
                 "hold at most [0-9]+"},
         Refusal{"Depth",
                 24,
                 {4},
                 Malformed,
-                "PNG: colour type 2 with 4 bits a sample is none of the format's 15 combinations"},
+                "PNG: colour type 2 with 4 bits a sample is not one of the format's 15 combinations"},
         Refusal{"ColorType",
                 25,
                 {5},
                 Malformed,
-                "PNG: colour type 5 with 8 bits a sample is none of the format's 15 combinations"},
+                "PNG: colour type 5 with 8 bits a sample is not one of the format's 15 combinations"},
         Refusal{"TooFewRows", 20, {0, 0, 0, 30}, Malformed, "PNG: .*[Nn]ot enough image data.*offset.*"},
         Refusal{"NoPalette", 25, {3}, Malformed, "PNG: .*[Mm]issing PLTE.*offset.*"}),
     [](const auto& test) { return std::string(test.param.name); });
@@ -218,8 +218,8 @@ TEST(PngDecode, WhatIsSurvivedIsNoted) {
     file.push_back(std::byte{0});
     const Result<TextureImage> texture = decodePng(file);
     ASSERT_TRUE(texture) << texture.error().message;
-    EXPECT_THAT(texture->notes, testing::ElementsAre(testing::MatchesRegex("survived: gAMA: .*"),
-                                                     "1 byte behind the end (IEND) left out"));
+    EXPECT_THAT(texture->notes, testing::ElementsAre(testing::MatchesRegex("recovered: gAMA: .*"),
+                                                     "1 byte after the end (IEND) ignored"));
     EXPECT_THAT(texture->remarks,
                 testing::ElementsAre("the file is an animation; its first picture is read"));
     EXPECT_THAT(texture->losses, testing::ElementsAre(Loss{"frames", "1 of the animation's 2 pictures"}));

@@ -61,7 +61,7 @@ TEST(Png, AnImageWithoutPixelsIsRefused) {
     const Result<Bytes> png = encodePng({});
     ASSERT_FALSE(png);
     EXPECT_EQ(png.error().code, ErrorCode::OutOfRange);
-    EXPECT_EQ(png.error().message, "PNG: a picture has at least 1 x 1 pixels, this one has 0 x 0");
+    EXPECT_EQ(png.error().message, "PNG: a picture has at least 1 × 1 pixels, this one has 0 × 0");
 }
 
 TEST(Png, AnImageWhosePixelsAreMissingIsRefused) {

@@ -95,7 +95,7 @@ TEST(TgaAnatomy, DescribesPacketsAndWhereTheyBreakOff) {
     EXPECT_EQ(fieldNamed(whole, "Packet 1").offset, 22U);
     EXPECT_EQ(fieldNamed(whole, "Packet 1").size, 10U);
     EXPECT_EQ(fieldNamed(whole, "Packet 1").meaning, "from column 1 of row 1");
-    EXPECT_EQ(fieldNamed(whole, "Image Data").wrong, "1 packets run beyond the end of a row");
+    EXPECT_EQ(fieldNamed(whole, "Image Data").wrong, "1 packets continue beyond the end of a row");
 
     file.resize(file.size() - 1);
     const Anatomy cut = dissectTga(file);

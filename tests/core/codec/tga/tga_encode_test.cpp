@@ -157,9 +157,9 @@ TEST(TgaWriter, SaysWhatItCannotWrite) {
     for (const Refusal& row :
          {Refusal{"no surface", {}, "TGA: there is no picture to write"},
           Refusal{"empty", picture(0, 0, 0),
-                  "TGA: a picture has 1 to 65535 pixels along each axis, this one has 0 x 0"},
+                  "TGA: a picture has 1 to 65535 pixels along each axis, this one has 0 × 0"},
           Refusal{"wide", picture(65536, 1, 3 * 65536),
-                  "TGA: a picture has 1 to 65535 pixels along each axis, this one has 65536 x 1"},
+                  "TGA: a picture has 1 to 65535 pixels along each axis, this one has 65536 × 1"},
           Refusal{"short", picture(2, 2, 11), "TGA: the picture needs 12 bytes, it has 11"}}) {
         const Result<Bytes> file = encodeTga(row.texture);
         ASSERT_FALSE(file) << row.name;

@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "every alpha is 0: ignored"},
         AlphaCase{"Type0", 32, 0, 0, twoAlphas, None, opaque, ""},
         AlphaCase{"Type0Contradicts", 32, 8, 0, twoAlphas, Unknown, kept,
-                  "the descriptor says 8 bits, but not every alpha is 0: kept"},
+                  "the descriptor 8 bits, but not every alpha is 0: kept"},
         AlphaCase{"Type1", 32, 8, 1, twoAlphas, None, opaque, ""},
         AlphaCase{"Type2", 32, 8, 2, twoAlphas, Unknown, kept, ""},
         AlphaCase{"Type3", 32, 8, 3, twoAlphas, Straight, kept, ""},
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
         AlphaCase{"OneBitType4", 16, 0, 4, bitSetAndNot, Premultiplied, {0, 0, 0, 255, 255, 255, 255, 0}, ""},
         AlphaCase{"OneBitNeverSet", 16, 1, -1, bitNotSet, None, blackAndWhite, "every alpha is 0: ignored"},
         AlphaCase{"OneBitNeverSetType0", 16, 1, 0, bitNotSet, None, blackAndWhite,
-                  "the descriptor says 1 bit, and"},
+                  "the descriptor 1 bit, and"},
         AlphaCase{"OneBitNeverSetType2", 16, 1, 2, bitNotSet, None, blackAndWhite,
                   "every alpha is 0: ignored"},
         AlphaCase{"OneBitNeverSetType3", 16, 1, 3, bitNotSet, Straight, {0, 0, 0, 0, 255, 255, 255, 0}, ""},
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
                   {1, 2, 3, 0, 5, 6, 7, 0},
                   None,
                   opaque,
-                  "the descriptor says 8 bits, and"},
+                  "the descriptor 8 bits, and"},
         AlphaCase{"BitsThatCannotBe", 24, 8, -1, {1, 2, 3, 4, 5, 6}, None, {3, 2, 1, 6, 5, 4}, "expected 0"}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -187,7 +187,7 @@ TEST(Tga, PixelsThatNameNoEntryAreBlackAndCounted) {
     ASSERT_TRUE(texture) << texture.error().message;
     EXPECT_THAT(numbers(uprightImage(*texture)),
                 ElementsAre(0, 0, 0, 3, 2, 1, 6, 5, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
-    EXPECT_THAT(texture->notes, ElementsAre("5 pixels name no entry of the colour map (10 to 11): black"));
+    EXPECT_THAT(texture->notes, ElementsAre("5 pixels are outside the colour map (10 to 11): black"));
 }
 
 TEST(Tga, OnePixelWithoutAnEntryIsNamedInTheSingular) {
@@ -199,7 +199,7 @@ TEST(Tga, OnePixelWithoutAnEntryIsNamedInTheSingular) {
                                                            .entryBits = 24,
                                                            .data = {1, 2, 3, 4, 5, 6, 9}}));
     ASSERT_TRUE(texture) << texture.error().message;
-    EXPECT_THAT(texture->notes, ElementsAre("1 pixel names no entry of the colour map (10 to 11): black"));
+    EXPECT_THAT(texture->notes, ElementsAre("1 pixel is outside the colour map (10 to 11): black"));
 }
 
 TEST(Tga, FieldsOfAColorMapThatIsNotThereAreNotedAndIgnored) {
@@ -307,7 +307,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {.width = 16385},
                 24,
                 TooLarge,
-                "TGA: at most 16384 x 16384 pixels are read, the file has 16385 x 1 pixels"},
+                "TGA: at most 16384 × 16384 pixels are read, the file has 16385 × 1 pixels"},
         Refusal{"PixelsCut",
                 {},
                 23,

@@ -85,8 +85,8 @@ struct BoardTexel {
     int red;
 };
 
-// By hand from c = ((((i&0x8)==0)^((j&0x8))==0))*255 in checker.c, which reads as ((i&8)==0) xor ((j&8)==0),
-// and the same with 0x10 for the red channel of texbind.c's second image.
+// Worked out by hand from c = ((((i&0x8)==0)^((j&0x8))==0))*255 in checker.c, which is parsed as ((i&8)==0)
+// xor ((j&8)==0), and the same with 0x10 for the red channel of texbind.c's second image.
 constexpr BoardTexel boardTexels[] = {
     {0, 0, 0, 0},       {0, 7, 0, 0},       {0, 8, 255, 0},     {7, 8, 255, 0},     {8, 0, 255, 0},
     {8, 8, 0, 0},       {0, 15, 255, 0},    {0, 16, 0, 255},    {15, 16, 255, 255}, {16, 16, 0, 0},
@@ -104,7 +104,7 @@ TEST(Checkerboards, AreThoseOfTheProgrammingGuide) {
     }
 }
 
-/// Around a sphere the left edge lies beside the right one.
+/// Around a sphere the left edge meets the right one.
 TEST(Planet, HasNoSeam) {
     const Image planet = drawPattern(Pattern::Planet);
     int most = 0;
@@ -201,7 +201,7 @@ TEST(Bricks, TileWithoutASeam) {
 TEST(Bricks, StandOutAboveTheMortarAndDifferFromEachOther) {
     const Image heights = drawPattern(Pattern::BrickHeight);
     const Image wall = drawPattern(Pattern::Brick);
-    // Course 0 covers rows 0 to 31, its first brick columns 0 to 63; the joint lies between them.
+    // Course 0 covers rows 0 to 31, its first brick columns 0 to 63; the joint is between them.
     EXPECT_GT(texel(heights, 32, 16)[0], texel(heights, 0, 16)[0] + 80);
     EXPECT_GT(texel(heights, 32, 16)[0], texel(heights, 32, 0)[0] + 80);
     EXPECT_LT(texel(heights, 32, 48)[0], texel(heights, 64, 48)[0] - 80)

@@ -1,4 +1,4 @@
-// The words; their numbers are tested in probe_test.cpp.
+// The texts; probe_test.cpp tests their numbers.
 
 #include "core/reference/explain/explanation_steps.h"
 #include "core/reference/explain/sampling_steps.h"
@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Everything that a pixel in the middle of a square says.
+/// The full explanation of a pixel in the middle of a square.
 std::string textOf(void (*change)(Scene& scene)) {
     Scene scene = defaultScene();
     scene.models.resize(1);
@@ -66,7 +66,7 @@ void showSeamlessCube(Scene& scene) {
     scene.textures[0].minFilter = MinFilter::Linear;
 }
 
-/// All of the square has this s and t = 0.3, of 8 x 8 texels.
+/// The whole square has this s and t = 0.3, with 8 x 8 texels.
 void showNearestAt(Scene& scene, float s, Wrap wrap) {
     Texture& texture = scene.textures[0];
     texture.minFilter = MinFilter::Nearest;
@@ -76,7 +76,7 @@ void showNearestAt(Scene& scene, float s, Wrap wrap) {
     scene.models[0].texCoords[0] = TexCoords(4, {s, 0.3F, 0, 1});
 }
 
-/// Whatever the size of the picture is, by the bias.
+/// Independent of the picture's size, by the bias.
 void showLambda(Scene& scene, float lambda) {
     scene.passes[0].units[0].lodBias = 0;
     const Result<Explanation> found = probe({scene, {}, 0, 9, 9}, {4, 4});
@@ -129,12 +129,14 @@ INSTANTIATE_TEST_SUITE_P(
              [](Scene& it) {
                  it.textures[0].minFilter = MinFilter::Nearest, it.textures[0].magFilter = MagFilter::Nearest;
              },
-             "0.5 → × 64 = 32 → texel 32\n | on the edge of texel 32 and texel 31: either is right"},
-        // 3.99999 isn't 4, whatever four digits say.
-        Case{"JustBelowATexel", [](Scene& it) { showNearestAt(it, 0.49999875F, Wrap::Repeat); },
-             "0.49999875 → × 8 = 3.99999 → texel 3\n | on the edge of texel 3 and texel 4: either is right"},
+             "0.5 → × 64 = 32 → texel 32\n | on the edge of texel 32 and texel 31: either is correct"},
+        // 3.99999 is not 4, even though it is printed with four digits.
+        Case{
+            "JustBelowATexel", [](Scene& it) { showNearestAt(it, 0.49999875F, Wrap::Repeat); },
+            "0.49999875 → × 8 = 3.99999 → texel 3\n | on the edge of texel 3 and texel 4: either is correct"},
         Case{"TheOtherTexel", [](Scene& it) { showNearestAt(it, 0.49999875F, Wrap::Repeat); },
-             "\nas right: level 3 (4, 2)"},
+             "\n"
+             "also correct: level 3 (4, 2)"},
         Case{"Repeated", [](Scene& it) { showNearestAt(it, 2.3F, Wrap::Repeat); },
              "s, GL_REPEAT | 2.3 → fraction 0.3 → × 8 = 2.4 → texel 2\n"},
         Case{"Mirrored", [](Scene& it) { showNearestAt(it, 1.7F, Wrap::MirroredRepeat); },
@@ -154,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
                  it.textures[0].minFilter = MinFilter::NearestMipmapNearest;
                  showLambda(it, 1.5F);
              },
-             "lambda is half-way between level 1 and level 2, within 1/64: either is right."},
+             "lambda is half-way between level 1 and level 2, within 1/64: either is correct."},
         Case{"AboveC",
              [](Scene& it) {
                  it.textures[0].minFilter = MinFilter::NearestMipmapNearest;
@@ -190,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
                  it.textures[0].minLod = 4;
                  it.textures[0].maxLod = 2;
              },
-             "undefined. The greatest wins here."},
+             "undefined. The max LOD is used here."},
         Case{"Bias", [](Scene& it) { it.passes[0].units[0].lodBias = 1.5F; },
              "\n+ LOD bias of the unit | 1.5\n"},
         Case{"BiasOfTheTexture", [](Scene& it) { it.textures[0].lodBias = -2; },
@@ -233,18 +235,20 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"WhatAFormatDoesNotStore", [](Scene& it) { showGradient(it, InternalFormat::R3G3B2); },
              "\n  stored |  | 4/7 | 4/7 | 1/3 | -\n"},
         Case{"Srgb", [](Scene& it) { showGradient(it, InternalFormat::Srgb8); },
-             "\n  stored |  | 128/255 | 128/255 | 127/255 | -\nGL_SRGB8 makes light of colours"},
+             "\n"
+             "  stored |  | 128/255 | 128/255 | 127/255 | -\n"
+             "GL_SRGB8 converts colours to light"},
         Case{"Prepared",
              [](Scene& it) {
                  it.textures[0].preparation = {{.op = ImageOp::Invert}, {.op = ImageOp::Sharpen}};
              },
-             "\nThe image was prepared before: Invert, Sharpen.\n"},
+             "\nThe image was prepared: Invert, Sharpen.\n"},
         Case{"Combine",
              [](Scene& it) {
                  it.passes[0].units[0].envMode = EnvMode::Combine;
                  it.passes[0].units[0].combine.source0Rgb = CombineSource::Texture3;
              },
-             "Undefined: an argument is the texture of a unit that samples nothing."},
+             "Undefined: an argument is the texture of a unit without a texture."},
         Case{"Idle",
              [](Scene& it) { it.passes[0].units[2].enabled = true, it.passes[0].units[2].texture = 9; },
              "there is no textures[9]"},
@@ -304,7 +308,7 @@ TEST(MergedTaps, AddUpWhatIsReadTwice) {
     EXPECT_FLOAT_EQ(taps[1].weight, 0.3F);
 }
 
-// Probes along a footprint read one texel several times, and the border is no texel of the level.
+// Probes along a footprint read a texel several times, and border texels do not belong to the level.
 TEST(TexelCount, CountsEveryTexelOnce) {
     SampleRecord sample;
     EXPECT_EQ(texelCount(sample), 0U);

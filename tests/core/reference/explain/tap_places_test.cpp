@@ -27,7 +27,7 @@ struct Case {
     Wrap wrap;
     float s;
     int texel; ///< that is read
-    int place; ///< counted on beyond the image
+    int place; ///< its place, counted beyond the image
 };
 class TapPlaces : public testing::TestWithParam<Case> {};
 
@@ -68,7 +68,7 @@ SampledTexture cubeOf4() {
     return texture;
 }
 
-// On the edge of +x and +z, of whose right column +x's left one is the neighbour.
+// On the edge of +x and +z: the left column of +x is next to the right column of +z.
 TEST(LevelPatches, OfASeamlessCubeMapGoOnOnTheNextFace) {
     const SampledTexture texture = cubeOf4();
     SampleOptions options;
@@ -94,7 +94,7 @@ TEST(LevelPatches, OfASeamlessCubeMapGoOnOnTheNextFace) {
     EXPECT_TRUE(isNear(colorAt(-2, 2), {0.4F, 0.2F, 0.2F, 1}));
 }
 
-// Three of the four places around a corner have a texel.
+// Around a corner, three of the four places have a texel.
 TEST(LevelPatches, HaveTheMeanOfThreeTexelsBeyondACorner) {
     const SampledTexture texture = cubeOf4();
     SampleOptions options;
@@ -109,7 +109,7 @@ TEST(LevelPatches, HaveTheMeanOfThreeTexelsBeyondACorner) {
         EXPECT_TRUE(tap.at == glm::ivec2(0, 0) || tap.at == glm::ivec2(-1, 0) || tap.at == glm::ivec2(0, -1));
 }
 
-// Half of what is read at the rim is the border: the patch shows it beside the last texel.
+// At the rim half of the sample is the border: the patch shows it next to the last texel.
 TEST(LevelPatches, ShowTheBorderThatClampReadsUnderALinearFilter) {
     for (const MagFilter filter : {MagFilter::Linear, MagFilter::Nearest}) {
         const SampledTexture texture = rowOf4(Wrap::Clamp, filter);
@@ -161,7 +161,7 @@ TEST(LevelPatches, StaySmall) {
     const std::vector<LevelPatch> patches =
         levelPatches(texture, explainSample(texture, {0.5F, 0.5F, 0}, wide), {0.5F, 0.5F, 0});
     ASSERT_EQ(patches.size(), 1U);
-    EXPECT_LE(patches[0].size.x, largestPatch);
+    EXPECT_LE(patches[0].size.x, maxPatch);
     EXPECT_EQ(patches[0].colors.size(),
               static_cast<std::size_t>(patches[0].size.x) * static_cast<std::size_t>(patches[0].size.y));
 }

@@ -45,14 +45,14 @@ ShadedVertex vertexAt(glm::vec2 window, float value = 0, float w = 1, Viewport s
     return vertex;
 }
 
-/// Where nothing is decided but the size: what each of them draws.
+/// For tests of the size only: what each line or point draws.
 struct Drawing {
     Pass pass;
     PassState state;
     Drawing() { state.pass = &pass; }
 };
 
-/// How often each pixel is covered, as the picture is drawn.
+/// The number of fragments of each pixel, rows as in the picture.
 Rows rowsOf(const std::vector<Triangle>& parts, Viewport size = viewport) {
     Rows rows(static_cast<std::size_t>(size.height), std::string(static_cast<std::size_t>(size.width), '.'));
     for (const Triangle& part : parts) {
@@ -97,11 +97,11 @@ INSTANTIATE_TEST_SUITE_P(
         // x = 1 and x = 3 are moved to the left: into pixels 0 and 2.
         LineCase{"RightFromASide", {1, 1.5F}, {3, 1.5F}, {"........", "........", "##......", "........"}},
         LineCase{"LeftFromASide", {3, 1.5F}, {1, 1.5F}, {"........", "........", ".##.....", "........"}},
-        // Between two rows it is moved into the lower one, whose diamonds it meets near to their centres' x
-        // alone: its ends, a little to the left of such an x, lie in none.
+        // Between two rows it is moved into the lower one, whose diamonds it crosses only near the x of their
+        // centres: its ends, slightly to the left of such an x, are in no diamond.
         LineCase{"RightBetweenRows", {0.5F, 2}, {4.5F, 2}, {"........", "........", "####....", "........"}},
         LineCase{"LeftBetweenRows", {4.5F, 2}, {0.5F, 2}, {"........", "........", "####....", "........"}},
-        // The end lies in the diamond of pixel 2: 0.25 + 0.125 away.
+        // The end is in the diamond of pixel 2: 0.25 + 0.125 away.
         LineCase{"EndsInADiamond",
                  {0.5F, 1.5F},
                  {2.25F, 1.625F},
@@ -141,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         LineCase{"Up", {2.5F, 0.5F}, {2.5F, 3.5F}, {"........", "..#.....", "..#.....", "..#....."}},
         LineCase{"Down", {2.5F, 3.5F}, {2.5F, 0.5F}, {"..#.....", "..#.....", "..#.....", "........"}},
-        // x = 2 is moved into column 1, by more than y is moved: its ends lie in the diamonds' right corners.
+        // x = 2 is moved into column 1, by more than y is moved: its ends are in the right corners of the
+        // diamonds.
         LineCase{"UpBetweenColumns", {2, 0.5F}, {2, 3.5F}, {"........", ".#......", ".#......", ".#......"}},
         LineCase{
             "DownBetweenColumns", {2, 3.5F}, {2, 0.5F}, {".#......", ".#......", ".#......", "........"}},
@@ -196,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
         LineCase{
             "ThreeLeft", {4.5F, 1.5F}, {0.5F, 1.5F}, {"........", ".####...", ".####...", ".####..."}, 3},
         LineCase{"ThreeUp", {2.5F, 0.5F}, {2.5F, 3.5F}, {"........", ".###....", ".###....", ".###...."}, 3},
-        // Moved down by 0.5, between two rows: its ends lie in no diamond, see above.
+        // Moved down by 0.5, between two rows: its ends are in no diamond, see above.
         LineCase{"TwoRight", {0.5F, 1.5F}, {4.5F, 1.5F}, {"........", "........", "####....", "####...."}, 2},
         LineCase{"TwoLeft", {4.5F, 1.5F}, {0.5F, 1.5F}, {"........", "........", "####....", "####...."}, 2},
         LineCase{"TwoUp", {2.5F, 0.5F}, {2.5F, 3.5F}, {"........", ".##.....", ".##.....", ".##....."}, 2},
@@ -220,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
             "AThird", {0.5F, 1.5F}, {4.5F, 1.5F}, {"........", "........", "####....", "........"}, 0.3F}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Each of these pixels belongs to one segment: that which leaves its diamond, where two of them meet in it.
+// Each of these pixels belongs to one segment: the one that leaves its diamond, if two of them meet in it.
 TEST(LineStrip, HitsEveryPixelOnce) {
     std::vector<Triangle> parts;
     Drawing drawing;
@@ -261,7 +262,7 @@ TEST(LineStrip, ThatRunsOnHasAPixelInEveryColumn) {
     }
 }
 
-// --- All diamonds, asked one by one, in whole numbers
+// --- All diamonds, tested one by one, in integers
 
 /// In units of 2^-21 of a pixel, from the centre of pixel 0, 0. Places on a grid of 1/16 of a pixel are moved
 /// by 2^-13 to the left and by 2^-21 down, which is little enough for lines as short as these.
@@ -398,7 +399,7 @@ INSTANTIATE_TEST_SUITE_P(
         PointCase{"AcrossTheRim", {0.5F, 0.5F}, 3, {"........", "........", "##......", "##......"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// --- What is interpolated
+// --- Interpolated values
 
 /// One texture unit that takes part, so that its coordinates are set up.
 struct Textured : Drawing {
@@ -469,7 +470,7 @@ TEST(LineValues, AreThoseOfThePerspective) {
     }
 }
 
-// Equation 3.7: depth is linear in the window, whatever w is.
+// Equation 3.7: depth is linear in the window, for any w.
 TEST(LineValues, OfDepthAreLinear) {
     Drawing drawing;
     ShadedVertex near = vertexAt({0.5F, 1.5F}, 0, 1, wide);
@@ -558,8 +559,8 @@ TEST_F(Assembled, HaveTheSizesOfTheirModel) {
                 ElementsAre("........", "..##....", "..##....", "........"));
 }
 
-// Cut at x = 16: half of the way to the second vertex. Pixel 15 is 15/32 of the way; the cut lies beside its
-// diamond.
+// Clipped at x = 16: half of the way to the second vertex. Pixel 15 is 15/32 of the way; the end is outside
+// of its diamond.
 TEST_F(Assembled, LinesAreCutAtTheView) {
     const auto made = assembled({vertexAt({0.5F, 8.75F}, 0, 1, wide), vertexAt({32.5F, 8.75F}, 1, 1, wide)});
     ASSERT_EQ(made.size(), 1U);
@@ -587,7 +588,7 @@ TEST_F(Assembled, LinesWithAnInfiniteEndAreLeftOut) {
     }
 }
 
-// Section 2.12: a point is drawn as a whole or not at all.
+// Section 2.12: a point is either drawn completely or not at all.
 TEST_F(Assembled, PointsAreDrawnIfTheirVertexIsInTheView) {
     model.pointSize = 3;
     EXPECT_EQ(rowsOf(assembled({vertexAt({16, 8.5F}, 0, 1, wide)}), wide)[7], "...............#");

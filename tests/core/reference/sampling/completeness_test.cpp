@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
                          [](SampledTexture& it) {
                              it.levels[1] = makeLevel({4, 3, 1}, [](int, int, int) { return glm::vec4(0); });
                          },
-                         Rule::LevelSize, 1, "4 x 4 texels and has 4 x 3"},
+                         Rule::LevelSize, 1, "4 × 4 texels and has 4 × 3"},
                     Case{"WrongBorder",
                          [](SampledTexture& it) {
                              it.levels[1] = makeLevel(

@@ -283,8 +283,8 @@ TEST(CompletenessOfACubeMap, WantsSixSquaresOfOneSize) {
     EXPECT_EQ(checkCompleteness(texture).rule, CompletenessRule::CubeFaces);
     EXPECT_EQ(
         checkCompleteness(texture).reason,
-        "the texture is incomplete: the faces of a cube map must have one size; +x has 4 x 4 texels and "
-        "-y 2 x 2");
+        "the texture is incomplete: the faces of a cube map must have one size; +x has 4 × 4 texels and "
+        "-y 2 × 2");
     texture = whole;
     texture.otherFaces.pop_back();
     EXPECT_EQ(checkCompleteness(texture).reason,
@@ -294,7 +294,7 @@ TEST(CompletenessOfACubeMap, WantsSixSquaresOfOneSize) {
         texture.levelToFill(0, face) = makeLevel({4, 2, 1}, [](int, int, int) { return glm::vec4(1); });
     EXPECT_EQ(
         checkCompleteness(texture).reason,
-        "the texture is incomplete: the faces of a cube map must be square, and they have 4 x 2 texels");
+        "the texture is incomplete: the faces of a cube map must be square, and they have 4 × 2 texels");
 
     texture = whole;
     texture.minFilter = MinFilter::LinearMipmapLinear;

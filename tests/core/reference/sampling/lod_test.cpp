@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{.name = "TheLongerAxisCounts", .texelsX = 1, .texelsY = 8, .lambda = 3, .first = 3, .second = 4},
         Case{.name = "Between", .texelsX = root8, .lambda = 1.5F, .first = 1, .second = 2, .share = 0.5F},
         Case{.name = "BeyondTheLast", .texelsX = 1024, .lambda = 10, .first = 6, .second = 6},
-        // Mesa makes a whole number of the maximal anisotropy, downwards.
+        // Mesa rounds the maximum anisotropy down to an integer.
         Case{.name = "TheEllipseOfOneAndAHalf",
              .texelsX = 8,
              .texelsY = 2,
@@ -267,7 +267,7 @@ TEST(LevelOfDetail, TakesEveryAxisOfAVolumeIntoTheRange) {
     EXPECT_NEAR(rhoBy(RhoMethod::Ideal, derivatives, {8, 8, 8}, 3), 4.47213595, 1e-6); // sqrt(16 + 4)
 }
 
-// A single axis leaves nothing open: m_u is the longer of both lengths.
+// With one axis there is no choice: m_u is the longer of both lengths.
 TEST(LevelOfDetail, HasOneRhoOnALine) {
     const Derivatives derivatives{{0.25F, 9, 9}, {-0.5F, 9, 9}};
     for (const EnumRow& row : rhoMethodRows)
@@ -275,13 +275,13 @@ TEST(LevelOfDetail, HasOneRhoOnALine) {
             << row.name;
 }
 
-// Sums that are no float.
+// Sums that do not fit a float.
 TEST(LevelOfDetail, HasAnUpperRhoForEveryFiniteDerivative) {
     EXPECT_DOUBLE_EQ(rhoBy(RhoMethod::Upper, {{0x1p127F, 0x1p127F, 0}, {}}, {64, 64, 1}, 2), 0x1p134);
     EXPECT_DOUBLE_EQ(rhoBy(RhoMethod::Upper, {{0x1p-149F, 0x1p-149F, 0}, {}}, {1, 1, 1}, 2), 0x1p-148);
 }
 
-// What is finite has a length: no square on the way to it may overflow or vanish.
+// Finite derivatives have a length: squares must not overflow or vanish.
 TEST(LevelOfDetail, HoldsForEveryFiniteDerivative) {
     const SampledTexture texture = leveledTexture(64);
     struct Row {
@@ -303,7 +303,7 @@ TEST(LevelOfDetail, HoldsForEveryFiniteDerivative) {
     }
 }
 
-// N = ceil(Pmax / Pmin), whatever their magnitude.
+// N = ceil(Pmax / Pmin), for any magnitude.
 TEST(LevelOfDetail, CountsTheProbesOfEveryFiniteDerivative) {
     SampledTexture texture = leveledTexture(64);
     texture.maxAnisotropy = 16;
@@ -321,7 +321,7 @@ TEST(LevelChoice, TakesTheLowerLevelHalfWayAndNoFurther) {
     for (int below = 0; below < 6; ++below) {
         const float half = static_cast<float>(below) + 0.5F;
         const auto levelAt = [&](float lambda) {
-            texture.minLod = lambda; // which decides, as one texel a pixel has lambda 0
+            texture.minLod = lambda; // this sets lambda, as one texel per pixel has lambda 0
             return chooseLevels(texture, levelOfDetail(texture, texelsPerPixel(texture, 1, 1), {})).first;
         };
         EXPECT_EQ(levelAt(std::nextafter(half, 0.0F)), below);

@@ -10,7 +10,7 @@
 namespace texplorer::reference::texture_store_test {
 namespace {
 
-/// A picture that two units sample and that is compressed here.
+/// A compressed picture that two units sample.
 Scene sceneWithTwoUnits() {
     Scene scene = defaultScene();
     scene.textures[0].compression = Compression::Cached;
@@ -19,7 +19,7 @@ Scene sceneWithTwoUnits() {
     return scene;
 }
 
-/// Asked to stop when the levels have just been made: too late for them.
+/// Requests a stop right after the levels were made: too late for them.
 struct LateStop {
     std::stop_source source;
     LevelWork work{{},
@@ -50,7 +50,7 @@ TEST_F(Store, KeepsLevelsThatWereMadeBeforeTheStop) {
     const glm::vec4* texels = stored->sampled.level(0)->texels.data();
     const StoredTexture* again = prepare(Target::Texture2D, late.work);
     ASSERT_EQ(again, stored);
-    EXPECT_EQ(again->sampled.level(0)->texels.data(), texels) << "somebody may be reading these";
+    EXPECT_EQ(again->sampled.level(0)->texels.data(), texels) << "another thread may be reading these";
 }
 
 TEST_F(Store, BeginsAgainAfterAStop) {
@@ -90,8 +90,7 @@ TEST_F(Store, HoldsWhatTheSceneSamplesAlone) {
     EXPECT_EQ(image.use_count(), unused);
 }
 
-// The stop of the levels alone is heeded, too; the first unit's texels are not freed
-// under it.
+// A stop for the levels alone works too; the first unit's texels stay valid.
 struct Question {
     const char* name;
     std::function<ErrorCode(ReferenceRenderer&, const Scene&, const DrawOptions&)> ask;
@@ -125,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
                              }}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Not Unsupported, as where the unit has no texture.
+// Unlike a unit without a texture, which is Unsupported.
 TEST(StoppedContributions, AreCancelled) {
     std::stop_source stopped;
     stopped.request_stop();

@@ -1,4 +1,4 @@
-// Numbers in the place of symbols, and what comes of them.
+// Equations with numbers instead of symbols, and their results.
 
 #include "core/reference/shading/equation_text.h"
 

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NotANumber", {nan, 0, 0, 0}, false, 2, {0.2F, 0.05F, 0.2F, 0.8F}, {0, 0, 0}}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Sections 2.14.2 and 2.14.3: what is tracked, and what is not.
+// Sections 2.14.2 and 2.14.3: which properties follow the current colour.
 TEST(AReflectance, IsTheCurrentColorUnderColorMaterial) {
     Material material;
     material.ambient = {0.1F, 0.2F, 0.3F, 0.4F};
@@ -96,11 +96,11 @@ TEST(AReflectance, IsTheCurrentColorUnderColorMaterial) {
     }
 }
 
-// OpenGL's own material and model, a white light straight ahead: 0.2 * 0.2 + 0.8.
+// OpenGL's default material and light model, a white light straight ahead: 0.2 * 0.2 + 0.8.
 TEST(ColorsOfALitVertex, HaveGlsOwnMaterialWithoutColorMaterial) {
     Material material;
     material.colorMaterial = false;
-    material.color = {1, 0, 0, 0.5F}; // which counts for nothing
+    material.color = {1, 0, 0, 0.5F}; // which has no effect
     const Reflectance surface(material, material.color);
     const VertexColors colors =
         litColors(lightingTerms(Light{}, surface, {0, 0, -2}, {0, 0, 1}), surface, ColorControl::Single);

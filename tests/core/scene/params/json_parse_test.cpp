@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"TruncatedText", R"({"vie)", "line 1, column 6", "invalid string: missing closing quote"},
         Refusal{"NoColon", R"({"view" {}})", "line 1, column 9", "expected ':' after the key, found '{'"},
         Refusal{"KeyWithoutQuotes", R"({view: {}})", "line 1, column 2",
-                "expected a key in quotes, found what is no part of JSON"},
+                "expected a key in quotes, found invalid JSON"},
         Refusal{"MissingComma", "{\"view\": {}\n \"light\": {}}", "line 2, column 8",
                 "expected ',' or '}', found a text in quotes"},
         Refusal{"TrailingComma", R"({"view": {},})", "line 1, column 13",
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"TwoRoots", "{} {}", "line 1, column 4", "expected the end of the file, found '{'"},
         Refusal{"Comment", "{ // view\n}", "line 1, column 3", "expected a key in quotes"},
         Refusal{"Nan", R"({"view": {"azimuth": NaN}})", "line 1, column 22",
-                "expected a value, found what is no part of JSON"},
+                "expected a value, found invalid JSON"},
         Refusal{"InvalidUtf8", "{\"textures\": [{\"file\": \"a\xff\"}]}", "line 1, column 26",
                 "invalid string: ill-formed UTF-8 byte"},
         Refusal{"InvalidUtf8Key", "{\"\xc3\x28\": 1}", "line 1, column 4",
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Version, RefusedScenes,
     testing::Values(Refusal{"Future", R"({"version": 2, "weather": "sunny"})", "/version",
-                            "the file has version 2, this Texplorer reads versions up to 1"},
+                            "the file has version 2, but this Texplorer reads versions up to 1"},
                     Refusal{"Zero", R"({"version": 0})", "/version",
                             "expected a version number from 1 to 1, found 0"},
                     Refusal{"Text", R"({"version": "1"})", "/version",
@@ -202,10 +202,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "/models/0/texCoords0/0/1", "expected a number between -3.4e38 and 3.4e38, found 1e999"},
         Refusal{"NoSuchTexture", R"({"passes": [{"units": [{}, {"enabled": true, "texture": 1}]}]})",
                 "/passes/0/units/1/texture",
-                "an enabled unit needs a texture that exists: it asks for number 1, the scene has 1 texture"},
-        Refusal{
-            "NoTextures", R"({"textures": []})", "/passes/0/units/0/texture",
-            "an enabled unit needs a texture that exists: it asks for number 0, the scene has 0 textures"}),
+                "an enabled unit needs an existing texture: it uses number 1, the scene has 1 texture"},
+        Refusal{"NoTextures", R"({"textures": []})", "/passes/0/units/0/texture",
+                "an enabled unit needs an existing texture: it uses number 0, the scene has 0 textures"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 /// A scene whose only model has this mesh.
@@ -226,9 +225,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"EndlessIndices", R"({"models": [{"mesh": {"indices": [)" + repeat("0", 1000000, ","),
                 "/models/0/mesh/indices/262144", "expected at most 262144 elements, found more"},
         Refusal{"NoSuchPosition", twoPositionsAnd(R"("indices": [0, 1, 2, 3])"), "/models/0/mesh/indices/2",
-                "expected the number of a position, the mesh has 2; found 2"},
+                "expected the number of a position (the mesh has 2), found 2"},
         Refusal{"IndexWithoutPositions", sceneOfMesh(R"("indices": [0])"), "/models/0/mesh/indices/0",
-                "expected the number of a position, the mesh has 0; found 0"},
+                "expected the number of a position (the mesh has 0), found 0"},
         Refusal{"NegativeIndex", twoPositionsAnd(R"("indices": [0, -1])"), "/models/0/mesh/indices/1",
                 "expected a whole number, found -1"},
         Refusal{"FractionForAnIndex", twoPositionsAnd(R"("indices": [0.5])"), "/models/0/mesh/indices/0",
@@ -261,7 +260,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"PositionBeyondAFloat", sceneOfMesh(R"("positions": [[0, 0, -1e39]])"),
                 "/models/0/mesh/positions/0/2", "expected a number between -3.4e38 and 3.4e38, found -1e39"},
         Refusal{"PositionNan", R"({"models": [{"mesh": {"positions": [[NaN, 0, 0]]}}]})", "line 1, column 38",
-                "expected a value, found what is no part of JSON"},
+                "expected a value, found invalid JSON"},
         Refusal{"PositionNull", sceneOfMesh(R"("positions": [[0, null, 0]])"), "/models/0/mesh/positions/0/1",
                 "expected a number between -3.4e38 and 3.4e38, found null"},
         Refusal{"PositionOfTwo", sceneOfMesh(R"("positions": [[0, 0, 0], [0, 0]])"),
@@ -292,8 +291,8 @@ INSTANTIATE_TEST_SUITE_P(
     Models, RefusedScenes,
     testing::Values(
         Refusal{"NamesNone", R"({"passes": [{"models": []}]})", "/passes/0/models",
-                "expected whole numbers, each from 0 to 15, found an empty array; a pass that doesn't name "
-                "its models draws all"},
+                "expected whole numbers, each from 0 to 15, found an empty array; a pass without a list of "
+                "models draws all"},
         Refusal{"NamesOneThatThereIsNot", R"({"models": [{}], "passes": [{}, {"models": [0, 1]}]})",
                 "/passes/1/models/1", "there is no model 1, the scene has 1 model"},
         Refusal{"NamesOneOfNone", R"({"models": [], "passes": [{"models": [0]}]})", "/passes/0/models/0",

@@ -178,7 +178,7 @@ TEST(WriteScene, LeavesOutTheStateOfAUnitThatNobodyTouched) {
     EXPECT_EQ(parseScene(text).value(), scene);
 }
 
-// Of a model: what nobody has touched of its own material and mesh is left out.
+// A model: unchanged parts of its material and mesh are left out.
 TEST(WriteScene, WritesVerticesAMatrixAndTheModelsOfAPassLikeThis) {
     Scene scene;
     scene.models = {Model{.name = "a \"b\"", .shape = Shape::Mesh}, Model{}};
@@ -232,7 +232,7 @@ TEST(WriteScene, FillsTheLinesOfALongList) {
     scene.models[0].mesh.positions.assign(13, {1, 0.5F, 0});
     scene.models[0].mesh.indices.assign(40, 10);
     const std::string text = writeScene(scene);
-    // 10 columns and 7 elements of 11 with what parts them are 100; an eighth one would end at 113.
+    // 10 columns and 7 elements of 11 with their separators are 100; an eighth one would end at 113.
     EXPECT_NE(text.find(R"(
         "positions": [
           [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0],
@@ -305,7 +305,7 @@ TEST(WriteScene, IsJsonEvenForAFileNameThatIsNotUtf8) {
     EXPECT_EQ(parseScene(writeScene(scene)).value().textures[0].file, "\xEF\xBF\xBD.png");
 }
 
-/// Scenes made from the tables alone: any number in range, any choice, any count that is allowed.
+/// Scenes made only from the tables: any number in range, any choice, any allowed count.
 class RandomScenes {
 public:
     explicit RandomScenes(std::uint32_t seed)
@@ -314,7 +314,7 @@ public:
     Scene next() {
         Scene scene;
         fill(sceneTable(), &scene);
-        // What the tables don't know of each other.
+        // Relations that the tables do not contain.
         for (Model& model : scene.models)
             if (below(3) == 0)
                 fit(model.mesh);
@@ -348,7 +348,7 @@ public:
 private:
     std::size_t below(std::size_t count) { return random_() % count; }
 
-    /// Every finite float is as likely as any other.
+    /// Every finite float is equally likely.
     float anyFloat() {
         for (;;)
             if (const float number = std::bit_cast<float>(static_cast<std::uint32_t>(random_()));

@@ -58,7 +58,8 @@ TEST(ListParams, ReadsLikeThis) {
     EXPECT_THAT(text, HasSubstr("\ntextures[]   0 to 64 of them, counted from 0\n"));
     EXPECT_THAT(text, HasSubstr("\npasses[].units[]   always 4 of them, counted from 0\n"));
     EXPECT_THAT(text, HasSubstr("\ntextures[].magFilter = GL_LINEAR\n"));
-    EXPECT_THAT(text, HasSubstr("\n      GL_NEAREST  Take the one texel"));
+    EXPECT_THAT(text, HasSubstr("\n"
+                                "      GL_NEAREST  Reads the one texel"));
     EXPECT_THAT(text, HasSubstr("\n    Accepts a number from 1 to 16.\n"));
     EXPECT_THAT(text, HasSubstr("\n    glDepthFunc({})\n"));
     EXPECT_THAT(text, HasSubstr("\n    One vertex is models[].texCoords0[].\n"));

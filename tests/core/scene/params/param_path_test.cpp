@@ -42,9 +42,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"NoIndex", "textures.minFilter", "GL_LINEAR",
                 "textures: an index is needed, as in textures[0]; the scene has 1"},
         Refusal{"IndexTooLarge", "textures[3].minFilter", "GL_LINEAR",
-                "textures[3]: expected the number of one that exists, counted from 0; the scene has 1"},
+                "textures[3]: expected an existing index, counted from 0; the scene has 1"},
         Refusal{"IndexHuge", "textures[99999999999999999999].minFilter", "GL_LINEAR",
-                "textures[99999999999999999999]: expected the number of one that exists, counted from 0; the "
+                "textures[99999999999999999999]: expected an existing index, counted from 0; the "
                 "scene has 1"},
         Refusal{"IndexNegative", "textures[-1].minFilter", "GL_LINEAR",
                 R"(textures[-1]: expected a number in the brackets, found "-1")"},
@@ -54,26 +54,26 @@ INSTANTIATE_TEST_SUITE_P(
                 "passes[0].units[0].texGenQ.mode: expected one of GL_EYE_LINEAR, GL_OBJECT_LINEAR, found "
                 "\"GL_SPHERE_MAP\""},
         Refusal{"IndexOfUnits", "passes[0].units[4].envMode", "GL_ADD",
-                "passes[0].units[4]: expected the number of one that exists, counted from 0; the pass has 4"},
+                "passes[0].units[4]: expected an existing index, counted from 0; the pass has 4"},
         Refusal{"IndexOfMatrix", "passes[0].units[0].matrix[0].op", "scale",
-                "passes[0].units[0].matrix[0]: expected the number of one that exists, counted from 0; the "
+                "passes[0].units[0].matrix[0]: expected an existing index, counted from 0; the "
                 "unit has 0"},
-        Refusal{"IndexOnAStruct", "view[0].azimuth", "1", "view[0]: it is not a list, expected no index"},
+        Refusal{"IndexOnAStruct", "view[0].azimuth", "1", "view[0]: it is not a list: expected no index"},
         Refusal{"IndexOnAValue", "view.azimuth[0]", "1",
-                "view.azimuth[0]: it is a single value, expected no index"},
+                "view.azimuth[0]: it is a single value: expected no index"},
         Refusal{"OpenBracket", "textures[0.minFilter", "1",
                 R"(textures[0: no such parameter; did you mean "textures"?)"},
         Refusal{
             "TooShort", "material", "1",
             "material: it has parameters of its own; expected one of color, colorMaterial, ambient, diffuse, specular, emission, shininess, shadeModel"},
         Refusal{"TooLong", "view.azimuth.degrees", "1",
-                "view.azimuth: it is a value and has no parts, expected the path to end here"},
+                "view.azimuth: it is a value without parts: expected the path to end here"},
         Refusal{"Value", "view.azimuth", "north",
                 R"(view.azimuth: expected a number from -360 to 360 deg, found "north")"},
         Refusal{
             "NoSuchTexture", "passes[0].units[0].texture", "1",
-            "passes[0].units[0].texture: an enabled unit needs a texture that exists: it asks for number 1, "
-            "the scene has 1 texture"},
+            "passes[0].units[0].texture: an enabled unit needs an existing texture: it uses number 1, the "
+            "scene has 1 texture"},
         Refusal{"TexCoordIndex", "models[0].texCoords0[24]", "0,0",
                 "models[0].texCoords0[24]: the cube has 24 vertices, expected 0 to 23"},
         Refusal{"TexCoordNoNumber", "models[0].texCoords0[a]", "0,0",
@@ -121,7 +121,7 @@ TEST(ParamPath, ADisabledUnitMayAskForATextureThatComesLater) {
     const auto enabled = setParam(scene, "passes[0].units[1].enabled", "true");
     ASSERT_FALSE(enabled);
     EXPECT_EQ(enabled.error().message,
-              "an enabled unit needs a texture that exists: it asks for number 5, the scene has 0 textures");
+              "an enabled unit needs an existing texture: it uses number 5, the scene has 0 textures");
     EXPECT_FALSE(scene.passes[0].units[1].enabled);
 }
 

@@ -52,7 +52,7 @@ TEST(SceneAt, MovesWhatHasKeysAndLeavesTheRest) {
     EXPECT_EQ(sceneAt(sceneAt(scene, 2), 77), sceneAt(scene, 2)) << "it stands";
 }
 
-// What any key says is there at its time, to the last bit, whatever lies before and behind it.
+// At the time of a key its value is exact, regardless of the keys before and after it.
 TEST(SceneAt, IsExactAtAKey) {
     const std::vector<float> times{0, 0.1F, 1.0F / 3, 0.7F, 5.3F, 3600};
     const std::vector<std::string> values{"0.1", "-0", "1e-40", "123.456", "-360", "359.99997"};
@@ -151,7 +151,7 @@ TEST(Timeline, IsReadAndWrittenAsOneWouldWriteIt) {
 )");
 }
 
-// Whatever a text is, it is the same text when it has been a number in a file.
+// Any text is the same after it was written to a file as a number.
 TEST(Timeline, KeepsEveryText) {
     for (const char* text : {"",
                              "0",
@@ -217,7 +217,7 @@ TEST(Timeline, SaysWhatIsWrongWithAKey) {
          Refused{R"({"path": "azimuth", "value": 1})", "/timeline/0/path",
                  "azimuth: no such parameter; did you mean view.azimuth?"},
          Refused{R"({"path": "models[9].size", "value": 1})", "/timeline/0/path",
-                 "models[9]: expected the number of one that exists, counted from 0; the scene has 2"},
+                 "models[9]: expected an existing index, counted from 0; the scene has 2"},
          Refused{R"({"value": 1})", "/timeline/0/path",
                  "expected the path of a parameter, as \"view.azimuth\", found none"},
          Refused{R"({"path": "view.azimuth"})", "/timeline/0/value",
@@ -252,8 +252,8 @@ TEST(Timeline, SaysWhatIsWrongWithAKey) {
          Refused{
              R"({"path": "view.azimuth", "value": 1}, {"time": 2, "path": "passes[0].units[0].texture", "value": 3})",
              "/timeline",
-             "passes[0].units[0], at 2 s: an enabled unit needs a texture that exists: it asks for number 3, "
-             "the scene has 1 texture"}}) {
+             "passes[0].units[0], at 2 s: an enabled unit needs an existing texture: it uses number 3, the "
+             "scene has 1 texture"}}) {
         const auto scene = parseScene(std::string(R"({"timeline": [)") + keys + "]}");
         ASSERT_FALSE(scene) << keys;
         EXPECT_EQ(scene.error().where, where) << scene.error().message;
@@ -271,7 +271,7 @@ TEST(Timeline, HasALimit) {
     EXPECT_EQ(scene.error().message, "expected at most 1024 elements, found more");
 }
 
-// A unit may be given a texture that isn't there while it is off.
+// A disabled unit may have a texture that does not exist.
 TEST(Timeline, IsHeldTogetherAtEveryTime) {
     const auto keys = [](const char* off) {
         return std::vector<KeyFrame>{{0, "passes[0].units[0].enabled", "true"},

@@ -54,7 +54,7 @@ TEST(ChangesBetween, OfALongListSayTheFirstThatDiffers) {
                                            Field(&SceneChange::to, "0 elements"))));
 }
 
-/// Whatever differs, taking each of it over makes the scenes the same: what doesn't fit yet, later.
+/// Applying every difference makes the scenes equal; values that do not fit yet are applied later.
 void expectTakenOver(const Scene& from, Scene scene) {
     for (int round = 0; round < 2; ++round) {
         for (const SceneChange& each : changesBetween(from, scene))
