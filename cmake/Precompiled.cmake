@@ -1,4 +1,4 @@
-# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels or LAYER_tests; of
+# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels, texshot or LAYER_tests; of
 # a kind that has no list here, there are too few sources to make a precompiled header worth its time.
 # TEXPLORER_PRECOMPILE is off where it should show that every file includes what it uses.
 option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)

@@ -8,15 +8,21 @@ make_bare_debian() {
     mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' |
         sed -n "s/^$(. /etc/os-release && echo "$VERSION_CODENAME") main Packages //p" | head -1)
     if [ -z "$mirror" ]; then
-        echo "apt knows no mirror of this release's main packages" >&2
+        echo "apt has no mirror of this release's main packages" >"$log"
+        cat "$log" >&2
         return 1
     fi
     if ! debootstrap --variant=minbase "$release" "$root" "$mirror" >"$log" 2>&1; then
         tail -5 "$log" >&2
         return 1
     fi
-    cp /etc/hosts "$root/etc/hosts"
-    cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
+    copy_network "$root"
+}
+
+# copy_network FOLDER: names of hosts and proxies as this machine has them now.
+copy_network() {
+    cp /etc/hosts /etc/resolv.conf "$1/etc/"
+    cp /etc/apt/apt.conf.d/*proxy* "$1/etc/apt/apt.conf.d/" 2>/dev/null || true
 }
 
 mount_proc() { mountpoint -q "$1/proc" || mount -t proc proc "$1/proc"; }

@@ -22,22 +22,38 @@ fi
 folder=$PWD/build/elsewhere
 root=$folder/$release
 mkdir -p "$folder"
-if [ ! -e "$root/made" ]; then
-    say "making a bare $release in ${root#"$PWD"/}"
-    rm -rf --one-file-system "$root"
-    make_bare_debian "$release" "$root" "$folder/debootstrap.log" || { say "debootstrap failed"; exit 1; }
-    touch "$root/made"
+exec 9>"$folder/$release.lock"
+flock -n 9 || { say "another call uses ${root#"$PWD"/}"; exit 1; }
+sources=$folder/$release.sources
+if ! git ls-files -z --cached --others --exclude-standard >"$sources"; then
+    say "expected a git checkout, whose files are copied; see git's message above"
+    exit 1
 fi
+
 trap 'unmount_proc "$root" || say "$root/proc is still in use"' EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
+if [ ! -e "$root/made" ]; then
+    say "making a bare $release in ${root#"$PWD"/}"
+    unmount_proc "$root" # of a call that was killed
+    rm -rf --one-file-system "$root"
+    make_bare_debian "$release" "$root" "$folder/debootstrap.log" || { say "the root was not made: ${folder#"$PWD"/}/debootstrap.log"; exit 1; }
+    touch "$root/made"
+fi
 mount_proc "$root"
+copy_network "$root"
+chroot "$root" dpkg --configure -a >"$folder/dpkg.log" 2>&1 || # after a call that was killed
+    { say "the root's packages are damaged: remove ${root#"$PWD"/} to start again; see ${folder#"$PWD"/}/dpkg.log"; exit 1; }
 
-# The sources replace those of the last call; build results stay.
+# The sources replace those of the last call; what was built from them stays.
 checkout=$root/home/texplorer
 mkdir -p "$checkout"
 find "$checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
-git ls-files -z --cached --others --exclude-standard | tar --null -T - --ignore-failed-read -c | tar -x -C "$checkout"
+tar --null -T "$sources" --ignore-failed-read -c | tar -x -C "$checkout"
 say "./dev $* in $release"
-chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 ${CI:+CI="$CI"} \
-    TEXPLORER_PROOF_SEED="${TEXPLORER_PROOF_SEED:-1}" /home/texplorer/dev "$@"
+environment=()
+for name in http_proxy https_proxy no_proxy CI; do
+    if [ -n "${!name:-}" ]; then environment+=("$name=${!name}"); fi
+done
+chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "${environment[@]}" \
+    TEXPLORER_PROOF_SEED="${TEXPLORER_PROOF_SEED:-$(git rev-parse --short HEAD)}" /home/texplorer/dev "$@"

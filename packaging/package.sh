@@ -100,7 +100,7 @@ fi
 
 release=$(. /etc/os-release && echo "$VERSION_CODENAME")
 say "a bare $release"
-make_bare_debian "$release" "$root" "$work/log" || complain "debootstrap failed"
+make_bare_debian "$release" "$root" "$work/log" || complain "no bare Debian was made"
 mount_proc "$root"
 
 # inside COMMAND…: runs in the bare Debian, as an unprivileged user.

@@ -1,9 +1,11 @@
 #include "app/view/pretence.h"
 
+#include "core/base/nearest_name.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/scene.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -121,6 +123,10 @@ Result<void> Pretence::add(std::string_view word) {
         lacks_.push_back(lack);
         return {};
     }
+    if (nearestName(name, names).empty())
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected one of {}, found {}", fmt::join(names, ", "), inQuotes(word)),
+                    option);
     return fail(ErrorCode::OutOfRange,
                 fmt::format("{} cannot be taken away; {}", inQuotes(word), suggestName(name, names)), option);
 }

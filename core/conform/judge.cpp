@@ -194,6 +194,9 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
             !taken)
             return fail(taken.error());
     }
+    std::vector<TexturePictures> held; // or the stand-in for light depths is made again for each pixel
+    for (const Texture& texture : scene.textures)
+        held.push_back(reference.images().picturesOf(texture));
     std::vector<Image> moved{judgement.redrawn ? *judgement.redrawn : ours};
     for (const Scene& end : movedByTexelError(scene, reference.images())) {
         Result<Frame> frame = reference.drawBy(end, judgement.rho);

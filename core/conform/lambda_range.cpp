@@ -88,10 +88,6 @@ float log2OfBits(float value) {
 } // namespace
 
 glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& images) {
-    if (texture.source == SourceKind::LightDepth) { // what the light sees is not in `images`
-        const int size = std::max(texture.depthSize >> std::clamp(texture.baseLevel, 0, 30), 1);
-        return {size, size, 1};
-    }
     const LevelPlan plan = planLevels(texture, images.picturesOf(texture), target);
     for (const PlannedLevel& level : plan.levels) {
         if (level.number == texture.baseLevel)

@@ -1,7 +1,8 @@
 #pragma once
 
-// EXPECT_TRUE(texplorer::matchesGolden(width, height, pixels, "golden/start.png")); With
-// TEXPLORER_UPDATE_GOLDENS=1 in the environment, missing or different goldens are written.
+//     EXPECT_TRUE(texplorer::matchesGolden(width, height, pixels, "golden/start.png"));
+//
+// With TEXPLORER_UPDATE_GOLDENS=1 in the environment, missing or different goldens are written.
 
 #include "core/golden/golden.h"
 

@@ -20,7 +20,7 @@ struct MipOptions {
 // A Kaiser window, common in texture tools, is missing: stb_image_resize has none.
 inline constexpr std::array mipFilterRows{
     row(MipFilter::Box, "box", "Box",
-        "The average of the 2 × 2 texels of the level before, as in glGenerateMipmap and gluBuild2DMipmaps."),
+        "The average of the texels that it covers in the level before, as in glGenerateMipmap and gluBuild2DMipmaps."),
     row(MipFilter::Triangle, "triangle", "Triangle",
         "Near texels weigh more than far ones, over twice the width. Smoother than a box."),
     row(MipFilter::Cubic, "cubic", "Cubic B-spline",

@@ -111,16 +111,17 @@ Result<void> shadowMap(const PresetTarget& target) {
 
 constexpr std::array coordinateRows{
     Preset{"scroll", motionGroup, "Scroll",
-           "A translation of the texture matrix with a rate, instead of its steps.",
+           "Replaces the steps of the texture matrix by a translation with a rate.",
            "The image moves over the surface towards smaller s, like water or a conveyor belt.", scroll},
-    Preset{"spin", motionGroup, "Spin", "A rotation of the texture matrix with a rate, instead of its steps.",
+    Preset{"spin", motionGroup, "Spin", "Replaces the steps of the texture matrix by a rotation with a rate.",
            "The image turns about (0, 0), one of its corners: glRotatef has no other centre.", spin},
     Preset{"rotate-centre", motionGroup, "Rotate about the centre",
            "The same about (0.5, 0.5): glTranslatef there, glRotatef, glTranslatef back.",
            "The centre of the image stays where it is.", rotateAboutCentre},
-    Preset{"pulse", motionGroup, "Pulse", "A scale between two opposite rotations, about the centre.",
-           "The image grows and shrinks along a turning axis. A factor below 1 shows a smaller part, larger.",
-           pulse},
+    Preset{
+        "pulse", motionGroup, "Pulse", "Scales between two opposite rotations, all about the centre.",
+        "The image grows and shrinks along a rotating axis. A factor below 1 enlarges a smaller part of it.",
+        pulse},
     Preset{"sphere-map", generatedGroup, "Sphere map",
            "glTexGen with GL_SPHERE_MAP for s and t, and the image of a mirror ball.",
            "The surface reflects an image. Orbit: the reflection moves with the eye, not with the surface.",

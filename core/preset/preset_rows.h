@@ -23,8 +23,8 @@ void showPatternUnlessOwn(Texture& texture, Pattern pattern);
 /// Sets trilinear filtering, with all levels generated.
 void filterTrilinear(Texture& texture);
 
-/// Disables generated coordinates; the texture matrix stays, unless it is the light's projector, which needs
-/// generated ones.
+/// Samples a 2D texture at the vertices' coordinates: disables generation and embossing, and removes the
+/// projector steps of the texture matrix, which need generated coordinates.
 void generateNothing(Unit& unit);
 
 /// The same, and resets the texture matrix; for any target.

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::string_view undoName() const; ///< the name of the step that undo reverts; empty: none
     [[nodiscard]] std::string_view redoName() const;
 
-    // The number of steps, oldest first. The first has no name: it is the beginning, or the oldest that is
+    // The steps as a list, oldest first. The first has no name: it is the beginning, or the oldest that is
     // kept.
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
     [[nodiscard]] std::size_t position() const { return position_; } ///< of `current`

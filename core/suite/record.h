@@ -133,8 +133,8 @@ struct RunRecord {
     [[nodiscard]] std::vector<std::string> missing() const;
 };
 
-/// 0: all passed, or a part without cases; 1: some differ, are new, crashed or timed out; 2: some could not
-/// be tested, or there are none.
+/// 0: all passed or were skipped, or a part without cases; 1: some differ, are new, crashed or timed out; 2:
+/// some could not be tested, or there are none.
 [[nodiscard]] int exitStatus(const RunRecord& run);
 
 /// "36 cases: 33 passed, 2 failed, 1 skipped"

@@ -46,7 +46,7 @@ def problems(root):
 
 
 class Documents(unittest.TestCase):
-    def test_links_lead_somewhere_(self):
+    def test_links_lead_somewhere(self):
         self.assertEqual(problems(ROOT), [])
 
     def test_finds_what_is_wrong(self):

@@ -74,8 +74,8 @@ def is_checked(path):
 
 def files_of(root):
     """What git knows; without it, what is there."""
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=root, capture_output=True, text=True)
-    names = listed.stdout.splitlines() if listed.returncode == 0 else [
+    listed = subprocess.run(["git", "ls-files", "-z", "-co", "--exclude-standard"], cwd=root, capture_output=True, text=True)
+    names = listed.stdout.split("\0") if listed.returncode == 0 else [
         str(path.relative_to(root)) for top in [*FOLDERS, "assets/lessons"] for path in (root / top).rglob("*")]
     return sorted(name for name in {*names, *DOCUMENTS} if is_checked(name) and (root / name).is_file())
 

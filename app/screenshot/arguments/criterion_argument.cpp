@@ -46,7 +46,7 @@ void addCriterionArgument(Command& command, CriterionArgument& argument, const O
         {.value = "P", .needs = needs});
     command.option(
         "--mask", argument.mask,
-        help("A picture of the same size. Pixels that are black or transparent in it are ignored."),
+        help("A picture of the same size. Pixels that are black or fully transparent in it are ignored."),
         {.value = "FILE", .needs = needs});
     command.flag("--rgb", argument.rgb, help("Ignore alpha."), {.needs = needs});
     argument.givenPixelsPerDegree = &command.number(

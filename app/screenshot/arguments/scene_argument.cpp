@@ -79,7 +79,10 @@ Result<lesson::LessonScene> sceneOfTask(const SceneArgument& argument, const les
         return fail(ErrorCode::OutOfRange, "this step has no picture to reach", "--reached");
     const std::size_t answers = predict ? predict->answers.size() : 0;
     if (argument.answer > answers)
-        return fail(ErrorCode::OutOfRange, fmt::format("this step has {} answers", answers), "--answer");
+        return fail(ErrorCode::OutOfRange,
+                    answers > 0 ? fmt::format("this step has {} answers", answers)
+                                : std::string("this step has no answers"),
+                    "--answer");
     return argument.answer > 0 ? lesson::withEdits(start, predict->answers[argument.answer - 1].edits)
                                : Result<lesson::LessonScene>(start);
 }
@@ -97,7 +100,7 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
     if (argument.step > lesson->steps.size())
         return problem(
             {ErrorCode::OutOfRange,
-             fmt::format("the lesson has the steps 1 to {}, and no {}", lesson->steps.size(), argument.step),
+             fmt::format("expected a step from 1 to {}, found {}", lesson->steps.size(), argument.step),
              "--step"},
             wrongCall);
     const Result<lesson::LessonScene> start =

@@ -68,7 +68,7 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request,
                       std::span<const RendererKind> renderers) {
     const auto isReference = [](RendererKind renderer) { return renderer == RendererKind::Reference; };
     if (options.shownOption->isGiven() && !request.window && !std::ranges::all_of(renderers, isReference))
-        return fail(ErrorCode::OutOfRange, "expected --renderer reference or --ui with it", "--show");
+        return fail(ErrorCode::OutOfRange, "requires --renderer reference or --ui", "--show");
     noteMethodsUse(options.picture, request.window || std::ranges::any_of(renderers, isReference));
     if (!request.window)
         noteRendererUse(options.renderer, renderers, orWindow);

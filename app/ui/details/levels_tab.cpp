@@ -74,7 +74,8 @@ std::string remark(const Session& session, const Texture& texture, const Unit& u
     if (levels.size() == 1)
         return "There is only the base level: minified pixels have no smaller level to read.";
     if (!reference::wantsMipmaps(texture.minFilter))
-        return fmt::format("{} reads only the base level, for any λ.", rowOf(texture.minFilter).name);
+        return fmt::format("The minification filter {} reads only the base level, for any λ.",
+                           rowOf(texture.minFilter).name);
     return {};
 }
 

@@ -268,7 +268,7 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     const ImVec2 at(low.x, top + large);
     colorPatch(*ImGui::GetWindowDrawList(), {at.x, at.y + 1}, {at.x + patch, at.y + small},
                reference::inputsOf(format, colors).source);
-    shrunkText({at.x + patch + gap, at.y}, fmt::format("Cs {}, As {}", source, alpha), small,
+    shrunkText({at.x + patch + gap, at.y}, fmt::format("Cs = {}, As = {}", source, alpha), small,
                size.x - patch - 2 * gap, color::dim);
     ImGui::Dummy(size);
     choiceTip(row);
@@ -281,7 +281,7 @@ float columnHeadHeight() {
 
 float headWidth(const Session& session) {
     const float em = ImGui::GetFontSize();
-    float width = em * 1.6F + ImGui::CalcTextSize("Cs Lt, As At").x * 0.8F;
+    float width = em * 1.6F + ImGui::CalcTextSize("Cs = Lt, As = At").x * 0.8F;
     for (const BaseFormat format : tableFormats)
         width = std::max(
             width,

@@ -82,8 +82,8 @@ void vertexLine(Session& session) {
     text("Vertex");
     ImGui::PopStyleColor();
     if (model && count > 0)
-        helpTip(fmt::format("A vertex of model {}, {}, from 0 to {}", session.window.selection.model,
-                            nameOf(*model), count - 1));
+        helpTip(fmt::format("Vertex 0 to {} of model {} ({})", count - 1, session.window.selection.model,
+                            nameOf(*model)));
     ImGui::SameLine(0, gap);
     if (squareButton("◀", "previous vertex", "The previous vertex", count > 0))
         stepVertex(session, false);

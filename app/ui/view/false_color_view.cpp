@@ -185,11 +185,11 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
     const float y = low.y + line + pad * 0.4F;
     float left = low.x;
     if (scale.hasMagnified) {
-        const float field = ImGui::CalcTextSize("< 0").x;
+        const float field = ImGui::CalcTextSize("≤ 0").x;
         const auto [r, g, b, a] = reference::lambdaColor(0, scale.steps);
         draw.AddRectFilled({left, y}, {left + field, y + bar}, IM_COL32(r, g, b, a));
         draw.AddRect({left, y}, {left + field, y + bar}, color::outline);
-        draw.AddText({left, y + bar + pad * 0.2F}, color::text, "< 0");
+        draw.AddText({left, y + bar + pad * 0.2F}, color::text, "≤ 0");
         left += field + em;
     }
     const float length = low.x + width - left;

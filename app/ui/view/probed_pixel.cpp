@@ -59,7 +59,7 @@ void drawProbedPixel(const Session& session, const Pictures& pictures, const Pan
         draw.AddLine({middle.x, middle.y - far}, {middle.x, middle.y - half}, tint, width);
         draw.AddLine({middle.x, middle.y + half}, {middle.x, middle.y + far}, tint, width);
     }
-    noteDrawn("probed pixel", middle, middle);
+    noteDrawn("explained pixel", middle, middle);
 }
 
 } // namespace texplorer::ui

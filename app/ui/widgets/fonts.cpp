@@ -17,7 +17,7 @@ namespace {
 constexpr float textSize = 15; // pixels at a scale of 1
 constexpr float codeSize = 13.5F;
 
-constexpr std::array<ImWchar, 21> usualLetters{0x0020, 0x024F, // Latin
+constexpr std::array<ImWchar, 23> usualLetters{0x0020, 0x024F, // Latin
                                                0x0370, 0x03FF, // Greek
                                                0x0400, 0x04FF, // Cyrillic
                                                0x2010, 0x203A, // dashes, quotation marks, … ›
@@ -26,6 +26,7 @@ constexpr std::array<ImWchar, 21> usualLetters{0x0020, 0x024F, // Latin
                                                0x25A0, 0x25CF, // ▶ ▾ ●
                                                0x2715, 0x275A, // ✕ ❚
                                                0x2212, 0x2212, // −
+                                               0x2264, 0x2264, // ≤
                                                0xFFFD, 0xFFFD, // shown for a letter that no font has
                                                0};
 

@@ -104,8 +104,8 @@ void drawDiscard(Session& session) {
     const std::string title = fmt::format("Unsaved changes in {}", name);
     if (!beginModal(name.empty() ? "Unsaved changes in this scene" : title.c_str()))
         return;
-    text(name.empty() ? std::string("This scene has changes that are not saved.")
-                      : fmt::format("{} has changes that are not saved.", name));
+    text(session.window.pending == Pending::Quit ? "Save them before quitting?"
+                                                 : "Save them before opening another scene?");
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     const bool keep = dialogButton("Save") || isKeyPressed(key::enter, false);
     noteItem("discard:save");

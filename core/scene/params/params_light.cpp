@@ -31,9 +31,9 @@ constexpr std::array lightRows{
     param<&Light::localViewer>(
         "localViewer", "Light model", "Local viewer", "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, {})",
         "Highlights use the real direction to the eye instead of one direction for the whole scene."),
-    param<&Light::twoSide>(
-        "twoSide", "Light model", "Two sides", "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, {})",
-        "Faces that look away from the eye are lit with the opposite normal, such as the inside of a cup."),
+    param<&Light::twoSide>("twoSide", "Light model", "Two sides",
+                           "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, {})",
+                           "Back faces, such as the inside of a cup, are lit with the opposite normal."),
 };
 
 constexpr std::array projectorRows{

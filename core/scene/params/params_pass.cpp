@@ -11,7 +11,7 @@ constexpr std::array passRows{
     param<&Pass::enabled>(
         "enabled", "Pass", "Drawn", "",
         "Whether this pass is drawn. Passes are drawn one after the other, each over the ones before."),
-    param<&Pass::name>("name", "Pass", "Name", "", "The name of the model in lists. It has no other effect."),
+    param<&Pass::name>("name", "Pass", "Name", "", "The name of the pass in lists. It has no other effect."),
     list<&Pass::models>(
         "models", "Pass", "Models", "",
         "The models that this pass draws, counted from 0 and in this order. Without a list: all models.",

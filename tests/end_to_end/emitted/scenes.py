@@ -41,6 +41,8 @@ def chosen(cases):
     TEXPLORER_PROOF_SEED or the commit, so that each commit tests others."""
     share = int(os.environ.get("TEXPLORER_PROOFS", "10"))
     seed = os.environ.get("TEXPLORER_PROOF_SEED") or commit()
+    if len(cases) < 140:
+        raise AssertionError(f"found {len(cases)} scenes, expected at least 140")
     count = -(-len(cases) // share)
     print(f"{count} of {len(cases)} scenes: TEXPLORER_PROOF_SEED={seed} TEXPLORER_PROOFS={share}", flush=True)
     return cases[:1] + random.Random(seed).sample(cases[1:], count - 1)

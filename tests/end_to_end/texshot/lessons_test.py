@@ -221,10 +221,10 @@ class Drawing(Lessons):
         folder = self.lesson(self.MATCH, self.PREDICT)
         for expected, *arguments in [
                 ("expected one of first-texture, ", "--lesson", "nothing"),
-                ("steps 1 to 2", "--lesson", folder, "--step", "3"),
+                ("a step from 1 to 2, found 3", "--lesson", folder, "--step", "3"),
                 ("--step", "--lesson", folder, "--step", "0"),
                 ("no picture to reach", "--lesson", folder, "--step", "2", "--reached"),
-                ("0 answers", "--lesson", folder, "--step", "1", "--answer", "1"),
+                ("no answers", "--lesson", folder, "--step", "1", "--answer", "1"),
                 ("2 answers", "--lesson", folder, "--step", "2", "--answer", "3"),
                 ("--lesson", "--step", "2"),
                 ("--lesson", "--answer", "2"),

@@ -192,7 +192,7 @@ class Shot(Texshot):
         scene = self.flat()
         out = self.path / "a.png"
         for code, expected, arguments in [
-            (2, "--show: expected --renderer reference or --ui with it", ["--show", "lambda"]),
+            (2, "--show: requires --renderer reference or --ui", ["--show", "lambda"]),
             (2, "expected one of picture, lambda, anisotropy", ["--renderer", "reference", "--show", "lod"]),
             (2, "--show", ["--renderer", "reference", "--unit", "1"]),
             (1, "passes[0].units[1] samples nothing", ["--renderer", "reference", "--show", "lambda", "--unit", "1"]),

@@ -44,7 +44,7 @@ protected:
 TEST_F(ExplainTab, SaysWhatToDoFirst) {
     open();
     EXPECT_TRUE(has("explain:none"));
-    EXPECT_FALSE(has("probed pixel"));
+    EXPECT_FALSE(has("explained pixel"));
 }
 
 TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
@@ -63,7 +63,7 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     EXPECT_NE(found->seen(), nullptr);
     EXPECT_TRUE(has("explain:pixel"));
     EXPECT_TRUE(has("card:Texels"));
-    EXPECT_TRUE(has("probed pixel"));
+    EXPECT_TRUE(has("explained pixel"));
 }
 
 TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
