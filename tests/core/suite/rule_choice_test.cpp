@@ -44,7 +44,8 @@ TEST(RuleChoice, FollowsWhatASceneUses) {
 /// A case has the same tolerance as its feature in the comparison.
 TEST(RuleChoice, GrantsWhatTheComparisonGrants) {
     for (const conform::Feature& feature : conform::features()) {
-        const conform::Rule& rule = ruleFor(conform::sceneOf(feature, 1, 0));
+        const Scene scene = conform::sceneOf(feature, 1, 0);
+        const conform::Rule& rule = ruleFor(scene);
         const conform::Rule& granted = feature.reference;
         // Three passes of flat quads are rounded three times, and lines with levels use the rule for levels.
         const bool isOther = granted.name == "passes" || granted.name == "lines";

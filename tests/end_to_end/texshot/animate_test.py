@@ -220,7 +220,7 @@ class Animate(Texshot):
             (2, "--seconds: expected an end within 3600 s, found 3601", *TURN, *two, "--time", "3599", "-o", x),
             (2, "ends in .gif, .webp or .png, or one with a place for the number", *TURN, *two, "-o", self.out / "x.bmp"),
             (2, "ends in .gif, .webp or .png", *TURN, *two, "-o", "-"),
-            (2, "ends with one of .bmp, .dds, .png, .tga", *TURN, *two, "-o", self.out / "x-%04d.gif"),
+            (2, "ends in one of .bmp, .dds, .png, .tga", *TURN, *two, "-o", self.out / "x-%04d.gif"),
             (2, "a place for the number as %04d or {number}", *TURN, *two, "-o", self.out / "x-%s.png"),
             (2, "a place for the number as %04d or {number}", *TURN, *two, "-o", self.out / "x-%0999d.png"),
             (2, "found two in", *TURN, *two, "-o", self.out / "x-%d-%04d.png"),

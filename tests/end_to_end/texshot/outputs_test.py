@@ -41,7 +41,7 @@ class Outputs(Texshot):
                         self.assertEqual(written.format, format)
                     out.unlink()
             for wrong in ("out.jpg", "out.jpeg", "out.xyz", "out", "png"):
-                self.complains(2, f'expected a name that ends with one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
+                self.complains(2, f'expected a name that ends in one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
                                *before, self.path / wrong, *after)
         before, after = self.writers["compress"]
         for wrong in ("out.png", "out"):
@@ -193,7 +193,7 @@ class Outputs(Texshot):
             ("--shaders: has no effect here", "shot", *small, "--shaders", shaders, "-o", f"{out}.png"),
             ("--context: has no effect here", "shot", *small, "--renderer", "reference", "--context", "auto", "-o", f"{out}.png"),
             ("--anisotropy: has no effect here", "shot", *small, "--anisotropy", "probes", "-o", f"{out}.png"),
-            ("--renderer: has no effect here: --compare names", "shot", "--ui", "--compare", "fixed,shader", "--renderer", "fixed",
+            ("--renderer: has no effect here: --compare has the renderers", "shot", "--ui", "--compare", "fixed,shader", "--renderer", "fixed",
              "-o", f"{out}.png"),
             ("--pass: has no effect here", "probe", "--no-gl", *small, "--at", "1,1", "--pass", "0"),
             ("--no-gl: has no effect here", "probe", *small, "--texel", "0,0,0,0", "--no-gl"),

@@ -169,7 +169,7 @@ class Shots(Texshot):
                      "--axis", "passes[0].units[0].envMode=*", "--axis", "passes[0].units[1].envMode=*",
                      "-o", self.out / "{envMode}.png")
         self.refuses("expected a name and } after each {", a, b, "-o", self.out / "{scene.png")
-        self.refuses("expected a name that ends with one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
+        self.refuses("expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
         self.refuses('expected a name that differs for each picture, as in {minFilter}.png or {number}.png, found "-"',
                      a, *axis, "-o", "-")
         self.refuses("expected each axis once, found textures[0].minFilter twice", a, *axis, *axis, "-o", self.out / "{number}.png")
@@ -432,7 +432,7 @@ class Shots(Texshot):
             shown = self.succeeds("info", file, *form).decode()
             self.assertNotIn("\x1b", shown)
             self.assertNotIn("\u202e", shown)
-            for expected in ("red ä", "expected a keyword of 1 to 79 letters", "more than 1048576 bytes once",
+            for expected in ("red ä", "expected a keyword of 1 to 79 letters", "more than 1048576 bytes uncompressed",
                              "expected compression method 0", "the zlib stream is damaged", "expected 0 or 1"):
                 self.assertIn(expected, shown)
         with Image.open(self.out / "good.png") as picture:

@@ -238,7 +238,7 @@ class Sweep(Texshot):
             (2, "expected one of names, words, found \"gl\"", *many[:2], "--labels", "gl", "-o", x),
             (2, "--difference: expected a name for sheets", *many[:2], "--difference", "first", "-o", self.out / "{azimuth}.png"),
             (2, "not both", *many[:2], "--json", "-o", "-"),
-            (2, "ends with one of .bmp, .dds, .png, .tga", *many[:2], "-o", self.out / "x.txt"),
+            (2, "ends in one of .bmp, .dds, .png, .tga", *many[:2], "-o", self.out / "x.txt"),
             (2, "expected PATH=VALUES", "--axis", "view.azimuth", "-o", x),
         ]
         for code, expected, *arguments in cases:

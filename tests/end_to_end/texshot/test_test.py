@@ -426,7 +426,7 @@ class Test(Suites):
                 status, said, done = self.interrupted(suite, report, how)
                 self.assertEqual(status, code, said)
                 self.assertEqual(said, f"texshot: interrupted; {len(done)} of 40 cases done; the same call with --resume "
-                                       f"{report} goes on\n")
+                                       f"{report} continues\n")
                 self.assertFalse((report / "run.json").exists())
                 before = (report / "journal.jsonl").read_bytes()
                 said = self.passes(suite, "--resume", report)
