@@ -52,9 +52,9 @@ void setLight(Scene& scene, Dice& values);
 /// The number-th combination of two or three choices; all combinations in turn.
 template<Enumerated E>
 [[nodiscard]] E pick(int& number) {
-    const std::span<const EnumRow> rows = EnumTable<E>::rows;
-    const int count = static_cast<int>(rows.size());
-    const auto chosen = static_cast<E>(rows[static_cast<std::size_t>(number % count)].value);
+    const std::span<const EnumRow> choices = EnumTable<E>::rows;
+    const int count = static_cast<int>(choices.size());
+    const auto chosen = static_cast<E>(choices[static_cast<std::size_t>(number % count)].value);
     number /= count;
     return chosen;
 }
