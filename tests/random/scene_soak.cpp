@@ -43,8 +43,8 @@ Subject randomScenes(const SceneSoak& soak) {
     std::filesystem::create_directories(soak.keep);
     for (const OddFile& file : files)
         check(writeFileAtomically(soak.keep / file.name, file.bytes));
-    const auto sceneOf = [seed = soak.seed, names = namesOf(files)](int number) {
-        return randomScene(seed, number, names);
+    const auto sceneOf = [seed = soak.seed, oddNames = namesOf(files)](int number) {
+        return randomScene(seed, number, oddNames);
     };
     Subject subject;
     subject.one = "scene";

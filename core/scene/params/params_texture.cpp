@@ -33,8 +33,8 @@ constexpr std::array textureRows{
     param<&Texture::border>(
         "border", "Image", "Border",
         "glTexImage{n}D({image}, level, internalFormat, {extents}, {}, format, GL_UNSIGNED_BYTE, pixels)",
-        "1: a ring of texels around the image replaces the border colour. It is the outer ring of an "
-        "image with sides of 2^k + 2 texels; otherwise, and for levels of a file, the edge is repeated.",
+        "1: a ring of texels replaces the border colour: the outer ring of an image with "
+        "sides of 2^k + 2 texels; otherwise, and for files with levels, the repeated edge.",
         {0, 1, 0.02F, {}}),
     param<&Texture::compression>(
         "compression", "Compression", "Compression", "",
