@@ -34,7 +34,7 @@ constexpr std::array textureRows{
         "border", "Image", "Border",
         "glTexImage{n}D({image}, level, internalFormat, {extents}, {}, format, GL_UNSIGNED_BYTE, pixels)",
         "1: a ring of texels replaces the border colour: the outer ring of an image with "
-        "sides of 2^k + 2 texels; otherwise, and for files with levels, the repeated edge.",
+        "sides of 2^k + 2 texels; otherwise, and for files with levels, its edge.",
         {0, 1, 0.02F, {}}),
     param<&Texture::compression>(
         "compression", "Compression", "Compression", "",
