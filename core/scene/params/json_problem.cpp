@@ -27,6 +27,7 @@ constexpr std::array places{
 constexpr std::string_view beforeContext = "syntax error while parsing ";
 constexpr std::string_view unexpected = "unexpected ";
 constexpr std::string_view theEnd = "end of input";
+constexpr std::string_view emptyInput = "empty"; // "attempting to parse an empty input", nlohmann 3.11.3
 
 /// "string literal" is the library's name for it.
 std::string foundText(std::string_view token) {
@@ -42,6 +43,8 @@ std::string foundText(std::string_view token) {
 } // namespace
 
 std::string readableProblem(std::string_view said) {
+    if (!said.starts_with(beforeContext) && said.find(emptyInput) != std::string_view::npos)
+        return fmt::format("the file ends; expected {}", places.back().expected);
     const std::size_t dash = said.find(" - ");
     if (!said.starts_with(beforeContext) || dash == std::string_view::npos)
         return std::string(said);
