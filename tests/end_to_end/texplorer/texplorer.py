@@ -60,8 +60,13 @@ class Display:
                               check=True, timeout=PATIENCE)
         return Image.open(io.BytesIO(done.stdout)).convert("RGB")
 
+    @staticmethod
+    @ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
+    def ignore_error(_display, _error):
+        return 0
+
     def ask_to_close(self, window):
-        """Sends what the close button of a title bar sends: WM_DELETE_WINDOW."""
+        """Sends what the close button of a title bar sends, WM_DELETE_WINDOW; a window that is gone ignores it."""
 
         class ClientMessage(ctypes.Structure):
             _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
@@ -74,6 +79,7 @@ class Display:
         x11.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
         x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long, ctypes.c_void_p]
         x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+        x11.XSetErrorHandler(self.ignore_error)  # Xlib's own handler ends the process
         display = x11.XOpenDisplay(self.name.encode())
         event = ClientMessage(type=33, window=window, format=32,
                               message=x11.XInternAtom(display, b"WM_PROTOCOLS", 0))
