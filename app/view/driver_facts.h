@@ -9,6 +9,7 @@ namespace texplorer::view {
 [[nodiscard]] inline DriverFacts driverFacts(const Capabilities& capabilities) {
     DriverFacts facts;
     facts.renderer = capabilities.renderer;
+    facts.version = capabilities.version;
     facts.textureUnits = capabilities.textureUnits;
     facts.maxTextureSize = capabilities.maxTextureSize;
     if (capabilities.max3DTextureSize > 0)

@@ -73,9 +73,10 @@ double rhoOf(const reference::UnitExplanation& unit, reference::RhoMethod method
     const double alongX = glm::length(derivatives.dx * size);
     const double alongY = glm::length(derivatives.dy * size);
     const double longer = std::max(alongX, alongY);
-    return unit.sample.lod.ellipse // then the shorter axis decides
-               ? std::max(std::min(alongX, alongY), longer / double{std::floor(unit.sampler.maxAnisotropy)})
-               : longer;
+    const reference::Lod& lod = unit.sample.lod;
+    return lod.ellipse || lod.line ? reference::rhoOfOneLevel(lod.line, longer, std::min(alongX, alongY),
+                                                              std::floor(unit.sampler.maxAnisotropy))
+                                   : longer;
 }
 
 /// The line through log2 at the powers of two.

@@ -3,6 +3,7 @@
 // Which renderers are compared, on which driver.
 
 #include "core/diagnosis/diagnosis.h"
+#include "core/reference/sampling/lod.h"
 #include "core/scene/renderer.h"
 
 #include <array>
@@ -28,6 +29,10 @@ struct Driver {
     std::string version;
     std::string settings; ///< environment variables that change its precision: "GALLIVM_PERF=…"
     DriverFacts facts{};
+
+    [[nodiscard]] reference::AnisotropyMethod anisotropy() const {
+        return reference::anisotropyMethodOf(name, version);
+    }
 };
 
 } // namespace texplorer::conform

@@ -13,7 +13,6 @@ class Reference : public Explainer {
 public:
     Reference(reference::DrawRequest request, unsigned threads)
         : request_(std::move(request)) {
-        request_.anisotropy = reference::AnisotropyMethod::Ellipse;
         options_.threads = threads;
     }
     Result<Frame> drawBy(const Scene& scene, reference::RhoMethod rho) override {
@@ -43,12 +42,16 @@ std::unique_ptr<Explainer> referenceRendererFor(const reference::DrawRequest& as
     return std::make_unique<Reference>(as, threads);
 }
 
-std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images) {
-    return referenceRendererFor({.scene = {}, .images = images, .width = extent, .height = extent});
+std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images, const Driver& driver) {
+    return referenceRendererFor({.scene = {},
+                                 .images = images,
+                                 .width = extent,
+                                 .height = extent,
+                                 .anisotropy = driver.anisotropy()});
 }
 
-std::unique_ptr<Explainer> referenceRenderer() {
-    return referenceRendererWith(madeImages());
+std::unique_ptr<Explainer> referenceRenderer(const Driver& driver) {
+    return referenceRendererWith(madeImages(), driver);
 }
 
 } // namespace texplorer::conform

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/conform/pair.h"
 #include "core/reference/draw_request.h"
 #include "core/reference/explain/explanation.h"
 #include "core/scene/frame.h"
@@ -42,12 +43,13 @@ public:
     [[nodiscard]] virtual const ImageSource& images() const = 0;
 };
 
-/// Draws every scene like this request: with its images, time and size. Anisotropic filtering is Mesa's.
+/// Draws every scene like this request: with its images, time and size.
 [[nodiscard]] std::unique_ptr<Explainer> referenceRendererFor(const reference::DrawRequest& as,
                                                               unsigned threads = 1);
-/// For the pictures of a sweep.
-[[nodiscard]] std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images);
+/// For the pictures of a sweep. Filters anisotropically like this driver.
+[[nodiscard]] std::unique_ptr<Explainer> referenceRendererWith(const ImageSource& images,
+                                                               const Driver& driver = {});
 /// With the files that the sweep's scenes refer to.
-[[nodiscard]] std::unique_ptr<Explainer> referenceRenderer();
+[[nodiscard]] std::unique_ptr<Explainer> referenceRenderer(const Driver& driver = {});
 
 } // namespace texplorer::conform

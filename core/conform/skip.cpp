@@ -56,6 +56,7 @@ bool isLinearAnywhere(const Texture& texture) {
 bool isFound(const Scene& scene, const Driver& driver, std::string_view rule) {
     DriverFacts facts = driver.facts;
     facts.renderer = driver.name;
+    facts.version = driver.version;
     const std::vector<Finding> findings = diagnose(scene, madeImages(), facts);
     return std::ranges::find(findings, rule, &Finding::rule) != findings.end();
 }
@@ -170,8 +171,8 @@ constexpr std::array skipRows{
          "llvmpipe loses pixels at the ends of lines that are longer than a million pixels"},
     Skip{"anisotropy-method",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && !driver.name.starts_with("llvmpipe") &&
-                    !driver.name.starts_with("softpipe") &&
+             return pair.has(RendererKind::Reference) &&
+                    driver.anisotropy() == reference::AnisotropyMethod::Probes &&
                     anyUnit(scene,
                             [](const Unit&, const Texture& texture) { return texture.maxAnisotropy > 1; });
          },
@@ -187,7 +188,7 @@ constexpr std::array skipRows{
     Skip{"mirrored-ellipse",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) &&
-                    (driver.name.starts_with("llvmpipe") || driver.name.starts_with("softpipe")) &&
+                    driver.anisotropy() == reference::AnisotropyMethod::Ellipse &&
                     anyUnit(scene, [](const Unit&, const Texture& texture) {
                         return texture.maxAnisotropy > 1 && (texture.wrapS == Wrap::MirroredRepeat ||
                                                              texture.wrapT == Wrap::MirroredRepeat);

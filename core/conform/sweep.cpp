@@ -157,7 +157,7 @@ public:
     Comparer(const SweepOptions& options, const Renderers& renderers, Outcomes& outcomes)
         : options_(options)
         , outcomes_(outcomes)
-        , reference_(renderers.reference()) {}
+        , reference_(renderers.reference(options.driver)) {}
 
     void compare(DrawnCase drawn) {
         if (options_.stop.stop_requested() || outcomes_.error())

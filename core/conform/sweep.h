@@ -133,7 +133,8 @@ struct Report {
 struct Renderers {
     Renderer* fixed = nullptr;
     Renderer* shader = nullptr;
-    std::function<std::unique_ptr<Explainer>()> reference = referenceRenderer; ///< called once per thread
+    std::function<std::unique_ptr<Explainer>(const Driver&)> reference =
+        referenceRenderer; ///< called once per thread
 };
 
 struct SweepOptions {

@@ -1,7 +1,5 @@
 #include "core/diagnosis/applied_texture.h"
 
-#include "core/reference/sampling/lod.h"
-
 #include <algorithm>
 #include <array>
 
@@ -54,18 +52,22 @@ void withOneFilter(Texture& texture) {
     texture.magFilter = reference::isLinear(texture.minFilter) ? MagFilter::Linear : MagFilter::Nearest;
 }
 
-// Of Mesa 22.3; tests/render/sampler_matrix.cpp says whether that is all.
+constexpr auto ellipse = reference::AnisotropyMethod::Ellipse; // of Mesa before version 25
+
+// Of Mesa 22.3 and 25.0; tests/render/sampler_matrix.cpp says whether that is all.
 constexpr std::array flaws{
-    DriverFlaw{"llvmpipe", filtersLine, withoutAnisotropy,
-               "llvmpipe ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "
-               "without anisotropy"},
-    DriverFlaw{"llvmpipe", comparesDepths, withoutAnisotropy,
-               "llvmpipe compares no depths where it filters them anisotropically; drawn without anisotropy"},
     DriverFlaw{
-        "llvmpipe", visitsWithoutEnd, withoutAnisotropy,
-        "llvmpipe's anisotropic filter visits every texel that a pixel covers, which would take seconds "
+        "llvmpipe", ellipse, filtersLine, withoutAnisotropy,
+        "llvmpipe before Mesa 25 ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "
+        "without anisotropy"},
+    DriverFlaw{
+        "llvmpipe", ellipse, comparesDepths, withoutAnisotropy,
+        "llvmpipe before Mesa 25 compares no depths where it filters them anisotropically; drawn without anisotropy"},
+    DriverFlaw{
+        "llvmpipe", ellipse, visitsWithoutEnd, withoutAnisotropy,
+        "before Mesa 25, llvmpipe's anisotropic filter visits every texel that a pixel covers, which would take seconds "
         "to hours here, where coordinates run fast or q runs through 0; drawn without anisotropy"},
-    DriverFlaw{"llvmpipe", choosesFilterAlone, withOneFilter, ""},
+    DriverFlaw{"llvmpipe", {}, choosesFilterAlone, withOneFilter, ""},
 };
 
 } // namespace
@@ -87,8 +89,11 @@ AppliedTexture appliedTexture(const Texture& texture, SampledTexture shape, int 
     applied.completeness = reference::checkCompleteness(shape);
     if (!applied.completeness.complete())
         return applied;
+    const reference::AnisotropyMethod method = reference::anisotropyMethodOf(driver.renderer, driver.version);
     for (const DriverFlaw& flaw : flaws) {
-        if (!driver.renderer.starts_with(flaw.driver) || !flaw.meets(given, shape, use))
+        const bool isThere =
+            driver.renderer.starts_with(flaw.driver) && (!flaw.method || *flaw.method == method);
+        if (!isThere || !flaw.meets(given, shape, use))
             continue;
         flaw.avoid(given);
         if (!flaw.sentence.empty())

@@ -3,8 +3,10 @@
 #include "core/diagnosis/diagnosis.h"
 #include "core/diagnosis/visited_texels.h"
 #include "core/reference/sampling/completeness.h"
+#include "core/reference/sampling/lod.h"
 #include "core/scene/scene.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,7 +14,8 @@ namespace texplorer {
 
 /// A flaw of a driver that crashes it or gives a wrong picture, and what is used instead.
 struct DriverFlaw {
-    std::string_view driver; ///< the beginning of its GL_RENDERER
+    std::string_view driver;                           ///< the beginning of its GL_RENDERER
+    std::optional<reference::AnisotropyMethod> method; ///< only where the driver filters so; otherwise always
     /// `use`: nullptr if nothing is drawn.
     bool (*meets)(const Texture& texture, const reference::SampledTexture& shape, const TextureUse* use);
     void (*avoid)(Texture& texture);
@@ -30,7 +33,7 @@ struct AppliedTexture {
 };
 
 /// `shape` has the extents of the levels (reference::shapeOf), `lastLevel` is that of TextureLevels. Of the
-/// driver, only its name is used. `use`: the frame to draw.
+/// driver, only its name and version are used. `use`: the frame to draw.
 [[nodiscard]] AppliedTexture appliedTexture(const Texture& texture, reference::SampledTexture shape,
                                             int lastLevel, const DriverFacts& driver,
                                             const TextureUse* use = nullptr);

@@ -15,6 +15,7 @@ namespace texplorer {
 /// The properties of a driver that decide whether it can draw a scene. The defaults lack nothing.
 struct DriverFacts {
     std::string renderer{};      ///< GL_RENDERER, which identifies its flaws
+    std::string version{};       ///< GL_VERSION
     int textureUnits = maxUnits; ///< of the fixed-function pipeline
     int maxTextureSize = 1 << 30;
     int max3DTextureSize = 1 << 30;

@@ -1,5 +1,6 @@
 // Borders beyond the edge, which WebGL 2 has not: its shader mixes their colour in.
 
+#include "core/emit/code_writer.h"
 #include "core/emit/piece_files.h"
 #include "core/emit/webgl.h"
 #include "core/reference/sampling/comparison.h"
@@ -30,7 +31,8 @@ bool asksForLambda(const Texture& texture) {
 }
 
 std::string vec4Of(const glm::vec4& color) {
-    return fmt::format("vec4({:#}, {:#}, {:#}, {:#})", color.r, color.g, color.b, color.a);
+    const auto text = [](float number) { return literal(number, Literal::Double); };
+    return fmt::format("vec4({}, {}, {}, {})", text(color.r), text(color.g), text(color.b), text(color.a));
 }
 
 /// The condition under which r passes against a depth of the border's.

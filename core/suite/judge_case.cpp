@@ -203,18 +203,20 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
 
 JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, const Case& of,
                                  const CaseScene& scene, const Image& actual,
-                                 const std::optional<Image>& mask, conform::RhoRange range,
+                                 const std::optional<Image>& mask, const conform::Driver& driver,
                                  unsigned threads) {
     record.golden = "reference";
     const auto reference = conform::referenceRendererFor({.scene = {},
                                                           .images = scene.images,
                                                           .time = of.time,
                                                           .width = of.size.width,
-                                                          .height = of.size.height},
+                                                          .height = of.size.height,
+                                                          .anisotropy = driver.anisotropy()},
                                                          threads);
     Result<Frame> frame = reference->draw(scene.scene);
     if (!frame)
         return problemOf(std::move(record), frame.error());
+    const conform::RhoRange range = conform::rhoRangeOf(driver);
     const std::string& name = std::get<GoldenReference>(settings.golden).rule;
     const conform::Rule* rule = name == "auto" ? &ruleFor(scene.scene) : findRule(name);
     if (!rule)
@@ -275,9 +277,9 @@ JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, c
 
 } // namespace
 
-reference::AnisotropyMethod anisotropyOf(const Golden& golden) {
-    return std::holds_alternative<GoldenReference>(golden) ? reference::AnisotropyMethod::Ellipse
-                                                           : reference::AnisotropyMethod::Probes;
+reference::AnisotropyMethod anisotropyOf(const Golden& golden, const conform::Driver& driver) {
+    return std::holds_alternative<GoldenReference>(golden) ? driver.anisotropy()
+                                                           : reference::DrawRequest().anisotropy;
 }
 
 CaseRecord recordOf(const Plan& plan, const Case& of, State state, std::string sentence) {
@@ -324,8 +326,7 @@ JudgedCase judgeCase(const Plan& plan, const Case& of, const CaseScene& scene, c
     if (!mask)
         return problemOf(std::move(record), mask.error());
     if (std::holds_alternative<GoldenReference>(settings.golden))
-        return judgeAgainstReference(std::move(record), settings, of, scene, actual, *mask,
-                                     conform::rhoRangeOf(driver), threads);
+        return judgeAgainstReference(std::move(record), settings, of, scene, actual, *mask, driver, threads);
     return judgeAgainstFiles(record, folder, settings, goldensOf(plan, of, driver.name), actual, *mask,
                              threads);
 }

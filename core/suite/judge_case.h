@@ -22,7 +22,7 @@ struct JudgedCase {
 
 /// How the reference filters in a case, as the renderer, to judge and to explain: as in `texshot shot`, but
 /// as in Mesa if a driver's picture is compared with it.
-[[nodiscard]] reference::AnisotropyMethod anisotropyOf(const Golden& golden);
+[[nodiscard]] reference::AnisotropyMethod anisotropyOf(const Golden& golden, const conform::Driver& driver);
 
 /// `actual`, Rgba8, is the picture of `scene`, whose images are loaded, by the case's renderer on `driver`
 /// (empty for the reference). The result is Passed, Failed, Resized, New, Skipped (by conform's table, with

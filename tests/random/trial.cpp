@@ -156,7 +156,10 @@ struct Trial::State::Run {
     }
 
     [[nodiscard]] reference::DrawRequest request() const {
-        return {scene(), images, 0, extent, extent, reference::AnisotropyMethod::Ellipse};
+        return {
+            scene(), images,
+            0,       extent,
+            extent,  reference::anisotropyMethodOf(state.capabilities.renderer, state.capabilities.version)};
     }
 
     void drawReference() {
@@ -247,7 +250,7 @@ struct Trial::State::Run {
         if (const Skipped skipped = skipOf({standing, findings, pair, driver}); !skipped.name.empty())
             return journal.note("skip", name + ": " + std::string(skipped.name));
         const conform::Rule rule = ruleFor(scene(), pair);
-        const std::unique_ptr<conform::Explainer> reference = conform::referenceRendererWith(images);
+        const std::unique_ptr<conform::Explainer> reference = conform::referenceRendererWith(images, driver);
         const Result<conform::Judgement> judgement =
             conform::judge(rule, scene(), pictures.at(pair.subject), pictures.at(pair.against), *reference);
         if (!judgement)

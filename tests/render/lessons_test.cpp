@@ -67,7 +67,7 @@ class Lessons : public RenderTest, public testing::WithParamInterface<std::strin
 protected:
     void expectAgreement(const lesson::LessonScene& step) {
         const conform::Driver driver{reinterpret_cast<const char*>(glGetString(GL_RENDERER)), // NOLINT: bytes
-                                     {},
+                                     capabilities.version,
                                      {},
                                      view::driverFacts(capabilities)};
         if (conform::skipOf(step.scene, {testedRenderer(), RendererKind::Reference}, driver))
@@ -77,8 +77,11 @@ protected:
         EXPECT_THAT(frame->problems, onlyNotKept());
         const Result<Image> theirs = renderer->read();
         ASSERT_TRUE(theirs) << describe(theirs.error());
-        const auto reference = conform::referenceRendererFor(
-            {.scene = {}, .images = step.images, .width = extent.width, .height = extent.height});
+        const auto reference = conform::referenceRendererFor({.scene = {},
+                                                              .images = step.images,
+                                                              .width = extent.width,
+                                                              .height = extent.height,
+                                                              .anisotropy = anisotropy()});
         const Result<Frame> ours = reference->draw(step.scene);
         ASSERT_TRUE(ours) << describe(ours.error());
         EXPECT_THAT(ours->problems, onlyNotKept());

@@ -29,7 +29,8 @@ TEST_P(Presets, AreDrawnAlikeByEveryRenderer) {
     ASSERT_TRUE(done) << describe(done.error());
     const Image theirs = picture(scene, conform::extent);
     EXPECT_THAT(problems, testing::IsEmpty());
-    const std::unique_ptr<conform::Explainer> reference = conform::referenceRendererWith(images);
+    const std::unique_ptr<conform::Explainer> reference =
+        conform::referenceRendererWith(images, {capabilities.renderer, capabilities.version});
     const Result<Frame> ours = reference->draw(scene);
     ASSERT_TRUE(ours) << describe(ours.error());
     EXPECT_THAT(ours->problems, testing::IsEmpty());

@@ -147,8 +147,8 @@ protected:
     }
 
     Image reference(const Scene& scene) {
-        const Result<Frame> frame = reference::drawReference(
-            {scene, images, 0, extent.width, extent.height, reference::AnisotropyMethod::Ellipse}); // Mesa's
+        const Result<Frame> frame =
+            reference::drawReference({scene, images, 0, extent.width, extent.height, anisotropy()});
         EXPECT_TRUE(frame) << describe(frame.error());
         return frame ? frame->image : Image{};
     }

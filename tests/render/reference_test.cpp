@@ -42,9 +42,9 @@ class Reference : public RenderTest {
 protected:
     /// At most this share of the pixels may differ by more than `tolerance` 255ths.
     void agree(const Scene& scene, double share, int tolerance = 2, int extent = 96,
-               reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes) {
+               reference::AnisotropyMethod method = reference::AnisotropyMethod::Probes) {
         const Image theirs = picture(scene, extent, 0.5);
-        const Result<Frame> ours = reference::drawReference({scene, images, 0.5, extent, extent, anisotropy});
+        const Result<Frame> ours = reference::drawReference({scene, images, 0.5, extent, extent, method});
         ASSERT_TRUE(ours) << describe(ours.error());
         EXPECT_EQ(ours->problems, problems);
         ASSERT_EQ(theirs.pixels.size(), ours->image.pixels.size());
@@ -465,15 +465,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Filter{"LinearMipmapLinear", MagFilter::Linear, MinFilter::LinearMipmapLinear, 0.01}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST_F(Reference, FiltersByAnEllipseAsLlvmpipeWhateverTheFilters) {
+TEST_F(Reference, FiltersAnisotropicallyAsLlvmpipeWhateverTheFilters) {
     for (const MinFilter filter : {MinFilter::NearestMipmapNearest, MinFilter::LinearMipmapNearest,
                                    MinFilter::NearestMipmapLinear, MinFilter::LinearMipmapLinear}) {
         SCOPED_TRACE(rowOf(filter).name);
         Scene scene = floorScene();
         scene.textures[0].minFilter = filter;
-        for (const float anisotropy : {8.0F, 16.0F}) {
-            scene.textures[0].maxAnisotropy = anisotropy;
-            agree(scene, 0.01, 6, 256, reference::AnisotropyMethod::Ellipse);
+        for (const float limit : {8.0F, 16.0F}) {
+            scene.textures[0].maxAnisotropy = limit;
+            agree(scene, 0.01, 6, 256, anisotropy());
         }
     }
 }

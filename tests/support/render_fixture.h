@@ -2,6 +2,7 @@
 
 #include "app/offscreen/context.h"
 #include "app/render/scene_renderer.h"
+#include "core/reference/sampling/lod.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
@@ -33,6 +34,10 @@ protected:
 
     /// The colour of every pixel of a picture that has one colour, 0 to 1; a failure where it has several.
     [[nodiscard]] glm::vec4 onlyColor(const Scene& scene, int extent = 8, double time = 0);
+
+    [[nodiscard]] reference::AnisotropyMethod anisotropy() const { ///< of the driver
+        return reference::anisotropyMethodOf(capabilities.renderer, capabilities.version);
+    }
 
     view::Capabilities capabilities;
     ImageSource images;

@@ -76,6 +76,7 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
                 {"texelsPerPixelY", lod.lengthY},
                 {"probes", lod.probes},
                 {"ellipse", lod.ellipse},
+                {"line", lod.line},
                 {"rhoMethod", nameOf(lod.method)},
                 {"rho", lod.rho},
                 {"log2Rho", lod.base},

@@ -24,10 +24,8 @@ namespace fs = std::filesystem;
 using suite::CaseRecord;
 using suite::State;
 
-reference::DrawRequest requestFor(const suite::Case& of, const suite::CaseScene& scene,
-                                  const suite::Settings& settings) {
-    return {scene.scene,   scene.images,   of.time,
-            of.size.width, of.size.height, suite::anisotropyOf(settings.golden)};
+reference::DrawRequest requestFor(const suite::Case& of, const suite::CaseScene& scene) {
+    return {scene.scene, scene.images, of.time, of.size.width, of.size.height};
 }
 
 LevelWork levelWork() {
@@ -219,7 +217,7 @@ Result<suite::CaseScene> CaseWorker::openScene(const suite::Case& of) {
 
 Result<Frame> CaseWorker::draw(const RunSetup& setup, const suite::Case& of, const suite::CaseScene& scene) {
     if (of.renderer == RendererKind::Reference)
-        return reference::drawReference(requestFor(of, scene, plan_->settingsOf(of)),
+        return reference::drawReference(requestFor(of, scene),
                                         {.threads = setup.threads, .levels = levelWork()});
     const Result<Studio*> opened = studio(setup);
     if (!opened)
@@ -227,7 +225,7 @@ Result<Frame> CaseWorker::draw(const RunSetup& setup, const suite::Case& of, con
     const view::OfferedRenderers offered = (*opened)->renderers();
     if (!offered.has(of.renderer))
         return fail(ErrorCode::Unsupported, offered.whyNot(of.renderer));
-    return (*opened)->draw(of.renderer, requestFor(of, scene, plan_->settingsOf(of)), levelWork());
+    return (*opened)->draw(of.renderer, requestFor(of, scene), levelWork());
 }
 
 WorkAnswer CaseWorker::doCase(const WorkOrder& order) {
@@ -275,9 +273,11 @@ WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Fram
 
     for (const std::string& problem : frame.problems)
         record.explanation += problem + "\n";
-    if (record.state == State::Failed && record.worst)
-        record.explanation +=
-            explanationOf(of, requestFor(of, scene, settings), *record.worst, actual, isSeenOpaque(settings));
+    if (record.state == State::Failed && record.worst) {
+        reference::DrawRequest request = requestFor(of, scene);
+        request.anisotropy = suite::anisotropyOf(settings.golden, driver);
+        record.explanation += explanationOf(of, request, *record.worst, actual, isSeenOpaque(settings));
+    }
     record.explanation = fitted(std::move(record.explanation));
     if (order.update && isUpdatable(judged)) {
         // The nearest of several, which it was held against; of none that is there, the first.

@@ -31,17 +31,21 @@ std::string pixelText(const Explanation& explanation) {
     return fmt::format("Pixel {},{}", explanation.pixel.x, explanation.height - 1 - explanation.pixel.y);
 }
 
-void offerEllipse(Session& session) {
-    constexpr const char* offer = "Compare by ellipse";
-    hangingText("Drivers may filter anisotropically in different ways. Mesa averages over an ellipse.",
-                color::text);
-    noteItem("explain:ellipse");
+void offerMethod(Session& session, reference::AnisotropyMethod method) {
+    const bool line = method == reference::AnisotropyMethod::Line;
+    const char* offer = line ? "Compare by line" : "Compare by ellipse";
+    hangingText(
+        line ? "Drivers may filter anisotropically in different ways. This one averages one level along a "
+               "line."
+             : "Drivers may filter anisotropically in different ways. This one averages over an ellipse.",
+        color::text);
+    noteItem("explain:method");
     const float button = buttonWidth(offer);
     sameLineFor(button, ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::SmallButton(label(offer)))
-        session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
-    noteItem("explain:use ellipse");
-    helpTip(texplorer::rowOf(reference::AnisotropyMethod::Ellipse).help);
+        session.window.view.anisotropy = method;
+    noteItem("explain:use method");
+    helpTip(texplorer::rowOf(method).help);
 }
 
 /// The same as drawRows, in one line.
@@ -113,8 +117,11 @@ void drawHead(Session& session, const Pictures& pictures, const Explanation& exp
     }
     for (const std::string& label : comparison.compared)
         noteItem("explain:compared " + label);
-    if (comparison.most > session.window.view.tolerance && mayDifferByMethod(session, explanation))
-        offerEllipse(session);
+    const DriverFacts& driver = session.document.diagnosis.driver;
+    const reference::AnisotropyMethod method = reference::anisotropyMethodOf(driver.renderer, driver.version);
+    if (comparison.most > session.window.view.tolerance && method != session.window.view.anisotropy &&
+        mayDifferByMethod(session, explanation))
+        offerMethod(session, method);
 }
 
 /// The number of pixels that read the selected texel.

@@ -109,6 +109,8 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
 
 /// Whether the filter that decided blends neighbours.
 bool isLinearHere(const UnitExplanation& unit) {
+    if (unit.sample.lod.line)
+        return true;
     return unit.sample.lod.magnified ? unit.sampler.magFilter == MagFilter::Linear
                                      : isLinear(unit.sampler.minFilter);
 }
@@ -134,11 +136,16 @@ Step lodStep(const UnitExplanation& unit) {
             "anisotropic, up to {}: averaged over the ellipse that the pixel covers, whatever the filters "
             "are",
             numberText(unit.sampler.maxAnisotropy))});
+    else if (lod.line)
+        value(
+            fmt::format("anisotropic, up to {}: samples of one level along a line, whatever the filters are",
+                        numberText(unit.sampler.maxAnisotropy)),
+            lod.probes);
     else if (lod.probes > 1)
         value(fmt::format("anisotropic, up to {}: probes", numberText(unit.sampler.maxAnisotropy)),
               static_cast<float>(lod.probes));
-    value(lod.probes > 1                   ? "rho = the longer, divided by the probes"
-          : lod.ellipse                    ? "rho"
+    value(lod.ellipse || lod.line          ? "rho"
+          : lod.probes > 1                 ? "rho = the longer, divided by the probes"
           : lod.method == RhoMethod::Lower ? "rho = the largest derivative of u, v and w"
           : lod.method == RhoMethod::Upper ? "rho = the largest derivatives of u, v and w, added"
                                            : "rho = the longer",
@@ -156,7 +163,7 @@ Step lodStep(const UnitExplanation& unit) {
         step.rows.push_back({fmt::format("clamped to {} ... {}", numberText(unit.sampler.minLod),
                                          numberText(unit.sampler.maxLod)),
                              {{lambdaText(lod)}}});
-    if (!lod.ellipse)
+    if (!lod.ellipse && !lod.line)
         step.rows.push_back({whyMagnified(unit)});
     for (const Tie& tie : unit.ties.ties) {
         if (tie.between == Tie::Between::Levels)

@@ -48,7 +48,7 @@ std::optional<Tie> levelTie(const SampledTexture& texture, const Lod& lod) {
     if (lod.undefined)
         return std::nullopt;
     const LevelChoice chosen = chooseLevels(texture, lod);
-    const bool blends = !lod.magnified && blendsLevels(texture.minFilter) && !lod.ellipse;
+    const bool blends = !lod.magnified && blendsLevels(texture.minFilter) && !lod.ellipse && !lod.line;
     for (const float by : {-lambdaSlack, lambdaSlack}) {
         Lod moved = lod;
         moved.lambda = std::min(std::max(lod.biased + by, texture.minLod), texture.maxLod);

@@ -13,10 +13,10 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
     , options(sampling) {
     const bool flat = sampled.target == Target::Texture1D || sampled.target == Target::Texture2D;
     const bool anisotropic = sampled.maxAnisotropy > 1;
-    const bool ellipse = anisotropic && sampling.anisotropy == AnisotropyMethod::Ellipse &&
-                         sampled.target == Target::Texture2D;
+    const bool ownMethod =
+        anisotropic && sampling.anisotropy != AnisotropyMethod::Probes && sampled.target == Target::Texture2D;
     const int steps = wantsMipmaps(sampled.minFilter) ? lastMipLevel(sampled) - sampled.baseLevel : 0;
-    if (!flat || ellipse || steps >= maxLevels || isDepth(sampled.internalFormat))
+    if (!flat || ownMethod || steps >= maxLevels || isDepth(sampled.internalFormat))
         return;
     for (int step = 0; step <= steps; ++step) {
         const Level* level = sampled.level(sampled.baseLevel + step);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace texplorer::reference {
@@ -36,9 +37,24 @@ int probeCount(double longer, double shorter, float limit) {
     return std::max(1, static_cast<int>(std::min({ratio, limit, 1024.0F})));
 }
 
-/// Mesa's ellipse is for pictures with any filters; other targets use the probes.
-bool averagesOverEllipse(const SampledTexture& texture, const SampleOptions& options) {
-    return options.anisotropy == AnisotropyMethod::Ellipse && texture.target == Target::Texture2D;
+/// Mesa's methods are for 2D textures with any filters; other targets use the probes.
+bool averagesOneLevel(const SampledTexture& texture, const SampleOptions& options) {
+    return options.anisotropy != AnisotropyMethod::Probes && texture.target == Target::Texture2D;
+}
+
+/// The probes of the line, one for each texel of the level along the longer axis (Mesa 25,
+/// lp_bld_sample_soa.c).
+void placeLine(Lod& lod, const SampledTexture& texture, const Derivatives& derivatives, float limit) {
+    const Level* level = texture.level(chooseLevels(texture, lod).first);
+    if (!level)
+        return;
+    const auto texels = [](glm::vec3 change, int size) {
+        return std::max(std::abs(change.s), std::abs(change.t)) * static_cast<float>(size);
+    };
+    const float x = texels(derivatives.dx, level->width);
+    const float y = texels(derivatives.dy, level->height);
+    lod.alongX = x > y;
+    lod.probes = static_cast<int>(std::clamp(std::ceil(std::max(x, y)), 1.0F, std::min(limit, 1024.0F)));
 }
 
 /// Mesa keeps the maximal anisotropy as a whole number. So the probes are counted, too.
@@ -47,6 +63,19 @@ float wholeAnisotropy(const SampledTexture& texture) {
 }
 
 } // namespace
+
+AnisotropyMethod anisotropyMethodOf(std::string_view renderer, std::string_view version) {
+    if (renderer.starts_with("softpipe"))
+        return AnisotropyMethod::Ellipse;
+    if (!renderer.starts_with("llvmpipe"))
+        return AnisotropyMethod::Probes;
+    constexpr std::string_view name = "Mesa ";
+    const std::size_t place = version.find(name);
+    int mesa = 0;
+    if (place != std::string_view::npos)
+        std::from_chars(version.data() + place + name.size(), version.data() + version.size(), mesa);
+    return mesa < 25 ? AnisotropyMethod::Ellipse : AnisotropyMethod::Line;
+}
 
 float lodBias(const SamplerState& object, const SampleOptions& options) {
     const float sum = object.lodBias + options.unitBias + options.shaderBias;
@@ -67,6 +96,13 @@ double rhoBy(RhoMethod method, const Derivatives& derivatives, glm::ivec3 baseSi
     return std::isnormal(sum) ? double{sum} : most.x + most.y + most.z;
 }
 
+// Mesa 25 divides the square of the longer axis by the anisotropy, not by its square (lp_build_pmin).
+double rhoOfOneLevel(bool line, double longer, double shorter, double anisotropy) {
+    if (line)
+        return longer > shorter * anisotropy ? longer / std::sqrt(anisotropy) : shorter;
+    return std::max(shorter, longer / anisotropy);
+}
+
 Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
                   const SampleOptions& options) {
     Lod lod;
@@ -82,11 +118,13 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
     // Without a derivative there is nothing to minify by: as if one texel covered one pixel.
     lod.rho = lod.undefined ? 1.0 : longer;
     const float anisotropy = wholeAnisotropy(texture);
-    if (anisotropy > 1 && !lod.undefined && averagesOverEllipse(texture, options)) {
-        lod.ellipse = longer > shorter;
-        lod.rho = std::max(shorter, longer / double{anisotropy});
+    if (anisotropy > 1 && !lod.undefined && averagesOneLevel(texture, options)) {
+        lod.line = options.anisotropy == AnisotropyMethod::Line;
+        lod.ellipse = !lod.line && longer > shorter;
+        lod.rho = rhoOfOneLevel(lod.line, longer, shorter, anisotropy);
     } else if (anisotropy > 1 && !lod.undefined) {
         lod.probes = probeCount(longer, shorter, anisotropy);
+        lod.alongX = lod.lengthX > lod.lengthY;
         lod.rho = longer / lod.probes;
     } else if (options.rho != RhoMethod::Ideal && !lod.undefined) {
         lod.method = options.rho;
@@ -99,6 +137,8 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
     lod.undefined = lod.undefined || texture.minLod > texture.maxLod;
     lod.lambda = std::min(std::max(lod.biased, texture.minLod), texture.maxLod);
     lod.magnified = !(lod.lambda > lod.switchOver);
+    if (lod.line)
+        placeLine(lod, texture, derivatives, anisotropy);
     return lod;
 }
 
@@ -113,6 +153,12 @@ int lastMipLevel(const SampledTexture& texture) {
 
 LevelChoice chooseLevels(const SampledTexture& texture, const Lod& lod) {
     const int base = texture.baseLevel;
+    if (lod.line) {
+        const int steps = wantsMipmaps(texture.minFilter) ? lastMipLevel(texture) - base : 0;
+        const int step =
+            lod.lambda >= static_cast<float>(steps) ? steps : std::max(0, floorToInt(lod.lambda));
+        return {base + step, base + step, 0, true};
+    }
     if (lod.magnified) // section 3.8.9
         return {base, base, 0, texture.magFilter == MagFilter::Linear};
     const bool linear = isLinear(texture.minFilter);

@@ -6,6 +6,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <string_view>
+
 namespace texplorer::reference {
 
 /// The change of s, t and r from one pixel to the next, in x and in y.
@@ -15,16 +17,22 @@ struct Derivatives {
 };
 
 /// The method of filtering with a maximum anisotropy above 1; the extension leaves it open.
-enum class AnisotropyMethod : std::uint32_t { Probes, Ellipse };
+enum class AnisotropyMethod : std::uint32_t { Probes, Ellipse, Line };
 
 inline constexpr std::array anisotropyMethodRows{
     row(AnisotropyMethod::Probes, "probes", "Probes",
         "As in the text of EXT_texture_filter_anisotropic: up to max anisotropy samples along the longer "
         "axis of a pixel's footprint."),
     row(AnisotropyMethod::Ellipse, "ellipse", "Ellipse",
-        "An elliptical weighted average of all texels that a pixel covers, as in Mesa's softpipe and "
-        "llvmpipe."),
+        "An elliptical weighted average of all texels that a pixel covers, as in Mesa's softpipe, and in its "
+        "llvmpipe before version 25."),
+    row(AnisotropyMethod::Line, "line", "Line",
+        "Up to max anisotropy samples of one level, evenly spaced along the longer axis of a pixel's "
+        "footprint, as in Mesa's llvmpipe since version 25."),
 };
+
+/// The method of a driver, by its GL_RENDERER and GL_VERSION; Probes if it is unknown.
+[[nodiscard]] AnisotropyMethod anisotropyMethodOf(std::string_view renderer, std::string_view version);
 
 /// How rho is approximated. OpenGL 2.1, section 3.8.8, allows any continuous function f of the derivatives
 /// that is monotonic in each of them and, with m_u = max{|du/dx|, |du/dy|}, m_v and m_w likewise, satisfies
@@ -53,7 +61,9 @@ struct Lod {
     double lengthX = 0; ///< texels of the base level per pixel, in x; may exceed a float's range
     double lengthY = 0;
     int probes = 1;       ///< N of the anisotropic filter
+    bool alongX = false;  ///< the probes lie along the change from pixel to pixel in x, not in y
     bool ellipse = false; ///< averaged over an ellipse instead
+    bool line = false;    ///< the probes read one level, linearly, whatever the filters are
     RhoMethod method = RhoMethod::Ideal;
     double rho = 0; ///< texels per pixel that are used: the longer length, over N, or as `method` defines it
     float base = 0; ///< log2(rho)
@@ -73,6 +83,10 @@ struct Lod {
 /// rho of a texture that is not anisotropic, for a base level of this size; a `method` other than Ideal gives
 /// an end of the range that section 3.8.8 allows.
 [[nodiscard]] double rhoBy(RhoMethod method, const Derivatives& derivatives, glm::ivec3 baseSize, int axes);
+
+/// rho of the methods that average one level: texels per pixel along the longer and the shorter axis of the
+/// footprint, and the maximum anisotropy.
+[[nodiscard]] double rhoOfOneLevel(bool line, double longer, double shorter, double anisotropy);
 
 /// Computes the level of detail and whether the texture is magnified. For a cube map, the derivatives are
 /// those on the face (cube.h).
@@ -119,7 +133,7 @@ template<>
 struct texplorer::EnumTable<texplorer::reference::AnisotropyMethod> {
     static constexpr std::span<const EnumRow> rows = texplorer::reference::anisotropyMethodRows;
 };
-static_assert(texplorer::reference::anisotropyMethodRows.size() == 2);
+static_assert(texplorer::reference::anisotropyMethodRows.size() == 3);
 template<>
 struct texplorer::EnumTable<texplorer::reference::RhoMethod> {
     static constexpr std::span<const EnumRow> rows = texplorer::reference::rhoMethodRows;

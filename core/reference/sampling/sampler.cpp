@@ -200,12 +200,13 @@ glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Deri
         return filterLevels(texture, choice, coords, options.seamlessCubeMap, 1, recorder);
     }
     // EXT_texture_filter_anisotropic: N samples along the axis in which the footprint is longer, at
-    // x - 1/2 + i/(N + 1) for i from 1 to N, with equal weights.
-    const glm::vec3 along = lod.lengthX > lod.lengthY ? derivatives.dx : derivatives.dy;
+    // x - 1/2 + i/(N + 1) for i from 1 to N, with equal weights. Mesa's line has (i - 1/2)/N.
+    const glm::vec3 along = lod.alongX ? derivatives.dx : derivatives.dy;
     const auto n = static_cast<float>(lod.probes);
     glm::vec4 sum(0);
     for (int i = 1; i <= lod.probes; ++i) {
-        glm::vec3 at = coords + along * (static_cast<float>(i) / (n + 1) - 0.5F);
+        const auto number = static_cast<float>(i);
+        glm::vec3 at = coords + along * ((lod.line ? (number - 0.5F) / n : number / (n + 1)) - 0.5F);
         if (isDepth(texture.internalFormat)) // what is compared is the pixel's own
             at.p = coords.p;
         recorder.probe(at);

@@ -242,8 +242,8 @@ TEST(Sweep, EndsWhereTheComparingThrows) {
         Mutant same(nullptr);
         SweepOptions options = optionsFor({}, 200); // more than the queue holds
         options.threads = 2;
-        const Result<Report> report =
-            sweep(options, {nullptr, &same, [good] { return std::make_unique<Throwing>(good); }});
+        const Result<Report> report = sweep(
+            options, {nullptr, &same, [good](const Driver&) { return std::make_unique<Throwing>(good); }});
         ASSERT_FALSE(report);
         EXPECT_EQ(report.error().message, "a renderer failed: " + std::string(ownMistake));
     }

@@ -680,28 +680,29 @@ TEST_F(ExplainTab, ATieIsNoWarning) {
     EXPECT_EQ(compared().most, 0);
 }
 
-// llvmpipe averages over an ellipse, the reference probes along a line.
-TEST_F(ExplainTab, OffersTheEllipseWhereThatIsWhatDiffers) {
+TEST_F(ExplainTab, OffersTheDriversMethodWhereThatIsWhatDiffers) {
     texture().pattern = Pattern::Checker;
     texture().maxAnisotropy = 16;
     scene().models[0].shape = Shape::Floor;
     scene().models[0].texCoords = {};
     frames(2);
-    for (int i = 0; i < 40 && !has("explain:ellipse"); ++i) {
+    for (int i = 0; i < 40 && !has("explain:method"); ++i) {
         session->window.explaining.pixel = {10 + i * layout.picture.width / 50,
                                             layout.picture.height / 2 - i};
         (void)picture();
     }
-    ASSERT_TRUE(has("explain:ellipse"));
-    ImGui::GetIO().MousePos = place("explain:use ellipse"); // with a picture in every frame
+    ASSERT_TRUE(has("explain:method"));
+    ImGui::GetIO().MousePos = place("explain:use method"); // with a picture in every frame
     for (const bool down : {false, true, false}) {
         (void)picture();
         ImGui::GetIO().MouseDown[ImGuiMouseButton_Left] = down;
         (void)picture();
     }
-    EXPECT_EQ(session->window.view.anisotropy, reference::AnisotropyMethod::Ellipse);
+    const DriverFacts& driver = session->document.diagnosis.driver;
+    EXPECT_EQ(session->window.view.anisotropy,
+              reference::anisotropyMethodOf(driver.renderer, driver.version));
     (void)picture();
-    EXPECT_FALSE(has("explain:ellipse"));
+    EXPECT_FALSE(has("explain:method"));
 }
 
 TEST_F(ExplainTab, ClearForgetsIt) {

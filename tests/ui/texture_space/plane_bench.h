@@ -47,16 +47,18 @@ protected:
     }
     /// A key that is held while the mouse does something.
     struct Held {
-        explicit Held(bool ImGuiIO::*key)
-            : key_(key) {
-            ImGui::GetIO().*key_ = true;
+        Held(PlaneBench& window, int code)
+            : window_(window)
+            , code_(code) {
+            window_.setHeld(code_, true);
         }
-        ~Held() { ImGui::GetIO().*key_ = false; }
+        ~Held() { window_.setHeld(code_, false); }
         Held(const Held&) = delete;
         Held& operator=(const Held&) = delete;
 
     private:
-        bool ImGuiIO::*key_;
+        PlaneBench& window_;
+        int code_;
     };
 };
 

@@ -27,7 +27,7 @@ protected:
 TEST_F(PlaneInput, ShiftAndAClickAddAndTakeAway) {
     clickAt(place("coord:0"));
     {
-        const Held shifted(&ImGuiIO::KeyShift);
+        const Held shifted(*this, shift);
         clickAt(place("coord:2"));
         EXPECT_THAT(chosen(), ElementsAre(0, 2));
         EXPECT_EQ(session->window.selection.vertex, 2U);
@@ -41,7 +41,7 @@ TEST_F(PlaneInput, ShiftAndAClickAddAndTakeAway) {
 TEST_F(PlaneInput, ADragWithShiftChoosesWhatIsInItsBox) {
     const Plane before = session->window.plane;
     {
-        const Held shifted(&ImGuiIO::KeyShift);
+        const Held shifted(*this, shift);
         const ImVec2 from = at(0.5F, -0.1F);
         const ImVec2 to = at(1.1F, 1.1F);
         drag(from, {to.x - from.x, to.y - from.y});
@@ -59,7 +59,7 @@ TEST_F(PlaneInput, InItsModeADragNeedsNoShift) {
     drag(from, {to.x - from.x, to.y - from.y});
     EXPECT_THAT(chosen(), ElementsAre(2)) << "in the place of those before";
     const Plane before = session->window.plane;
-    const Held shifted(&ImGuiIO::KeyShift);
+    const Held shifted(*this, shift);
     drag(from, {to.x - from.x, to.y - from.y});
     EXPECT_LT(session->window.plane.s, before.s) << "with Shift it moves the plane";
 }
@@ -67,7 +67,7 @@ TEST_F(PlaneInput, InItsModeADragNeedsNoShift) {
 TEST_F(PlaneInput, SeveralMoveTogetherInOneStep) {
     clickAt(place("coord:1"));
     {
-        const Held shifted(&ImGuiIO::KeyShift);
+        const Held shifted(*this, shift);
         clickAt(place("coord:2"));
     }
     const float unit = pixelsPerUnit();
@@ -329,12 +329,12 @@ TEST_F(PlaneInput, VerticesSnapAndCtrlInvertsIt) {
     drag(place("coord:2"), {0.3F * unit, -0.1F * unit});
     expectCoord(2, 1.25F, 1, 1e-6F);
     {
-        const Held held(&ImGuiIO::KeyCtrl);
+        const Held held(*this, ctrl);
         drag(place("coord:0"), {0.1F * unit, -0.1F * unit});
     }
     expectCoord(0, 0.1F, 0.1F, 0.01F);
     state().snapping = {false, Snap::Texel};
-    const Held held(&ImGuiIO::KeyCtrl);
+    const Held held(*this, ctrl);
     drag(place("coord:1"), {0.1F * unit, 0});
     EXPECT_NEAR(coord(1).s * 64, std::round(coord(1).s * 64), 1e-4F);
     EXPECT_NEAR(coord(1).s, 1.1F, 0.01F);
@@ -377,7 +377,7 @@ TEST_F(PlaneInput, ShiftAddsInTheViewToo) {
     const ImVec2 zero = place("hovered vertex");
     clickAt(two);
     EXPECT_THAT(chosen(), ElementsAre(2));
-    const Held shifted(&ImGuiIO::KeyShift);
+    const Held shifted(*this, shift);
     clickAt(zero);
     EXPECT_THAT(chosen(), ElementsAre(0, 2));
 }

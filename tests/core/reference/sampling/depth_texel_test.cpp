@@ -124,7 +124,8 @@ TEST(DepthTexture, ComparesThePixelsOwnRWhateverTheFootprint) {
     SampledTexture texture = depths({.compareMode = CompareMode::RToTexture});
     texture.maxAnisotropy = 8;
     const Derivatives steep{{0.5F, 0, 10}, {0, 0.01F, 0}};
-    for (const AnisotropyMethod method : {AnisotropyMethod::Probes, AnisotropyMethod::Ellipse}) {
+    for (const AnisotropyMethod method :
+         {AnisotropyMethod::Probes, AnisotropyMethod::Ellipse, AnisotropyMethod::Line}) {
         const SampleOptions options{.anisotropy = method};
         EXPECT_TRUE(isNear(sample(texture, {0.5F, 0.5F, 0}, steep, options), {1, 1, 1, 1}))
             << "nothing is nearer";

@@ -175,7 +175,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      MinFilter::LinearMipmapNearest, MinFilter::NearestMipmapLinear,
                                      MinFilter::LinearMipmapLinear),
                      testing::Values(MagFilter::Nearest, MagFilter::Linear),
-                     testing::Values(AnisotropyMethod::Probes, AnisotropyMethod::Ellipse),
+                     testing::Values(AnisotropyMethod::Probes, AnisotropyMethod::Ellipse,
+                                     AnisotropyMethod::Line),
                      testing::Values(1.0F, 2.5F, 16.0F)),
     [](const auto& test) {
         return std::string(std::get<0>(test.param).name) + "_" + std::to_string(test.index);

@@ -115,6 +115,45 @@ TEST(Sample, TheEllipseIsSymmetricAndNormalised) {
     EXPECT_EQ(low, 32 - 2);
 }
 
+// 9 by 2 texels: lambda is 1, and the 4.5 texels of level 1 get 5 samples, with linear filters.
+TEST(Sample, TheLineIsEvenlySampled) {
+    SampledTexture texture = leveledTexture(64);
+    texture.maxAnisotropy = 16;
+    texture.minFilter = MinFilter::NearestMipmapLinear;
+    const SampleRecord record = explainSample(texture, {0.5F, 0.5F, 0}, texelsPerPixel(texture, 9, 2),
+                                              {.anisotropy = AnisotropyMethod::Line});
+    EXPECT_TRUE(record.lod.line);
+    EXPECT_FLOAT_EQ(record.lod.lambda, 1);
+    ASSERT_EQ(record.probes.size(), 5U);
+    for (int i = 0; i < 5; ++i)
+        EXPECT_FLOAT_EQ(record.probes[static_cast<std::size_t>(i)].s,
+                        0.5F + 9.0F / 64 * static_cast<float>(i - 2) / 5);
+    EXPECT_THAT(record.taps, testing::Each(testing::Field(&Tap::level, 1)));
+    EXPECT_EQ(record.taps.size(), 20U) << "2 x 2 texels for each";
+}
+
+// Mesa 25 divides by the root of the maximum anisotropy there: 32 / sqrt(4) texels.
+TEST(Sample, ALineBeyondTheMaximalAnisotropyHasFewerTexels) {
+    SampledTexture texture = leveledTexture(64);
+    texture.maxAnisotropy = 4;
+    const SampleRecord record = explainSample(texture, {0.5F, 0.5F, 0}, texelsPerPixel(texture, 2, 32),
+                                              {.anisotropy = AnisotropyMethod::Line});
+    EXPECT_FLOAT_EQ(record.lod.lambda, 4);
+    EXPECT_EQ(record.lod.probes, 2) << "of 4 x 4 texels";
+    EXPECT_FALSE(record.lod.alongX);
+}
+
+TEST(AnisotropyMethodOf, IsThatOfMesasVersion) {
+    constexpr auto of = anisotropyMethodOf;
+    EXPECT_EQ(of("llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 (Compatibility Profile) Mesa 22.3.6"),
+              AnisotropyMethod::Ellipse);
+    EXPECT_EQ(of("llvmpipe (LLVM 19.1.7, 256 bits)", "4.5 (Compatibility Profile) Mesa 25.0.7-2+deb13u1"),
+              AnisotropyMethod::Line);
+    EXPECT_EQ(of("softpipe", "3.3 (Compatibility Profile) Mesa 25.0.7"), AnisotropyMethod::Ellipse);
+    EXPECT_EQ(of("AMD Radeon", "4.6 Mesa 25.0.7"), AnisotropyMethod::Probes);
+    EXPECT_EQ(of("", ""), AnisotropyMethod::Probes);
+}
+
 // Columns of 0 and 1, and more of them in a pixel than anyone could count: their mean.
 TEST(Sample, AHugeEllipseAverages) {
     SampledTexture texture = leveledTexture(64);
@@ -164,16 +203,16 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 INSTANTIATE_TEST_SUITE_P(
     All, BadInput,
-    testing::Combine(testing::Values(Bad{"Nan", {nan, nan, nan}, {}},
-                                     Bad{"Infinite", {infinity, -infinity, infinity}, {}},
-                                     Bad{"Huge", {3e38F, -3e38F, 3e38F}, {{3e38F, 0, 0}, {0, 3e38F, 0}}},
-                                     Bad{"NanDerivative", {0.5F, 0.5F, 0.5F}, {{nan, 1, 0}, {0, 1, 0}}},
-                                     Bad{"HugeRatio", {0.5F, 0.5F, 0.5F}, {{1e18F, 0, 0}, {0, 1e-30F, 0}}},
-                                     Bad{"Far", {1e9F, -1e9F, 1e9F}, {{0.5F, 0, 0}, {0, 2, 0}}}),
-                     testing::Values(Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge,
-                                     Wrap::ClampToBorder, Wrap::Clamp),
-                     testing::Values(Target::Texture1D, Target::Texture2D, Target::Texture3D),
-                     testing::Values(AnisotropyMethod::Probes, AnisotropyMethod::Ellipse)));
+    testing::Combine(
+        testing::Values(Bad{"Nan", {nan, nan, nan}, {}}, Bad{"Infinite", {infinity, -infinity, infinity}, {}},
+                        Bad{"Huge", {3e38F, -3e38F, 3e38F}, {{3e38F, 0, 0}, {0, 3e38F, 0}}},
+                        Bad{"NanDerivative", {0.5F, 0.5F, 0.5F}, {{nan, 1, 0}, {0, 1, 0}}},
+                        Bad{"HugeRatio", {0.5F, 0.5F, 0.5F}, {{1e18F, 0, 0}, {0, 1e-30F, 0}}},
+                        Bad{"Far", {1e9F, -1e9F, 1e9F}, {{0.5F, 0, 0}, {0, 2, 0}}}),
+        testing::Values(Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge, Wrap::ClampToBorder,
+                        Wrap::Clamp),
+        testing::Values(Target::Texture1D, Target::Texture2D, Target::Texture3D),
+        testing::Values(AnisotropyMethod::Probes, AnisotropyMethod::Ellipse, AnisotropyMethod::Line)));
 
 bool isBeyondLevel(const SampledTexture& texture, const Tap& tap) {
     const Level& level = texture.levels[static_cast<std::size_t>(tap.level)];
@@ -226,7 +265,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      MinFilter::LinearMipmapLinear),
                      testing::Values(MagFilter::Nearest, MagFilter::Linear),
                      testing::Values(Wrap::Repeat, Wrap::ClampToBorder, Wrap::Clamp),
-                     testing::Values(AnisotropyMethod::Probes, AnisotropyMethod::Ellipse),
+                     testing::Values(AnisotropyMethod::Probes, AnisotropyMethod::Ellipse,
+                                     AnisotropyMethod::Line),
                      testing::Values(1.0F, 8.0F)));
 
 TEST(Sample, AnIncompleteTextureIsOpaqueBlack) {
