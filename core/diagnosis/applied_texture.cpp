@@ -38,6 +38,11 @@ bool visitsWithoutEnd(const Texture& texture, const SampledTexture& shape, const
     return visitedTexels(shape, *use, limit) > limit;
 }
 
+// It takes as many samples as the coordinates pass texels: none, and divides by their number.
+bool takesNoSample(const Texture& texture, const SampledTexture& shape, const TextureUse* use) {
+    return use && isAnisotropic(texture) && axesOf(shape.target) == 2 && hasConstantCoords(shape, *use);
+}
+
 // Where lambda chooses between two filters and nothing else, and is biased, llvmpipe may have no level of
 // detail and read it all the same. Whose bias it is, the shader's or the texture object's, doesn't count.
 bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape, const TextureUse* /*use*/) {
@@ -53,6 +58,7 @@ void withOneFilter(Texture& texture) {
 }
 
 constexpr auto ellipse = reference::AnisotropyMethod::Ellipse; // of Mesa before version 25
+constexpr auto line = reference::AnisotropyMethod::Line;       // since then
 
 // Of Mesa 22.3 and 25.0; tests/render/sampler_matrix.cpp says whether that is all.
 constexpr std::array flaws{
@@ -67,6 +73,10 @@ constexpr std::array flaws{
         "llvmpipe", ellipse, visitsWithoutEnd, withoutAnisotropy,
         "before Mesa 25, llvmpipe's anisotropic filter visits every texel that a pixel covers, which would take seconds "
         "to hours here, where coordinates run fast or q runs through 0; drawn without anisotropy"},
+    DriverFlaw{
+        "llvmpipe", line, takesNoSample, withoutAnisotropy,
+        "llvmpipe since Mesa 25 draws black where it filters anisotropically and the coordinates do not "
+        "change; drawn without anisotropy"},
     DriverFlaw{"llvmpipe", {}, choosesFilterAlone, withOneFilter, ""},
 };
 

@@ -89,6 +89,13 @@ public:
         return visited;
     }
 
+    [[nodiscard]] bool isConstantAt(int x, int y) const {
+        constexpr double rounding = 1e-6;
+        const glm::dvec3 here = coords(x, y);
+        const glm::dvec3 moves = glm::abs(coords(x + 1, y) - here) + glm::abs(coords(x, y + 1) - here);
+        return moves.s <= rounding && moves.t <= rounding;
+    }
+
 private:
     /// q itself: beyond a steep triangle's edge 1 / w changes its sign, and q over w with it.
     [[nodiscard]] bool runsThroughZero(int left, int right, int low) const {
@@ -138,12 +145,12 @@ private:
     const UnitState& unit_;
 };
 
-} // namespace
-
-double visitedTexels(const SampledTexture& texture, const TextureUse& use, double enough) {
+/// Calls `visit` for each row of fragments that reads the texture, until it returns false.
+template<typename Visit>
+void eachRow(const SampledTexture& texture, const TextureUse& use, const Visit& visit) {
     const std::vector<PassState> states = passesOf(texture, use);
     const reference::Box picture{0, use.width - 1, 0, use.height - 1};
-    double visited = 0;
+    bool goesOn = true;
     std::stop_source done;
     reference::eachTriangle(use.scene, states, use.time, {use.width, use.height}, done.get_token(),
                             [&](const Triangle& triangle) {
@@ -153,14 +160,32 @@ double visitedTexels(const SampledTexture& texture, const TextureUse& use, doubl
                                     const Lookups lookups(triangle, u);
                                     reference::eachCoveredRow(
                                         triangle, picture, [&](int first, int y, int count) {
-                                            if (visited <= enough)
-                                                visited += lookups.visitedInRow(first, y, count);
+                                            goesOn = goesOn && visit(lookups, first, y, count);
                                         });
                                 }
-                                if (visited > enough)
+                                if (!goesOn)
                                     done.request_stop();
                             });
+}
+
+} // namespace
+
+double visitedTexels(const SampledTexture& texture, const TextureUse& use, double enough) {
+    double visited = 0;
+    eachRow(texture, use, [&](const Lookups& lookups, int first, int y, int count) {
+        visited += lookups.visitedInRow(first, y, count);
+        return visited <= enough;
+    });
     return visited;
+}
+
+bool hasConstantCoords(const SampledTexture& texture, const TextureUse& use) {
+    bool found = false;
+    eachRow(texture, use, [&](const Lookups& lookups, int first, int y, int count) {
+        found = lookups.isConstantAt(first + count / 2, y);
+        return !found;
+    });
+    return found;
 }
 
 } // namespace texplorer

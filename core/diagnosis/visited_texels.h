@@ -24,4 +24,8 @@ struct TextureUse {
 [[nodiscard]] double visitedTexels(const reference::SampledTexture& texture, const TextureUse& use,
                                    double enough);
 
+/// Whether a fragment has the same texture coordinates as the pixels around it, as in a point or where the
+/// corners of a triangle have the same.
+[[nodiscard]] bool hasConstantCoords(const reference::SampledTexture& texture, const TextureUse& use);
+
 } // namespace texplorer

@@ -8,6 +8,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -63,7 +64,7 @@ std::optional<std::string> choosePath(Session& session, SheetState& state, const
     if (ImGui::IsWindowAppearing()) {
         state.search.clear();
         state.isOffered = false;
-        ImGui::SetKeyboardFocusHere();
+        focusNextWidget();
     }
     const float width = em * 28;
     ImGui::SetNextItemWidth(width);

@@ -180,7 +180,7 @@ void searchLine(Session& session, ParametersState& state) {
     const float button = ImGui::CalcTextSize(names).x + 2 * ImGui::GetStyle().FramePadding.x;
     const float clear = state.search.empty() ? 0 : ImGui::GetFrameHeight() + gap;
     if (std::exchange(session.window.wantsSearch, false))
-        ImGui::SetKeyboardFocusHere();
+        focusNextWidget();
     const float width = ImGui::GetContentRegionAvail().x - button - gap - clear;
     constexpr std::array hints{"Search parameters (Ctrl+F)", "Search (Ctrl+F)", "Search"};
     const auto* hint =

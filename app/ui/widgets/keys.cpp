@@ -162,6 +162,11 @@ void letTabMove(bool moves) {
 
 #endif
 
+void focusNextWidget() {
+    ImGui::SetWindowFocus(); // Dear ImGui 1.90 finds the widget only in the focused window
+    ImGui::SetKeyboardFocusHere();
+}
+
 bool isMenuAsked() {
     return ImGui::IsItemFocused() &&
            (isKeyPressed(key::menu, false) || (ImGui::GetIO().KeyShift && isKeyPressed(key::f10, false)));

@@ -52,6 +52,9 @@ void setKey(int code, bool down);
 /// Passes the held modifiers, on either side of the keyboard, to Dear ImGui, before the frame.
 void setModifiers(bool control, bool shift, bool alt, bool super);
 
+/// Gives the keyboard to the next widget of the window.
+void focusNextWidget();
+
 /// Whether Tab moves between fields in the next frame; otherwise it has another meaning.
 void letTabMove(bool moves);
 

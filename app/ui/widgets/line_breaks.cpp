@@ -122,4 +122,14 @@ std::vector<std::string_view> linesOf(std::string_view text, float room, const T
     }
 }
 
+float widestPiece(std::string_view text, const TextMeasure& widthOf) {
+    float widest = 0;
+    while (!text.empty()) {
+        const std::string_view piece = text.substr(0, pieceLength(text));
+        widest = std::max(widest, widthOf(withoutBlanks(piece)));
+        text.remove_prefix(piece.size());
+    }
+    return widest;
+}
+
 } // namespace texplorer::ui

@@ -16,4 +16,7 @@ using TextMeasure = std::function<float(std::string_view)>;
 [[nodiscard]] std::vector<std::string_view> linesOf(std::string_view text, float room,
                                                     const TextMeasure& widthOf);
 
+/// The width of the narrowest column in which no word of a text is broken.
+[[nodiscard]] float widestPiece(std::string_view text, const TextMeasure& widthOf);
+
 } // namespace texplorer::ui

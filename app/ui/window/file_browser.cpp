@@ -322,7 +322,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
     }
 
     if (browser.focusName) {
-        ImGui::SetKeyboardFocusHere();
+        focusNextWidget();
         browser.focusName = false;
     }
     ImGui::SetNextItemWidth(-1);

@@ -5,6 +5,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/texture_space/plane_keys.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/line_breaks.h"
 #include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -153,24 +154,17 @@ float heightOf(std::span<const HelpRow> rows, float width) {
     return height;
 }
 
-float widestWord(const std::string& words) {
-    float width = 0;
-    for (std::size_t first = 0; first <= words.size();) {
-        const std::size_t last = std::min(words.find(' ', first), words.size());
-        width = std::max(width, ImGui::CalcTextSize(words.data() + first, words.data() + last).x);
-        first = last + 1;
-    }
-    return width;
-}
-
 /// The fraction of the column's width for the keys below a heading, chosen for the lowest height; no key is
 /// wrapped.
 void shareWidth(std::span<HelpRow> rows, float width) {
+    const auto textWidth = [](std::string_view text) {
+        return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    };
     float least = 0;
     float natural = 0;
     for (const HelpRow& row : rows) {
         const std::string keys = tr(row.keys);
-        least = std::max(least, std::ceil(widestWord(keys)) + 1);
+        least = std::max(least, std::ceil(widestPiece(keys, textWidth)) + 1);
         natural = std::max(natural, std::ceil(ImGui::CalcTextSize(keys.c_str()).x) + 1);
     }
     const auto use = [&](float keysWidth) {
@@ -230,11 +224,15 @@ struct HelpPlan {
     std::vector<std::span<const HelpRow>> columns{};
 };
 
+float maxColumnWidth() {
+    return ImGui::GetFontSize() * 31;
+}
+
 HelpPlan planHelp(const Session& session, std::size_t count, float available) {
     const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x * 2;
     const float bar = ImGui::GetStyle().ScrollbarSize;
     const float each = std::floor((available - gaps) / static_cast<float>(count)) - bar;
-    HelpPlan plan{helpRows(session), std::clamp(each, 1.0F, ImGui::GetFontSize() * 31), 0};
+    HelpPlan plan{helpRows(session), std::clamp(each, 1.0F, maxColumnWidth()), 0};
     shareWidths(plan.rows, plan.width);
     plan.height = std::ceil(heightOf(plan.rows, plan.width) / static_cast<float>(count));
     plan.columns = helpColumns(plan.rows, plan.width, plan.height);
@@ -307,8 +305,9 @@ void drawHelp(Session& session) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = display.x * 0.95F - 2 * style.WindowPadding.x;
-    const float others = 2 * ImGui::GetFrameHeight() + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y +
-                         wrappedHeight(intro, width - 3 * style.ScrollbarSize);
+    const float others =
+        2 * ImGui::GetFrameHeight() + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y +
+        wrappedHeight(intro, std::min(width - 3 * style.ScrollbarSize, 2 * maxColumnWidth()));
     const float room = std::max(ImGui::GetFontSize() * 6, std::floor(display.y * 0.94F - others));
     const HelpPlan plan = planHelp(session, {width, room});
     const auto count = static_cast<float>(plan.columns.size());

@@ -63,7 +63,7 @@ void noteField(ViewNotes& notes, ViewNote& note, float width) {
     ImGui::SetNextItemWidth(width);
     if (std::exchange(notes.wantsKeyboard, false)) {
         ImGui::SetWindowFocus();
-        ImGui::SetKeyboardFocusHere();
+        focusNextWidget();
     }
     textField("##words", note.text, ImGuiInputTextFlags_AutoSelectAll, "Text over the view");
     shortenNote(note.text);

@@ -39,7 +39,8 @@ constexpr std::array passRows{
     param<&Pass::blendDst>("blendDst", "Blending", "Destination factor", "glBlendFunc(blendSrc, {})",
                            "The factor of the stored colour before both are added."),
     param<&Pass::seamlessCubeMap>(
-        "seamlessCubeMap", "Cube maps", "Seamless", "glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)",
+        "seamlessCubeMap", "Seamless cube maps", "Seamless cube maps",
+        "glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)",
         "Whether linear filtering continues across the edges of a cube map's faces instead of ending there "
         "(OpenGL 3.2)."),
 };

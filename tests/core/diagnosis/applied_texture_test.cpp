@@ -137,6 +137,23 @@ TEST(AppliedTexture, GivesLlvmpipeNoAnisotropyWhereItWouldVisitTexelsWithoutEnd)
     EXPECT_EQ(appliedTexture(texture, shapeWith(7), 1000, named("AMD Radeon"), &use).texture, texture);
 }
 
+TEST(AppliedTexture, GivesLlvmpipeOfMesa25NoAnisotropyWhereCoordinatesDoNotChange) {
+    DriverFacts newer = llvmpipe;
+    newer.version = "4.5 (Compatibility Profile) Mesa 25.0.7-2";
+    const Texture texture = anisotropic(MinFilter::Linear, MagFilter::Linear);
+    Scene scene = test::texturedScene();
+    scene.textures[0] = texture;
+    const TextureUse use{scene, 0, 0, 64, 64};
+    scene.models[0].texCoords[0] = test::quadCoords({0, 0, 0, 1}, {1000, 1000, 0, 1});
+    EXPECT_TRUE(appliedTexture(texture, shapeWith(7), 1000, newer, &use).heldBack.empty());
+    scene.models[0].texCoords[0] = test::quadCoords({0.3F, 0.3F, 0, 1});
+    const AppliedTexture held = appliedTexture(texture, shapeWith(7), 1000, newer, &use);
+    EXPECT_EQ(held.texture.maxAnisotropy, 1);
+    ASSERT_EQ(held.heldBack.size(), 1U);
+    EXPECT_NE(held.heldBack[0].find("draws black"), std::string_view::npos);
+    EXPECT_TRUE(appliedTexture(texture, shapeWith(4), 1000, llvmpipe, &use).heldBack.empty());
+}
+
 // Mesa makes a whole number of it, downwards.
 TEST(AppliedTexture, LeavesAnisotropyBelowTwoAsItIs) {
     Texture texture = anisotropic(MinFilter::Linear, MagFilter::Nearest);

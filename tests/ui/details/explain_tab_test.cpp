@@ -732,7 +732,7 @@ TEST_F(ExplainTab, DrawsWithoutAnyError) {
     session->document.scene.models[0].texCoords = {};
     (void)picture();
     session->document.scene.models[0].texCoords[0] = TexCoords(4, glm::vec4(1e30F, -1e30F, 0, 0));
-    (void)picture(testing::ElementsAre(testing::HasSubstr("q runs through 0; drawn without anisotropy")));
+    (void)picture(testing::Each(testing::HasSubstr("drawn without anisotropy")));
 }
 
 } // namespace

@@ -76,6 +76,12 @@ TEST(LineBreaks, WhatIsWiderThanTheColumnIsPartedWhereItMustBe) {
     EXPECT_THAT(lines("жук", 1), ElementsAre("ж", "у", "к")) << "no half of a letter";
 }
 
+TEST(LineBreaks, TheWidestPieceIsWhatMustStayTogether) {
+    EXPECT_EQ(widestPiece("a window shows", typed), 6);
+    EXPECT_EQ(widestPiece("", typed), 0);
+    EXPECT_EQ(widestPiece("纹理，坐标", typed), 4) << "the comma stays with the letter before it";
+}
+
 TEST(LineBreaks, WhatIsNoUtf8ComesThrough) {
     const std::string broken = "a\xE7\xBA b\xFF\xC3";
     std::string joined;
