@@ -45,11 +45,14 @@ copy_network "$root"
 chroot "$root" dpkg --configure -a >"$folder/dpkg.log" 2>&1 || # after a call that was killed
     { say "the root's packages are damaged: remove ${root#"$PWD"/} to start again; see ${folder#"$PWD"/}/dpkg.log"; exit 1; }
 
-# The sources replace those of the last call; what was built from them stays.
+# The sources replace those of the last call; what was built from them stays. What has changed is newer than that.
 checkout=$root/home/texplorer
-mkdir -p "$checkout"
-find "$checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
-tar --null -T "$sources" --ignore-failed-read -c | tar -x -C "$checkout"
+copy=$root/home/sources
+rm -rf "$copy"
+mkdir -p "$checkout" "$copy"
+tar --null -T "$sources" --ignore-failed-read -c | tar -x -C "$copy"
+rsync -rlp --checksum --delete --exclude=/build "$copy/" "$checkout/"
+rm -rf "$copy"
 say "./dev $* in $release"
 environment=()
 for name in http_proxy https_proxy no_proxy CI; do

@@ -230,7 +230,7 @@ TEST(PngDecode, WhatStandsBesideThePictureIsKeptForAnotherPng) {
     insertChunk(file, 33, "tIME", bytesOf({7, 0xE8, 1, 2, 3, 4, 5}));
     insertChunk(file, 33, "tEXt", bytesOf({'a', 0, 'b'}));
     insertChunk(file, 33, "gAMA", bytesOf({0, 0, 0x27}));      // a byte short: left out
-    Bytes primaries(32);
+    Bytes primaries(32, std::byte{0});
     primaries[0] = std::byte{0x80}; // a number that no version of libpng takes
     insertChunk(file, 33, "cHRM", primaries);
     EXPECT_THAT(decodePng(file)->parts, testing::IsEmpty());
