@@ -1,5 +1,6 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/driver_question.h"
+#include "app/screenshot/output/json_text.h"
 #include "core/base/printable.h"
 #include "core/scene/params/param_text.h"
 
