@@ -81,7 +81,7 @@ if(TEXPLORER_PROGRAMS)
             DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
     install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
             RENAME texplorer.xml)
-    install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo
+    install(FILES ${PROJECT_SOURCE_DIR}/assets/org.texplorer.Texplorer.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo
            )
 endif()
 

@@ -37,7 +37,7 @@ class Desktop(unittest.TestCase):
         self.passes("xmllint", "--noout", ASSETS / "texplorer.svg")
 
     def test_the_metadata(self):
-        file = ASSETS / "texplorer.metainfo.xml"
+        file = ASSETS / "org.texplorer.Texplorer.metainfo.xml"
         self.passes("appstreamcli", "validate", "--no-net", file)
         root = ElementTree.parse(file).getroot()
         self.assertEqual(root.find("releases/release").get("version"), VERSION)

@@ -281,7 +281,7 @@ for file in share/man/man1/{texplorer,texshot,texshot-shot}.1.gz share/bash-comp
     share/texplorer/{scene,suite}.schema.json share/texplorer/suites/textures.suite.json \
     share/doc/texplorer/examples/cluster/texshot-{array.sbatch,job.yaml} \
     share/doc/texplorer/{README,docs/texshot,docs/library}.md \
-    share/doc/texplorer/examples/consumer/CMakeLists.txt share/mime/packages/texplorer.xml share/metainfo/texplorer.metainfo.xml; do
+    share/doc/texplorer/examples/consumer/CMakeLists.txt share/mime/packages/texplorer.xml share/metainfo/org.texplorer.Texplorer.metainfo.xml; do
     [ -s "$prefix/$file" ] || complain "$file is not installed"
 done
 gzip -dc "$prefix/share/man/man1/texshot-shot.1.gz" | grep -q '^\.TH TEXSHOT' || complain "a manual page is none"
