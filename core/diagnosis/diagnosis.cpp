@@ -114,13 +114,7 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
 }
 
 Result<void> apply(const Fix& fix, Scene& scene) {
-    Scene fixed = scene;
-    for (const Assignment& each : fix.assignments) {
-        if (const Result<void> set = setParam(fixed, each.path, each.value); !set)
-            return fail(set.error());
-    }
-    scene = std::move(fixed);
-    return {};
+    return makeEdits(scene, std::vector<Edit>(fix.assignments.begin(), fix.assignments.end()));
 }
 
 bool isPartOf(std::string_view path, std::string_view whole) {
@@ -139,7 +133,7 @@ const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_vi
     const auto isMending = [&](const Finding& each) { // what would give the rest an effect has one itself
         return std::ranges::any_of(each.fixes, [&](const Fix& fix) {
             return std::ranges::any_of(fix.assignments,
-                                       [&](const Assignment& set) { return set.path == path; });
+                                       [&](const edit::Set& set) { return set.path == path; });
         });
     };
     const auto found = std::ranges::find_if(findings, [&](const Finding& each) {

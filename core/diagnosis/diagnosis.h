@@ -3,6 +3,7 @@
 // Reports what is wrong, undefined or without effect in a scene, as sentences. The window, `texshot shot` and
 // `texshot check` use one table of rules (diagnosis_*.cpp).
 
+#include "core/scene/edit/edit.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 
@@ -58,17 +59,9 @@ struct EnumTable<Severity> {
 };
 static_assert(severityRows.size() == 5);
 
-/// A value to set, for setParam.
-struct Assignment {
-    std::string path;
-    std::string value;
-
-    bool operator==(const Assignment&) const = default;
-};
-
 struct Fix {
     std::string label; ///< "Generate mipmaps"
-    std::vector<Assignment> assignments;
+    std::vector<edit::Set> assignments;
 };
 
 struct Finding {

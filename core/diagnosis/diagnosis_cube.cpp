@@ -29,7 +29,7 @@ std::string seamlessPath(std::size_t pass) {
 Fix acrossEdges(const Case& about, std::size_t texture) {
     Fix fix{"Filter across the edges", {}};
     forEachUnit(about.scene, [&](const Unit& unit, const std::string&, std::size_t p) {
-        const Assignment set{seamlessPath(p), "true"};
+        const edit::Set set{seamlessPath(p), "true"};
         if (unit.enabled && std::cmp_equal(unit.texture, texture) &&
             std::ranges::find(fix.assignments, set) == fix.assignments.end())
             fix.assignments.push_back(set);

@@ -5,6 +5,7 @@
 // (zh_CN.po) next to it.
 
 #include "core/base/result.h"
+#include "core/scene/edit/edit.h"
 
 #include <array>
 #include <optional>
@@ -23,14 +24,6 @@ inline constexpr std::size_t minAnswers = 2;
 inline constexpr std::size_t maxAnswers = 4;
 inline constexpr std::size_t maxKeys = 24;
 inline constexpr std::size_t maxChoices = 8; ///< of a key
-
-/// A change to a scene: "textures[0].wrapS=GL_CLAMP", or a preset, "preset:alpha-test".
-struct Edit {
-    std::string path; ///< empty: a preset
-    std::string value;
-
-    bool operator==(const Edit&) const = default;
-};
 
 /// The values of Look::tab: the window's tabs, except those of the lesson and of the figures.
 inline constexpr std::array<std::string_view, 10> lookTabs{

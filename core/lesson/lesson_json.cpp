@@ -109,13 +109,8 @@ std::string keyNameList() {
 
 void readEdits(Members& members, std::vector<Edit>& edits, std::size_t min) {
     members.list("edits", min, maxEdits, [&](const Json& json, const std::string& where) {
-        constexpr std::string_view preset = "preset:";
-        const std::string text = json.is_string() ? json.get<std::string>() : std::string();
-        const std::size_t equals = text.find('=');
-        if (text.starts_with(preset) && text.size() > preset.size())
-            edits.push_back({{}, text.substr(preset.size())});
-        else if (equals != std::string::npos && equals > 0)
-            edits.push_back({text.substr(0, equals), text.substr(equals + 1)});
+        if (std::optional<Edit> edit = parseEdit(json.is_string() ? json.get<std::string>() : std::string()))
+            edits.push_back(*std::move(edit));
         else if (!members.problem())
             members.problem() = Error{ErrorCode::Malformed, "expected PATH=VALUE or preset:NAME", where};
     });

@@ -19,16 +19,16 @@ const std::vector<KeyChoice>& choicesIn(const LessonKey& key) {
     return cycle ? cycle->choices : none;
 }
 
-bool changes(const LessonKey& key, const std::string& path) {
+bool changes(const LessonKey& key, std::string_view path) {
     return std::ranges::any_of(choicesIn(key), [&](const KeyChoice& choice) {
         return std::ranges::any_of(choice.edits,
-                                   [&](const Edit& edit) { return !path.empty() && edit.path == path; });
+                                   [&](const Edit& edit) { return !path.empty() && pathOf(edit) == path; });
     });
 }
 
 bool sharesPaths(const LessonKey& a, const LessonKey& b) {
     return std::ranges::any_of(choicesIn(a), [&](const KeyChoice& choice) {
-        return std::ranges::any_of(choice.edits, [&](const Edit& edit) { return changes(b, edit.path); });
+        return std::ranges::any_of(choice.edits, [&](const Edit& edit) { return changes(b, pathOf(edit)); });
     });
 }
 
@@ -52,7 +52,7 @@ Result<void> makeChoices(Scene& scene, const std::vector<LessonKey>& keys, const
         const std::vector<Edit>& each = choicesIn(keys[key]).at(chosen[key]).edits;
         edits.insert(edits.end(), each.begin(), each.end());
     }
-    return makeEdits(scene, edits);
+    return makeEdits(scene, edits, "edits");
 }
 
 bool holds(const Scene& scene, const std::vector<LessonKey>& keys, const ChosenChoices& chosen,
@@ -197,7 +197,7 @@ Result<void> checkKey(const Scene& scene, const LessonKey& key) {
     const std::vector<KeyChoice>& choices = choicesIn(key);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         Scene edited = scene;
-        if (const Result<void> made = makeEdits(edited, choices[i].edits); !made)
+        if (const Result<void> made = makeEdits(edited, choices[i].edits, "edits"); !made)
             return fail(made.error().code, made.error().message,
                         fmt::format("cycle/{}/{}", i, made.error().where));
     }

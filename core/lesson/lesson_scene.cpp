@@ -4,10 +4,8 @@
 #include "core/codec/registry.h"
 #include "core/example/example.h"
 #include "core/lesson/lesson_place.h"
-#include "core/preset/preset.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
 
 #include <fmt/core.h>
 
@@ -110,7 +108,7 @@ Result<FoundScene> sceneOf(const LessonFolder& folder, const Lesson& lesson, std
     Result<FoundScene> found = begin();
     if (!found)
         return found;
-    if (const Result<void> made = makeEdits(found->scene, here.edits); !made)
+    if (const Result<void> made = makeEdits(found->scene, here.edits, "edits"); !made)
         return fail(at(placeOf(step), made.error()));
     if (here.fallback) {
         found->fallback = &*here.fallback;
@@ -141,25 +139,9 @@ std::vector<std::string> imageNotes(const LessonScene& step) {
     return notes;
 }
 
-Result<void> makeEdits(Scene& scene, const std::vector<Edit>& edits) {
-    Scene edited = scene;
-    for (std::size_t i = 0; i < edits.size(); ++i) {
-        const Edit& edit = edits[i];
-        const Preset* preset = edit.path.empty() ? findPreset(edit.value) : nullptr;
-        const Result<void> made =
-            !edit.path.empty() ? setParam(edited, edit.path, edit.value)
-            : preset           ? applyPreset(*preset, edited)
-                     : Result<void>(fail(ErrorCode::NotFound, "there is no such preset", edit.value));
-        if (!made)
-            return fail(at(fmt::format("edits/{}", i), made.error()));
-    }
-    scene = std::move(edited);
-    return {};
-}
-
 Result<LessonScene> withEdits(const LessonScene& start, const std::vector<Edit>& edits) {
     LessonScene scene = start;
-    if (const Result<void> made = makeEdits(scene.scene, edits); !made)
+    if (const Result<void> made = makeEdits(scene.scene, edits, "edits"); !made)
         return fail(made.error());
     return scene;
 }
@@ -182,7 +164,7 @@ Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, st
         return fail(found.error());
     LessonScene start{std::move(found->scene), ImageSource{folder.path()}};
     if (found->fallback && unitsUsed(start.scene) > units) {
-        if (const Result<void> made = makeEdits(start.scene, found->fallback->edits); !made)
+        if (const Result<void> made = makeEdits(start.scene, found->fallback->edits, "edits"); !made)
             return fail(at(placeOf(found->step) + "/fallback", made.error()));
         start.fallback = found->fallback->text;
     }

@@ -51,9 +51,6 @@ enum class StepImages : bool { Read, Leave };
 /// pass.
 [[nodiscard]] int unitsUsed(const Scene& scene);
 
-/// Makes all edits, or none. The error's `where` is "edits/3", followed by that of setParam.
-[[nodiscard]] Result<void> makeEdits(Scene& scene, const std::vector<Edit>& edits);
-
 /// Returns the scene of an answer, or of the picture to reach: the step's scene with these edits.
 [[nodiscard]] Result<LessonScene> withEdits(const LessonScene& start, const std::vector<Edit>& edits);
 

@@ -14,6 +14,8 @@ namespace texplorer {
 struct PresetPlace {
     std::size_t pass = 0;
     std::size_t unit = 0;
+
+    bool operator==(const PresetPlace&) const = default;
 };
 
 /// The objects that a preset edits: they exist, and the pass and the unit are enabled.

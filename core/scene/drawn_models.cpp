@@ -37,44 +37,12 @@ bool drawsAnything(const Scene& scene, const Pass& pass) {
     return !drawnModels(scene, pass).empty();
 }
 
-void modelRemoved(Scene& scene, std::size_t index) {
-    const int removed = static_cast<int>(index);
-    for (Pass& pass : scene.passes) {
-        if (pass.models.empty())
-            continue;
-        std::erase(pass.models, removed);
-        if (pass.models.empty())
-            pass.enabled = false;
-        for (int& model : pass.models)
-            model -= model > removed ? 1 : 0;
-    }
-    elementRemoved(scene.timeline, "models", index);
-}
-
-void modelInserted(Scene& scene, std::size_t index) {
-    for (Pass& pass : scene.passes)
-        for (int& model : pass.models)
-            model += model >= static_cast<int>(index) ? 1 : 0;
-    elementInserted(scene.timeline, "models", index);
-}
-
 void drawEverywhere(Scene& scene, std::size_t model) {
     const int index = static_cast<int>(model);
     for (Pass& pass : scene.passes) {
         if (!pass.models.empty() && std::ranges::find(pass.models, index) == pass.models.end())
             pass.models.push_back(index);
     }
-}
-
-void modelsSwapped(Scene& scene, std::size_t one, std::size_t other) {
-    for (Pass& pass : scene.passes)
-        for (int& model : pass.models) {
-            if (model == static_cast<int>(one))
-                model = static_cast<int>(other);
-            else if (model == static_cast<int>(other))
-                model = static_cast<int>(one);
-        }
-    elementsSwapped(scene.timeline, "models", one, other);
 }
 
 } // namespace texplorer

@@ -19,13 +19,7 @@ namespace texplorer {
 /// Whether a pass draws anything.
 [[nodiscard]] bool drawsAnything(const Scene& scene, const Pass& pass);
 
-/// Updates the passes after a model was removed, or before one with this index is inserted: they keep naming
-/// the same models. A pass that named only the removed one is switched off; without names it would draw all.
-void modelRemoved(Scene& scene, std::size_t index);
-void modelInserted(Scene& scene, std::size_t index);
 /// Adds a model to the passes that name their models.
 void drawEverywhere(Scene& scene, std::size_t model);
-/// Updates the passes after two models were swapped.
-void modelsSwapped(Scene& scene, std::size_t one, std::size_t other);
 
 } // namespace texplorer

@@ -1,6 +1,7 @@
 #include "core/scene/show_shapes.h"
 
 #include "core/scene/drawn_models.h"
+#include "core/scene/references.h"
 
 #include <algorithm>
 
@@ -23,7 +24,7 @@ void makeShapeRoom(Scene& scene, std::span<const Shape> shapes) {
         if (isWanted(scene.models[i]))
             continue;
         scene.models.erase(scene.models.begin() + static_cast<std::ptrdiff_t>(i));
-        modelRemoved(scene, i);
+        renumber(scene, "models", afterRemove(i));
     }
 }
 

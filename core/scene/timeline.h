@@ -80,15 +80,4 @@ struct Moment {
 /// Whether any parameter has keys with different values.
 [[nodiscard]] bool isMoving(const Timeline& timeline);
 
-// Updates the keys after an element of a list was removed, inserted or moved: `list` is the path of the list,
-// "models" or "passes[0].units[1].matrix".
-
-/// Removes the element's keys and decreases the indices of later elements.
-void elementRemoved(Timeline& timeline, std::string_view list, std::size_t index);
-
-/// Increases the indices of elements from `index` on.
-void elementInserted(Timeline& timeline, std::string_view list, std::size_t index);
-
-void elementsSwapped(Timeline& timeline, std::string_view list, std::size_t one, std::size_t other);
-
 } // namespace texplorer

@@ -131,10 +131,10 @@ Result<CaseScene> readScene(const Suite& suite, const SceneSource& source) {
 Result<CaseScene> openScene(const Plan& plan, const Case& of) {
     const Entry& entry = plan.entryOf(of);
     Result<CaseScene> opened = readScene(plan.suiteOf(of), entry.scenes[of.scene]);
-    for (const std::vector<lesson::Edit>* edits : {&entry.edits, &of.edits}) {
+    for (const std::vector<Edit>* edits : {&entry.edits, &of.edits}) {
         if (!opened)
             break;
-        if (const Result<void> made = lesson::makeEdits(opened->scene, *edits); !made)
+        if (const Result<void> made = makeEdits(opened->scene, *edits, "edits"); !made)
             return fail(made.error());
     }
     if (opened)

@@ -72,7 +72,7 @@ Result<Row> readRow(const std::vector<Suite>& suites, std::size_t s, std::size_t
         row.problem = opened.error();
         return row;
     }
-    if (const Result<void> made = lesson::makeEdits(opened->scene, entry.edits); !made)
+    if (const Result<void> made = makeEdits(opened->scene, entry.edits, "edits"); !made)
         return fail(inEntry(suite, e, "set", made.error()));
     for (std::size_t a = 0; a < entry.axes.size(); ++a) {
         Result<SweepAxis> axis = parseSweepAxis(opened->scene, entry.axes[a]);
@@ -157,11 +157,11 @@ private:
     }
 
     void addAll(std::string name) {
-        std::vector<lesson::Edit> edits;
+        std::vector<Edit> edits;
         for (std::size_t a = 0; a < row_.axes.size(); ++a) {
             const SweepAxis& axis = row_.axes[a];
             const std::string& value = axis.values[values_[a]];
-            edits.push_back({axis.path, value});
+            edits.push_back(edit::Set{axis.path, value});
             name += fmt::format("/{}={}", shortPath(row_.axes, axis), printable(shownValue(value)));
         }
         for (const RendererKind renderer : renderersOf(settings_, options_)) {
@@ -172,8 +172,8 @@ private:
         }
     }
 
-    void add(const std::string& name, const std::vector<lesson::Edit>& edits, RendererKind renderer,
-             PictureSize size, double time) {
+    void add(const std::string& name, const std::vector<Edit>& edits, RendererKind renderer, PictureSize size,
+             double time) {
         const bool isTimed = settings_.times != std::vector<double>{0};
         const std::string when = isTimed ? fmt::format("@{}s", time) : std::string();
         const std::string extent = fmt::format("{}x{}{}", size.width, size.height, when);

@@ -12,12 +12,12 @@ inline constexpr std::size_t maxCases = 100'000;
 struct Case {
     std::string name{}; ///< "bricks/minFilter=GL_NEAREST/wrapS=GL_REPEAT/shader@512x512"; unique in the plan
     std::string file{}; ///< fileNameFor of the name: for its pictures
-    std::string goldenName{};          ///< the replacement for `{case}`: `file` without the suite's name
-    std::string pictureName{};         ///< the replacement for `{picture}`: the same without the renderer
-    std::size_t suite = 0;             ///< in the plan
-    std::size_t entry = 0;             ///< in the suite
-    std::size_t scene = 0;             ///< in the entry
-    std::vector<lesson::Edit> edits{}; ///< of the axes, applied after the entry's
+    std::string goldenName{};  ///< the replacement for `{case}`: `file` without the suite's name
+    std::string pictureName{}; ///< the replacement for `{picture}`: the same without the renderer
+    std::size_t suite = 0;     ///< in the plan
+    std::size_t entry = 0;     ///< in the suite
+    std::size_t scene = 0;     ///< in the entry
+    std::vector<Edit> edits{}; ///< of the axes, applied after the entry's
     RendererKind renderer = RendererKind::Fixed;
     PictureSize size{};
     double time = 0;

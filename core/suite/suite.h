@@ -98,8 +98,8 @@ struct Settings {
 struct Entry {
     std::string name; ///< empty: made from the scene
     std::vector<SceneSource> scenes{SceneFile{}};
-    std::vector<lesson::Edit> edits; ///< "set": for each of its scenes
-    std::vector<std::string> axes;   ///< "textures[0].wrapS=*": for parseSweepAxis
+    std::vector<Edit> edits;       ///< "set": for each of its scenes
+    std::vector<std::string> axes; ///< "textures[0].wrapS=*": for parseSweepAxis
     Settings settings;
     bool operator==(const Entry&) const = default;
 };

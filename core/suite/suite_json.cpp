@@ -275,14 +275,9 @@ void readScene(const Json& json, const std::string& where, Problem& problem, Sce
                    R"(expected a file's name, {"example": …}, {"lesson": …, "step": …} or {"inline": …})");
 }
 
-void readEdit(const Json& json, const std::string& where, Problem& problem, lesson::Edit& edit) {
-    constexpr std::string_view preset = "preset:";
-    const std::string text = json.is_string() ? json.get<std::string>() : std::string();
-    const std::size_t equals = text.find('=');
-    if (text.starts_with(preset) && text.size() > preset.size())
-        edit = {{}, text.substr(preset.size())};
-    else if (equals != std::string::npos && equals > 0)
-        edit = {text.substr(0, equals), text.substr(equals + 1)};
+void readEdit(const Json& json, const std::string& where, Problem& problem, Edit& edit) {
+    if (std::optional<Edit> read = parseEdit(json.is_string() ? json.get<std::string>() : std::string()))
+        edit = *std::move(read);
     else
         refuseValue(problem, where, "PATH=VALUE or preset:NAME", json);
 }

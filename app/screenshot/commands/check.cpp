@@ -81,7 +81,7 @@ std::string findingsText(const std::vector<Finding>& findings, const std::vector
                             each.severity >= Severity::Hint ? "no effect: " : "", printable(each.sentence));
         for (const Fix& fix : each.fixes) {
             text += fmt::format("    {}:", fix.label);
-            for (const Assignment& set : fix.assignments)
+            for (const edit::Set& set : fix.assignments)
                 text += " --set " + shellWord(set.path + "=" + set.value);
             text += "\n";
         }
@@ -100,7 +100,7 @@ std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>
                                      {"sentence", each.sentence}};
         for (const Fix& fix : each.fixes) {
             nlohmann::ordered_json set = nlohmann::ordered_json::object();
-            for (const Assignment& one : fix.assignments)
+            for (const edit::Set& one : fix.assignments)
                 set[one.path] = one.value;
             entry["fixes"].push_back({{"label", fix.label}, {"set", std::move(set)}});
         }

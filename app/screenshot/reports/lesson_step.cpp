@@ -52,7 +52,7 @@ private:
     /// The picture becomes a file, and this is how it is shown.
     Result<std::string> image(const std::string& name, const Result<Image>& picture, const std::string& alt);
     [[nodiscard]] Result<Image> shownPicture() const;
-    [[nodiscard]] Result<Image> pictureWith(const std::vector<lesson::Edit>& edits) const;
+    [[nodiscard]] Result<Image> pictureWith(const std::vector<Edit>& edits) const;
 
     const PageLesson& lesson_;
     const lesson::Step& step_;
@@ -153,15 +153,14 @@ Result<void> StepWriter::writeTask(const lesson::Match& match) {
     if (!edits.empty())
         edits += words().wordHtml("As parameters of the scene:") + " ";
     bool isFirst = true;
-    for (const lesson::Edit& edit : match.edits)
+    for (const Edit& edit : match.edits)
         edits +=
-            fmt::format("{}<code>{}</code>", std::exchange(isFirst, false) ? "" : ", ",
-                        htmlOf(edit.path.empty() ? "preset:" + edit.value : edit.path + "=" + edit.value));
+            fmt::format("{}<code>{}</code>", std::exchange(isFirst, false) ? "" : ", ", htmlOf(textOf(edit)));
     writeHidden("Solution", edits);
     return {};
 }
 
-Result<Image> StepWriter::pictureWith(const std::vector<lesson::Edit>& edits) const {
+Result<Image> StepWriter::pictureWith(const std::vector<Edit>& edits) const {
     return withEdits(start_, edits).and_then([this](const LessonScene& scene) {
         return lesson::drawSmall(scene, stop_);
     });

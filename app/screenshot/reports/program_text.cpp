@@ -83,9 +83,10 @@ std::set<std::string, std::less<>> subjectsOf(const lesson::Step& step) {
     if (!step.look.param.empty())
         paths.insert(step.look.param);
     const std::string camera = keyOf<&Scene::view>() + "."; // a background is no subject
-    for (const lesson::Edit& edit : step.edits) {
-        if (!edit.path.empty() && !edit.path.starts_with(camera))
-            paths.insert(edit.path);
+    for (const Edit& edit : step.edits) {
+        const std::string_view path = pathOf(edit);
+        if (!path.empty() && !path.starts_with(camera))
+            paths.emplace(path);
     }
     return paths;
 }

@@ -79,7 +79,7 @@ void reveal(Session& session, const std::string& path) {
 
 std::string assignmentsOf(const Fix& fix) {
     std::string lines;
-    for (const Assignment& each : fix.assignments)
+    for (const edit::Set& each : fix.assignments)
         lines += fmt::format("{}{} = {}", lines.empty() ? "" : "\n", each.path, each.value);
     return lines;
 }

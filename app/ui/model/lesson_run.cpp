@@ -45,7 +45,7 @@ void showRenderers(ViewSettings& view, std::string_view names) {
 
 /// The scenes of all answers, or the target. An answer without edits, or with edits that fail, has none.
 std::vector<LessonWork::Pictured> picturedScenes(const LessonRun& run) {
-    const auto pictured = [&run](const std::vector<lesson::Edit>& edits) -> LessonWork::Pictured {
+    const auto pictured = [&run](const std::vector<Edit>& edits) -> LessonWork::Pictured {
         Result<lesson::LessonScene> scene = withEdits(run.start, edits);
         return scene && !edits.empty() ? LessonWork::Pictured(*std::move(scene)) : std::nullopt;
     };

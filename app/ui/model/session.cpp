@@ -169,6 +169,15 @@ void recordScene(Session& session, std::string_view what, std::string_view path)
     document.lastChanged = path;
 }
 
+bool makeStep(Session& session, std::string_view what, std::span<const Edit> edits, std::string_view path) {
+    if (!makeEdits(session.document.scene, edits))
+        return false;
+    sealEdit(session);
+    recordEdit(session, what, path);
+    sealEdit(session);
+    return true;
+}
+
 void sealEdit(Session& session) {
     session.document.history.seal();
 }

@@ -3,7 +3,9 @@
 #include "app/ui/model/document.h"
 #include "app/ui/model/services.h"
 #include "app/ui/model/window_state.h"
+#include "core/scene/edit/edit.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -57,6 +59,11 @@ void takeBackEdit(Session& session);
 
 /// Call after the scene was replaced: selects existing and visible objects.
 void bringSelectionBack(Session& session);
+
+/// Makes edits as one undo step, all or none, and records them as recordEdit does. Returns whether they were
+/// possible.
+bool makeStep(Session& session, std::string_view what, std::span<const Edit> edits,
+              std::string_view path = {});
 
 /// Ends an undo step: the next edit starts a new one even with the same name.
 void sealEdit(Session& session);

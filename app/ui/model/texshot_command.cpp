@@ -15,18 +15,13 @@
 namespace texplorer::ui {
 namespace {
 
-struct Assignment {
-    std::string path;
-    std::string value;
-};
-
 /// The values to set in `base`, and those to write even if they are equal.
-std::vector<Assignment> assignmentsTo(const Scene& base, const Scene& scene, std::string_view always) {
+std::vector<edit::Set> assignmentsTo(const Scene& base, const Scene& scene, std::string_view always) {
     std::map<std::string, Value> before;
     forEachParam(base, [&](const std::string& path, const ParamRow& /*row*/, const Value& value) {
         before.emplace(path, value);
     });
-    std::vector<Assignment> assignments;
+    std::vector<edit::Set> assignments;
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
         const auto found = before.find(path);
         if (found == before.end() || found->second != value || (!always.empty() && path.starts_with(always)))
@@ -37,11 +32,11 @@ std::vector<Assignment> assignmentsTo(const Scene& base, const Scene& scene, std
 
 /// Finds an order in which they can be set one after the other: a unit cannot be enabled before it has a
 /// texture. Returns false if there is none, or if they do not lead to the scene.
-bool canBeMade(std::vector<Assignment>& assignments, Scene base, const Scene& scene) {
-    std::vector<Assignment> ordered;
+bool canBeMade(std::vector<edit::Set>& assignments, Scene base, const Scene& scene) {
+    std::vector<edit::Set> ordered;
     while (!assignments.empty()) {
         const std::size_t before = assignments.size();
-        std::erase_if(assignments, [&](const Assignment& each) {
+        std::erase_if(assignments, [&](const edit::Set& each) {
             const bool made = setParam(base, each.path, each.value).has_value();
             if (made)
                 ordered.push_back(each);
@@ -62,7 +57,7 @@ Result<std::string> sceneWords(const Session& session, double time) {
     // A camera that was fitted to the window is not in the file.
     const std::string view =
         document.fit.aspect > 0 ? std::string(keyOf<&Scene::view>()) + "." : std::string();
-    std::vector<Assignment> assignments = assignmentsTo(base, document.scene, view);
+    std::vector<edit::Set> assignments = assignmentsTo(base, document.scene, view);
     if (!canBeMade(assignments, base, document.scene))
         return fail(
             ErrorCode::Unsupported,
@@ -71,7 +66,7 @@ Result<std::string> sceneWords(const Session& session, double time) {
     std::string words;
     if (hasFile)
         words += ' ' + shellWord(document.file.string());
-    for (const Assignment& each : assignments)
+    for (const edit::Set& each : assignments)
         words += " --set " + shellWord(each.path + '=' + each.value);
     if (time != 0)
         words += fmt::format(" --time {}", time);

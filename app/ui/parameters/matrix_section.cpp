@@ -31,21 +31,17 @@ std::string matrixPath(const Session& session) {
     return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
 }
 
-void stepsChanged(Session& session, std::string_view what) {
-    sealEdit(session);
-    recordEdit(session, what, matrixPath(session));
-    sealEdit(session);
-}
-
-void addStep(Session& session, MatrixOp op) {
-    MatrixStep step;
-    step.op = op;
-    if (op == MatrixOp::Scale)
-        step.amount = glm::vec3(1);
-    if (op == MatrixOp::Rotate)
-        step.amount = {0, 0, 1};
-    selectedUnit(session).matrix.push_back(step);
-    stepsChanged(session, "Add matrix step");
+void addStep(Session& session, const EnumRow& op) {
+    const std::string list = matrixPath(session);
+    const std::size_t count = selectedUnit(session).matrix.size();
+    const std::string step = fmt::format("{}[{}].", list, count);
+    std::vector<Edit> edits{edit::Insert{list, count},
+                            edit::Set{step + keyOf<&MatrixStep::op>(), std::string(op.name)}};
+    const auto kind = static_cast<MatrixOp>(op.value);
+    if (kind == MatrixOp::Scale || kind == MatrixOp::Rotate)
+        edits.emplace_back(
+            edit::Set{step + keyOf<&MatrixStep::amount>(), kind == MatrixOp::Scale ? "1,1,1" : "0,0,1"});
+    makeStep(session, "Add matrix step", edits, list);
 }
 
 void offerMotion(Session& session, const Motion& motion) {
@@ -83,7 +79,7 @@ void addStepButtons(Session& session, int perLine) {
         if (static_cast<int>(i) % perLine > 0)
             ImGui::SameLine(0, gap);
         if (ImGui::Button(fmt::format("+ {}###{}", tr(op.label), op.name).c_str(), {width, 0})) {
-            addStep(session, static_cast<MatrixOp>(op.value));
+            addStep(session, op);
             ImGui::CloseCurrentPopup(); // if they are in a popup
         }
         noteItem(fmt::format("add:{}", op.name));
@@ -133,19 +129,10 @@ void matrixSection(Session& session) {
         constexpr ListWords words{"matrix step", "", "Move this step up", "Move this step down",
                                   "Remove this step"};
         const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
-        Timeline& timeline = session.document.scene.timeline;
-        const std::string list = fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
-        if (pressed == ListEdit::Remove) {
-            steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
-            elementRemoved(timeline, list, i);
-        } else if (pressed) {
-            const std::size_t other = pressed == ListEdit::Up ? i - 1 : i + 1;
-            std::swap(steps[i], steps[other]);
-            elementsSwapped(timeline, list, i, other);
-        }
         if (pressed) {
-            stepsChanged(session,
-                         pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps");
+            const std::string list = matrixPath(session);
+            makeStep(session, pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps",
+                     std::array{editOf(*pressed, list, i)}, list);
             ImGui::PopID();
             break; // the rest is drawn in the next frame
         }

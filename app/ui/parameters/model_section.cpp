@@ -6,10 +6,10 @@
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
@@ -18,57 +18,35 @@
 namespace texplorer::ui {
 namespace {
 
-void modelListChanged(Session& session, int chosen, std::string_view what) {
-    session.window.selection.model = chosen;
-    session.window.selection.vertex.reset();
-    sealEdit(session);
-    recordEdit(session, what);
-    sealEdit(session);
-    clearTexel(session); // its texel may belong to another model
-}
-
-/// Adds a copy of the selected model next to it; the first model is a cube. Passes that name the selected
-/// model draw the new one as well.
-void addModel(Session& session) {
-    Scene& scene = session.document.scene;
+/// What adds a copy of the selected model next to it; the first model is a cube. Passes that name the
+/// selected model draw the new one as well.
+std::vector<Edit> addedModel(const Session& session) {
+    const Scene& scene = session.document.scene;
+    const std::string list = keyOf<&Scene::models>();
     const auto chosen = static_cast<std::size_t>(session.window.selection.model);
-    Model model;
-    std::size_t at = 0;
-    if (chosen < scene.models.size()) {
-        model = scene.models[chosen];
-        model.visible = true;
-        const Range& range = findParam(modelTable(), keyOf<&Model::position>())->range;
-        model.position.x =
-            std::clamp(model.position.x + 2.5F * model.size * model.scale.x, range.min, range.max);
-        at = chosen + 1;
+    if (chosen >= scene.models.size())
+        return {edit::Insert{list, 0}};
+    const Model& model = scene.models[chosen];
+    const ParamRow& row = *findParam(modelTable(), keyOf<&Model::position>());
+    glm::vec3 position = model.position;
+    position.x = std::clamp(position.x + 2.5F * model.size * model.scale.x, row.range.min, row.range.max);
+    const std::string added = elementOf<&Scene::models>(chosen + 1) + ".";
+    std::vector<Edit> edits{editOf(ListEdit::Add, list, chosen),
+                            edit::Set{added + keyOf<&Model::visible>(), "true"},
+                            edit::Set{added + keyOf<&Model::position>(), formatValue(row, position)}};
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        std::vector<int> named = scene.passes[i].models;
+        for (int& each : named)
+            each += std::cmp_greater(each, chosen) ? 1 : 0;
+        const auto like = std::ranges::find(named, static_cast<int>(chosen));
+        if (like == named.end())
+            continue;
+        named.insert(like + 1, static_cast<int>(chosen) + 1);
+        edits.emplace_back(
+            edit::Set{fmt::format("{}.{}", elementOf<&Scene::passes>(i), keyOf<&Pass::models>()),
+                      fmt::format("{}", fmt::join(named, ","))});
     }
-    scene.models.insert(scene.models.begin() + static_cast<std::ptrdiff_t>(at), model);
-    modelInserted(scene, at);
-    for (Pass& pass : scene.passes) {
-        const auto like = std::ranges::find(pass.models, static_cast<int>(chosen));
-        if (like != pass.models.end())
-            pass.models.insert(like + 1, static_cast<int>(at));
-    }
-    modelListChanged(session, static_cast<int>(at), "Add model");
-}
-
-void removeModel(Session& session) {
-    Scene& scene = session.document.scene;
-    const auto chosen = static_cast<std::size_t>(session.window.selection.model);
-    scene.models.erase(scene.models.begin() + static_cast<std::ptrdiff_t>(chosen));
-    modelRemoved(scene, chosen);
-    const int last = std::max(0, static_cast<int>(scene.models.size()) - 1);
-    modelListChanged(session, std::min(static_cast<int>(chosen), last), "Remove model");
-}
-
-void moveModel(Session& session, int by) {
-    Scene& scene = session.document.scene;
-    const int chosen = session.window.selection.model;
-    const auto from = static_cast<std::size_t>(chosen);
-    const auto to = static_cast<std::size_t>(chosen + by);
-    std::swap(scene.models[from], scene.models[to]);
-    modelsSwapped(scene, from, to);
-    modelListChanged(session, chosen + by, "Reorder models");
+    return edits;
 }
 
 /// A mesh is shown as a summary: the Vertices tab edits it.
@@ -92,16 +70,22 @@ void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
 void editModels(Session& session, std::size_t count) {
     constexpr ListWords words{"model", "Add a copy of this model after it", "Draw this model earlier",
                               "Draw this model later", "Remove this model"};
-    const auto pressed =
-        listButtons(words, static_cast<std::size_t>(session.window.selection.model), count, 0, maxModels);
-    if (pressed == ListEdit::Add)
-        addModel(session);
-    else if (pressed == ListEdit::Up)
-        moveModel(session, -1);
-    else if (pressed == ListEdit::Down)
-        moveModel(session, 1);
-    else if (pressed == ListEdit::Remove)
-        removeModel(session);
+    int& chosen = session.window.selection.model;
+    const auto pressed = listButtons(words, static_cast<std::size_t>(chosen), count, 0, maxModels);
+    if (!pressed)
+        return;
+    const bool adds = pressed == ListEdit::Add;
+    const bool removes = pressed == ListEdit::Remove;
+    const std::vector<Edit> edits =
+        adds ? addedModel(session)
+             : std::vector{editOf(*pressed, keyOf<&Scene::models>(), static_cast<std::size_t>(chosen))};
+    if (!makeStep(session, adds ? "Add model" : removes ? "Remove model" : "Reorder models", edits))
+        return;
+    const int last = static_cast<int>(session.document.scene.models.size()) - 1;
+    const int now = removes || count == 0 ? chosen : pressed == ListEdit::Up ? chosen - 1 : chosen + 1;
+    chosen = std::clamp(now, 0, std::max(0, last));
+    session.window.selection.vertex.reset();
+    clearTexel(session); // its texel may belong to another model
 }
 
 } // namespace

@@ -21,60 +21,30 @@
 namespace texplorer::ui {
 namespace {
 
-void passesChanged(Session& session, std::string_view what) {
-    sealEdit(session);
-    recordEdit(session, what);
-    sealEdit(session);
-    clearTexel(session); // the number of its pass has changed
-}
-
-/// Adds a copy after the selected pass: most passes differ from the previous one in a few parameters.
-void addPass(Session& session) {
-    std::vector<Pass>& passes = session.document.scene.passes;
-    Pass copy = selectedPass(session);
-    if (copy.depthFunc == CompareFunc::Less) // no depth is less than that of the previous pass
-        copy.depthFunc = CompareFunc::LessEqual;
-    int& chosen = session.window.selection.pass;
-    ++chosen;
-    passes.insert(passes.begin() + chosen, copy);
-    elementInserted(session.document.scene.timeline, keyOf<&Scene::passes>(),
-                    static_cast<std::size_t>(chosen));
-    passesChanged(session, "Add pass");
-}
-
-void removePass(Session& session) {
-    std::vector<Pass>& passes = session.document.scene.passes;
-    int& chosen = session.window.selection.pass;
-    passes.erase(passes.begin() + chosen);
-    elementRemoved(session.document.scene.timeline, keyOf<&Scene::passes>(),
-                   static_cast<std::size_t>(chosen));
-    chosen = std::min(chosen, static_cast<int>(passes.size()) - 1);
-    passesChanged(session, "Remove pass");
-}
-
-void movePass(Session& session, int by) {
-    std::vector<Pass>& passes = session.document.scene.passes;
-    int& chosen = session.window.selection.pass;
-    std::swap(passes[static_cast<std::size_t>(chosen)], passes[static_cast<std::size_t>(chosen + by)]);
-    elementsSwapped(session.document.scene.timeline, keyOf<&Scene::passes>(),
-                    static_cast<std::size_t>(chosen), static_cast<std::size_t>(chosen + by));
-    chosen += by;
-    passesChanged(session, "Reorder passes");
-}
-
+/// Adds a copy after the selected pass, because most passes differ from the previous one in a few
+/// parameters; moves or removes the selected pass.
 void editPasses(Session& session) {
     constexpr ListWords words{"pass", "Add a copy of this pass after it", "Draw this pass earlier",
                               "Draw this pass later", "Remove this pass"};
-    const auto pressed = listButtons(words, static_cast<std::size_t>(session.window.selection.pass),
-                                     session.document.scene.passes.size(), 1, maxPasses);
-    if (pressed == ListEdit::Add)
-        addPass(session);
-    else if (pressed == ListEdit::Up)
-        movePass(session, -1);
-    else if (pressed == ListEdit::Down)
-        movePass(session, 1);
-    else if (pressed == ListEdit::Remove)
-        removePass(session);
+    int& chosen = session.window.selection.pass;
+    const std::size_t count = session.document.scene.passes.size();
+    const auto pressed = listButtons(words, static_cast<std::size_t>(chosen), count, 1, maxPasses);
+    if (!pressed)
+        return;
+    const bool adds = pressed == ListEdit::Add;
+    const std::string list = keyOf<&Scene::passes>();
+    std::vector<Edit> edits{editOf(*pressed, list, static_cast<std::size_t>(chosen))};
+    if (adds &&
+        selectedPass(session).depthFunc == CompareFunc::Less) // no depth is less than the previous pass's
+        edits.emplace_back(edit::Set{fmt::format("{}[{}].{}", list, chosen + 1, keyOf<&Pass::depthFunc>()),
+                                     std::string(rowOf(CompareFunc::LessEqual).name)});
+    const bool removes = pressed == ListEdit::Remove;
+    if (!makeStep(session, adds ? "Add pass" : removes ? "Remove pass" : "Reorder passes", edits))
+        return;
+    chosen = removes                   ? std::min(chosen, static_cast<int>(count) - 2)
+             : pressed == ListEdit::Up ? chosen - 1
+                                       : chosen + 1;
+    clearTexel(session); // the number of its pass has changed
 }
 
 void modelsChanged(Session& session) {

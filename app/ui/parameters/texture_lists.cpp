@@ -88,24 +88,11 @@ constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
                                "Remove level"};
 
 /// The buttons of one element. Returns true if the list has changed: the rest is drawn in the next frame.
-template<class Element>
-bool editElement(Session& session, std::vector<Element>& list, std::size_t index, const std::string& path,
+bool editElement(Session& session, std::size_t index, std::size_t count, const std::string& path,
                  const ListTexts& texts) {
-    const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, list.size());
-    if (!pressed)
-        return false;
-    Timeline& timeline = session.document.scene.timeline;
-    const std::string listPath = path.substr(0, path.rfind('['));
-    if (pressed == ListEdit::Remove) {
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
-        elementRemoved(timeline, listPath, index);
-    } else {
-        const std::size_t other = pressed == ListEdit::Up ? index - 1 : index + 1;
-        std::swap(list[index], list[other]);
-        elementsSwapped(timeline, listPath, index, other);
-    }
-    listChanged(session, pressed == ListEdit::Remove ? texts.remove : texts.reorder);
-    return true;
+    const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, count);
+    return pressed && makeStep(session, pressed == ListEdit::Remove ? texts.remove : texts.reorder,
+                               std::array{editOf(*pressed, path.substr(0, path.rfind('[')), index)});
 }
 
 /// The parameters of one element, next to its picture.
@@ -207,7 +194,7 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
         const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
         ImGui::AlignTextToFramePadding();
         dimText(fmt::format("Step {}", i + 1));
-        const bool changed = editElement(session, steps, i, path, stepTexts);
+        const bool changed = editElement(session, i, steps.size(), path, stepTexts);
         if (!changed)
             elementRows(session, steps[i], path, imageStepTable());
         ImGui::PopID();
@@ -219,10 +206,12 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
     if (ImGui::BeginCombo("##add step", tr("+ Step"), ImGuiComboFlags_NoArrowButton)) {
         for (const EnumRow& op : imageOpRows) {
             if (ImGui::Selectable(label(op.label).c_str())) {
-                ImageStep step;
-                step.op = static_cast<ImageOp>(op.value);
-                steps.push_back(step);
-                listChanged(session, "Add image step");
+                const std::string list = owner + keyOf<&Texture::preparation>();
+                const std::string added =
+                    fmt::format("{}[{}].{}", list, steps.size(), keyOf<&ImageStep::op>());
+                makeStep(session, "Add image step",
+                         std::array<Edit, 2>{edit::Insert{list, steps.size()},
+                                             edit::Set{added, std::string(op.name)}});
             }
             noteItem(fmt::format("add step:{}", op.name));
             choiceTip(op);
@@ -258,7 +247,7 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
         }
         if (given)
             levelExtents(plan, number, target);
-        const bool changed = editElement(session, texture.levels, i, path, levelTexts);
+        const bool changed = editElement(session, i, texture.levels.size(), path, levelTexts);
         if (!changed)
             elementRows(session, texture.levels[i], path, givenLevelTable());
         ImGui::PopID();

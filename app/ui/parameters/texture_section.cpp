@@ -23,29 +23,21 @@ std::string textureName(const Session& session, int index) {
 }
 
 void addTexture(Session& session) {
-    Texture texture;
-    texture.pattern = Pattern::UvTemplate;
-    texture.mipmaps = MipPolicy::Generated;
-    session.document.scene.textures.push_back(texture);
-    selectedUnit(session).texture = static_cast<int>(session.document.scene.textures.size()) - 1;
-    sealEdit(session);
-    recordEdit(session, "Add texture");
+    const std::size_t added = session.document.scene.textures.size();
+    const std::string texture = elementOf<&Scene::textures>(added) + ".";
+    makeStep(
+        session, "Add texture",
+        std::array<Edit, 4>{
+            edit::Insert{keyOf<&Scene::textures>(), added},
+            edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(Pattern::UvTemplate).name)},
+            edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
+            edit::Set{fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()),
+                      std::to_string(added)}});
 }
 
-/// Units with later textures keep showing the same ones.
 void removeTexture(Session& session, int index) {
-    Scene& scene = session.document.scene;
-    scene.textures.erase(scene.textures.begin() + index);
-    elementRemoved(scene.timeline, keyOf<&Scene::textures>(), static_cast<std::size_t>(index));
-    for (Pass& pass : scene.passes) {
-        for (Unit& unit : pass.units) {
-            if (unit.texture > index || (unit.texture == index && index > 0))
-                --unit.texture;
-            unit.enabled = unit.enabled && !scene.textures.empty(); // nothing is left to enable
-        }
-    }
-    sealEdit(session);
-    recordEdit(session, "Remove texture");
+    makeStep(session, "Remove texture",
+             std::array<Edit, 1>{edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(index)}});
 }
 
 /// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited

@@ -9,6 +9,20 @@
 
 namespace texplorer::ui {
 
+Edit editOf(ListEdit pressed, const std::string& list, std::size_t index) {
+    switch (pressed) {
+    case ListEdit::Add:
+        return edit::Insert{list, index + 1, index};
+    case ListEdit::Up:
+        return edit::Move{list, index, index - 1};
+    case ListEdit::Down:
+        return edit::Move{list, index, index + 1};
+    case ListEdit::Remove:
+        break;
+    }
+    return edit::Remove{list, index};
+}
+
 std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen, std::size_t count,
                                     std::size_t min, std::size_t max) {
     const std::string name = words.name;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/scene/edit/edit.h"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,6 +19,9 @@ struct ListWords {
     const char* down;
     const char* remove;
 };
+
+/// What a button does to the element `index` of a list, "passes". Add inserts a copy after it.
+[[nodiscard]] Edit editOf(ListEdit pressed, const std::string& list, std::size_t index);
 
 /// +, ↑, ↓ and ✕ at the right end of a line, for the selected element of a list of `count`, which must have
 /// `min` to `max`. Returns the pressed one, if any.

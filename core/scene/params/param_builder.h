@@ -172,30 +172,54 @@ ChildRow single(std::string_view key, std::string_view label, const StructTable&
             [](const void* owner, std::size_t) { return get<Member>(owner) == Owner<Member>{}.*Member; }};
 }
 
+template<class List>
+auto elementAt(List& list, std::size_t index) {
+    return list.begin() + static_cast<std::ptrdiff_t>(index);
+}
+
 /// A member that is a vector or an array of structs.
 template<auto Member>
 ChildRow many(std::string_view key, std::string_view label, const StructTable& table, std::size_t minCount,
               std::size_t maxCount) {
     using List = Type<Member>;
     using T = typename List::value_type;
-    return {memberId<Member>,
-            key,
-            label,
-            &table,
-            true,
-            minCount,
-            maxCount,
-            [](const void* owner) -> std::size_t { return get<Member>(owner).size(); },
-            [](void* owner, std::size_t index) -> void* { return &get<Member>(owner)[index]; },
-            [](void* owner, std::size_t count) {
-                List& list = get<Member>(owner);
-                if constexpr (requires { list.resize(count); })
-                    list.resize(count);
-                else
-                    for (std::size_t i = count; i < list.size(); ++i)
-                        list[i] = T{};
-            },
-            [](const void* owner, std::size_t index) { return get<Member>(owner)[index] == T{}; }};
+    ChildRow row{memberId<Member>,
+                 key,
+                 label,
+                 &table,
+                 true,
+                 minCount,
+                 maxCount,
+                 [](const void* owner) -> std::size_t { return get<Member>(owner).size(); },
+                 [](void* owner, std::size_t index) -> void* { return &get<Member>(owner)[index]; },
+                 [](void* owner, std::size_t count) {
+                     List& list = get<Member>(owner);
+                     if constexpr (requires { list.resize(count); })
+                         list.resize(count);
+                     else
+                         for (std::size_t i = count; i < list.size(); ++i)
+                             list[i] = T{};
+                 },
+                 [](const void* owner, std::size_t index) { return get<Member>(owner)[index] == T{}; }};
+    if constexpr (requires(List & list) { list.resize(0); }) {
+        row.insert = [](void* owner, std::size_t index, const void* like) {
+            List& list = get<Member>(owner);
+            T element = like ? *static_cast<const T*>(like) : T{};
+            list.insert(elementAt(list, index), std::move(element));
+        };
+        row.erase = [](void* owner, std::size_t index) {
+            List& list = get<Member>(owner);
+            list.erase(elementAt(list, index));
+        };
+        row.move = [](void* owner, std::size_t from, std::size_t to) {
+            List& list = get<Member>(owner);
+            if (from < to)
+                std::rotate(elementAt(list, from), elementAt(list, from + 1), elementAt(list, to + 1));
+            else
+                std::rotate(elementAt(list, to), elementAt(list, from), elementAt(list, from + 1));
+        };
+    }
+    return row;
 }
 
 /// Converts to any type, to count members.

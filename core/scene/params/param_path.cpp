@@ -83,20 +83,34 @@ public:
 
     Result<Place> walk() {
         while (!place_.row) {
-            const Part part = next();
-            const ParamRow* row = findParam(*place_.table, part.key);
-            const ChildRow* child = findChild(*place_.table, part.key);
-            walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
-            if (!row && !child)
-                return refuse(fmt::format("no such parameter; {}", suggested(part.key)));
-            auto entered = row ? enter(*row, part) : enter(*child, part);
-            if (!entered)
+            if (Result<void> entered = enter(next()); !entered)
                 return fail(std::move(entered.error()));
         }
         return place_;
     }
 
+    Result<ListAt> walkToList() {
+        while (!place_.row) {
+            const Part part = next();
+            const ChildRow* child = findChild(*place_.table, part.key);
+            if (child && child->indexed && !part.index && !dotted_)
+                return ListAt{child, place_.owner};
+            if (Result<void> entered = enter(part); !entered)
+                return fail(std::move(entered.error()));
+        }
+        return refuse("it is no list");
+    }
+
 private:
+    Result<void> enter(const Part& part) {
+        const ParamRow* row = findParam(*place_.table, part.key);
+        const ChildRow* child = findChild(*place_.table, part.key);
+        walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
+        if (!row && !child)
+            return refuse(fmt::format("no such parameter; {}", suggested(part.key)));
+        return row ? enter(*row, part) : enter(*child, part);
+    }
+
     Part next() {
         const std::size_t dot = rest_.find('.');
         Part part{rest_.substr(0, dot), rest_.substr(0, dot), {}};
@@ -266,6 +280,10 @@ Result<const ParamRow*> rowAt(const Scene& scene, std::string_view path) {
     if (!place)
         return fail(place.error());
     return place->row;
+}
+
+Result<ListAt> listAt(Scene& scene, std::string_view path) {
+    return Walker(scene, path).walkToList();
 }
 
 Result<std::string> getParam(const Scene& scene, std::string_view path) {

@@ -91,6 +91,12 @@ struct ChildRow {
     /// reset.
     void (*resize)(void* owner, std::size_t count);
     bool (*isDefault)(const void* owner, std::size_t index); ///< the element equals a new one
+
+    // For lists, whose length varies; nullptr for others.
+    void (*insert)(void* owner, std::size_t index,
+                   const void* like) = nullptr; ///< a copy; nullptr: a new one
+    void (*erase)(void* owner, std::size_t index) = nullptr;
+    void (*move)(void* owner, std::size_t from, std::size_t to) = nullptr;
 };
 
 struct StructTable {
@@ -176,6 +182,17 @@ struct ParamAt {
 
 /// The same, without a copy of the value.
 [[nodiscard]] Result<const ParamRow*> rowAt(const Scene& scene, std::string_view path);
+
+/// A list or a fixed array of structs in a scene.
+struct ListAt {
+    const ChildRow* row;
+    void* owner;
+
+    [[nodiscard]] std::size_t size() const { return row->size(owner); }
+};
+
+/// Returns the list at a path, "textures" or "passes[0].units". Errors as of getParam.
+[[nodiscard]] Result<ListAt> listAt(Scene& scene, std::string_view path);
 
 /// Gets or sets one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can be
 /// indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first filled

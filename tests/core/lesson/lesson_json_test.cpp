@@ -44,13 +44,13 @@ TEST(LessonJson, IsReadAsItIsWritten) {
     lesson.steps.push_back({"S1",
                             "T1",
                             "cube",
-                            {{"a.b", "c=d"}, {"", "seam"}},
+                            {edit::Set{"a.b", "c=d"}, edit::ApplyPreset{"seam"}},
                             {"a.b", "explain", "edge", "lambda", "fixed,reference", 0, 999},
                             Try{"Turn it."}});
     lesson.steps.push_back(
-        {"S2", "T2", "", {}, {}, Predict{"Q", {{"one", {}}, {"two", {{"x", ""}}}}, 1, "R"}});
-    lesson.steps.push_back({"S3", "T3", "other.json", {}, {}, Match{"M", {{"x", "1"}}}});
-    lesson.steps.push_back({"S4", "T4", "", {}, {}, {}, Fallback{"F", {{"x", "2"}}}});
+        {"S2", "T2", "", {}, {}, Predict{"Q", {{"one", {}}, {"two", {edit::Set{"x", ""}}}}, 1, "R"}});
+    lesson.steps.push_back({"S3", "T3", "other.json", {}, {}, Match{"M", {edit::Set{"x", "1"}}}});
+    lesson.steps.push_back({"S4", "T4", "", {}, {}, {}, Fallback{"F", {edit::Set{"x", "2"}}}});
     EXPECT_EQ(*read, lesson);
     EXPECT_THAT(textsOf(lesson), ElementsAre("L", "A", "Chapter 2", "S1", "T1", "Turn it.", "S2", "T2", "Q",
                                              "one", "two", "R", "S3", "T3", "M", "S4", "T4", "F"));
@@ -145,7 +145,7 @@ TEST(LessonJson, HasKeys) {
         {"key": "7", "label": "Turn", "path": "models[0].spin", "component": "y", "add": -2})"));
     ASSERT_TRUE(read) << describe(read.error());
     const std::vector<LessonKey> expected{
-        {"F", "Filter", Cycle{{{"one", {{"a", "b"}}}, {"two", {{"a", "c"}}}}}},
+        {"F", "Filter", Cycle{{{"one", {edit::Set{"a", "b"}}}, {"two", {edit::Set{"a", "c"}}}}}},
         {"Page Up", "Farther", Addition{"view.distance", 0, 0.02F}},
         {"7", "Turn", Addition{"models[0].spin", 1, -2}},
     };

@@ -9,22 +9,22 @@ using testing::ElementsAre;
 
 /// Passes 0 and 1 are two ways to the same, 2 comes on top of them, 3 goes without.
 std::vector<LessonKey> switches() {
-    return {{"M", "way",
-             Cycle{{{"a", {{"passes[0].enabled", "true"}, {"passes[1].enabled", "false"}}},
-                    {"b", {{"passes[0].enabled", "false"}, {"passes[1].enabled", "true"}}}}}},
-            {"E", "top",
-             Cycle{{{"on", {{"passes[2].enabled", "true"}}}, {"off", {{"passes[2].enabled", "false"}}}}}},
-            {"B", "all",
-             Cycle{{{"on", {{"passes[3].enabled", "false"}}},
-                    {"off",
-                     {{"passes[0].enabled", "false"},
-                      {"passes[1].enabled", "false"},
-                      {"passes[2].enabled", "false"},
-                      {"passes[3].enabled", "true"}}}}}},
-            {"F", "filter",
-             Cycle{{{"nearest", {{"textures[0].magFilter", "GL_NEAREST"}}},
-                    {"linear", {{"textures[0].magFilter", "GL_LINEAR"}}}}}},
-            {"Up", "faster", Addition{"models[0].spin", 1, 0.5F}}};
+    return {
+        {"M", "way",
+         Cycle{{{"a", {edit::Set{"passes[0].enabled", "true"}, edit::Set{"passes[1].enabled", "false"}}},
+                {"b", {edit::Set{"passes[0].enabled", "false"}, edit::Set{"passes[1].enabled", "true"}}}}}},
+        {"E", "top",
+         Cycle{{{"on", {edit::Set{"passes[2].enabled", "true"}}},
+                {"off", {edit::Set{"passes[2].enabled", "false"}}}}}},
+        {"B", "all",
+         Cycle{{{"on", {edit::Set{"passes[3].enabled", "false"}}},
+                {"off",
+                 {edit::Set{"passes[0].enabled", "false"}, edit::Set{"passes[1].enabled", "false"},
+                  edit::Set{"passes[2].enabled", "false"}, edit::Set{"passes[3].enabled", "true"}}}}}},
+        {"F", "filter",
+         Cycle{{{"nearest", {edit::Set{"textures[0].magFilter", "GL_NEAREST"}}},
+                {"linear", {edit::Set{"textures[0].magFilter", "GL_LINEAR"}}}}}},
+        {"Up", "faster", Addition{"models[0].spin", 1, 0.5F}}};
 }
 
 Scene startScene() {

@@ -61,9 +61,9 @@ TEST_F(LessonScenes, AreFilesOfTheFolderBeforeExamples) {
 }
 
 TEST_F(LessonScenes, GoOnWithTheStepBefore) {
-    lesson.steps = {stepOf("cube", {{"material.shininess", "5"}}),
-                    stepOf("", {{"material.color", "1,0,0,1"}}), stepOf(""), stepOf("checker"),
-                    stepOf("", {{"", "seam"}})};
+    lesson.steps = {stepOf("cube", {edit::Set{"material.shininess", "5"}}),
+                    stepOf("", {edit::Set{"material.color", "1,0,0,1"}}), stepOf(""), stepOf("checker"),
+                    stepOf("", {edit::ApplyPreset{"seam"}})};
     EXPECT_EQ(start(2)->scene.material.shininess, 5);
     EXPECT_EQ(start(2)->scene.material.color, glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(start(3)->scene, exampleScene("checker.json").value());
@@ -72,11 +72,13 @@ TEST_F(LessonScenes, GoOnWithTheStepBefore) {
 
 TEST_F(LessonScenes, AreEditedAltogetherOrNotAtAll) {
     Scene scene = defaultScene();
-    const Result<void> made = makeEdits(scene, {{"material.shininess", "5"}, {"material.nothing", "1"}});
+    const Result<void> made = makeEdits(
+        scene, std::vector<Edit>{edit::Set{"material.shininess", "5"}, edit::Set{"material.nothing", "1"}},
+        "edits");
     ASSERT_FALSE(made);
     EXPECT_THAT(made.error().where, HasSubstr("edits/1"));
     EXPECT_EQ(scene, defaultScene());
-    const Result<void> preset = makeEdits(scene, {{"", "none"}});
+    const Result<void> preset = makeEdits(scene, std::vector<Edit>{edit::ApplyPreset{"none"}});
     ASSERT_FALSE(preset);
     EXPECT_EQ(preset.error().code, ErrorCode::NotFound);
 }
@@ -93,13 +95,13 @@ TEST_F(LessonScenes, ThatAreNotThereAreRefusedByPlace) {
     write("broken.json", "{");
     lesson.steps[1].scene = "broken.json";
     EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1/scene"));
-    lesson.steps[1] = stepOf("cube", {{"material.color", "red"}});
+    lesson.steps[1] = stepOf("cube", {edit::Set{"material.color", "red"}});
     EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1: edits/0"));
 }
 
 TEST_F(LessonScenes, CheckKeysWithTheStepsThatHaveThem) {
-    lesson.keys = {{"A", "a", Cycle{{{"one", {{"textures[0].wrapS", "GL_CLAMP"}}}}}},
-                   {"B", "b", Cycle{{{"one", {{"passes[1].blend", "true"}}}}}},
+    lesson.keys = {{"A", "a", Cycle{{{"one", {edit::Set{"textures[0].wrapS", "GL_CLAMP"}}}}}},
+                   {"B", "b", Cycle{{{"one", {edit::Set{"passes[1].blend", "true"}}}}}},
                    {"C", "c", Addition{"view.distance", 0, 1}},
                    {"D", "d", Addition{"view.distance", 1, 1}}};
     EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/keys/1: cycle/0/edits/0")),
@@ -176,11 +178,11 @@ TEST(BuiltInScenes, AcceptEveryRemedyForMissingMipmaps) {
     const auto passes = [&](const Edit& edit) {
         return gradeMatch(withEdits(start, {edit})->scene, target.scene, start.images)->passed;
     };
-    EXPECT_TRUE(passes({"textures[0].minFilter", "GL_LINEAR"}));
-    EXPECT_TRUE(passes({"textures[0].maxLevel", "0"}));
-    EXPECT_TRUE(passes({"textures[0].mipmaps", "generated"}));
-    EXPECT_FALSE(passes({"textures[0].magFilter", "GL_NEAREST"}));
-    EXPECT_FALSE(passes({"textures[0].maxLevel", "1"}));
+    EXPECT_TRUE(passes(edit::Set{"textures[0].minFilter", "GL_LINEAR"}));
+    EXPECT_TRUE(passes(edit::Set{"textures[0].maxLevel", "0"}));
+    EXPECT_TRUE(passes(edit::Set{"textures[0].mipmaps", "generated"}));
+    EXPECT_FALSE(passes(edit::Set{"textures[0].magFilter", "GL_NEAREST"}));
+    EXPECT_FALSE(passes(edit::Set{"textures[0].maxLevel", "1"}));
 }
 
 /// The same picture by each way of turning it, and not by none.
@@ -191,10 +193,10 @@ TEST(BuiltInScenes, AreTurnedByEachCure) {
     const auto drawn = [&](const std::vector<Edit>& edits) {
         return drawSmall(withEdits(start, edits).value()).value();
     };
-    const Image upright = drawn({{"textures[0].flip", "blocks"}});
-    EXPECT_TRUE(areAlike(drawn({{"textures[0].flip", "pixels"}}), upright));
-    EXPECT_TRUE(areAlike(drawn({{"textures[0].flip", "coordinates"}}), upright));
-    EXPECT_TRUE(areAlike(drawn({{"passes[0].units[0].matrix[0].amount", "1,-1,1"}}), upright));
+    const Image upright = drawn({edit::Set{"textures[0].flip", "blocks"}});
+    EXPECT_TRUE(areAlike(drawn({edit::Set{"textures[0].flip", "pixels"}}), upright));
+    EXPECT_TRUE(areAlike(drawn({edit::Set{"textures[0].flip", "coordinates"}}), upright));
+    EXPECT_TRUE(areAlike(drawn({edit::Set{"passes[0].units[0].matrix[0].amount", "1,-1,1"}}), upright));
     EXPECT_FALSE(areAlike(drawn({}), upright));
 }
 
@@ -264,8 +266,9 @@ TEST_F(LessonScenes, LeaveImagesThatAreReadLater) {
 
 /// NeHe's rule: units > 1 ? two : one.
 TEST_F(LessonScenes, FallBackWhereTheyUseMoreUnitsThanThereAre) {
-    lesson.steps = {stepOf("nehe-bumps-2-units"), stepOf("", {{"material.shininess", "5"}}), stepOf("cube")};
-    lesson.steps[0].fallback = Fallback{"One unit.", {{"passes[0].units[1].enabled", "false"}}};
+    lesson.steps = {stepOf("nehe-bumps-2-units"), stepOf("", {edit::Set{"material.shininess", "5"}}),
+                    stepOf("cube")};
+    lesson.steps[0].fallback = Fallback{"One unit.", {edit::Set{"passes[0].units[1].enabled", "false"}}};
     for (const std::size_t step : {0U, 1U}) {
         const LessonScene two = startOf(folder, lesson, step, StepImages::Read, 2).value();
         EXPECT_EQ(unitsUsed(two.scene), 2);
@@ -281,9 +284,9 @@ TEST_F(LessonScenes, FallBackWhereTheyUseMoreUnitsThanThereAre) {
 
 TEST_F(LessonScenes, AreCheckedForFallbacksThatAreNone) {
     lesson.steps = {stepOf("nehe-bumps-2-units"), stepOf("nehe-bumps-2-units"), stepOf("cube")};
-    lesson.steps[0].fallback = Fallback{"F {s}", {{"material.shininess", "5"}}};
-    lesson.steps[1].fallback = Fallback{"F", {{"no", "5"}}};
-    lesson.steps[2].fallback = Fallback{"F", {{"material.shininess", "5"}}};
+    lesson.steps[0].fallback = Fallback{"F {s}", {edit::Set{"material.shininess", "5"}}};
+    lesson.steps[1].fallback = Fallback{"F", {edit::Set{"no", "5"}}};
+    lesson.steps[2].fallback = Fallback{"F", {edit::Set{"material.shininess", "5"}}};
     std::vector<std::string> found;
     for (const Error& problem : problems())
         found.push_back(describe(problem));
@@ -303,7 +306,7 @@ TEST_F(LessonScenes, AreCheckedForATaskThatIsMetInSomePicture) {
     scene.models[0].position = {0, 0, 0};
     write("s.json", writeScene(scene));
     lesson.steps = {stepOf("s.json")};
-    lesson.steps[0].task = Match{"M", {{"models[0].visible", "false"}}};
+    lesson.steps[0].task = Match{"M", {edit::Set{"models[0].visible", "false"}}};
     EXPECT_THAT(problems(), IsEmpty());
     scene.models[0].position = {1.1F, 0, 0};
     write("s.json", writeScene(scene));
@@ -314,15 +317,16 @@ TEST_F(LessonScenes, AreCheckedForATaskThatIsMetInSomePicture) {
 TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {
     lesson.steps = {stepOf("cube"), stepOf(""), stepOf(""), stepOf(""), stepOf(""), stepOf("")};
     lesson.steps[0].look = {"textures[9].wrapS", "explian", "edges", "levels", "fixed,software", -1, -1};
-    lesson.steps[1].task =
-        Predict{"Q",
-                {{"a", {{"view.background", "1,0,0,1"}}}, {"b", {{"view.background", "1,0,0,1"}}}},
-                0,
-                "{colour}"};
-    lesson.steps[2].task = Predict{"Q", {{"a", {{"no", "1"}}}, {"b", {}}}, 0, "R"};
-    lesson.steps[3].task = Match{"M", {{"material.name", "x"}}};
-    lesson.steps[4].task = Match{"M", {{"textures[0].priority", "0.5"}}};
-    lesson.steps[5].task = Match{"M", {{"textures[0].source", "file"}, {"textures[0].file", "none.png"}}};
+    lesson.steps[1].task = Predict{
+        "Q",
+        {{"a", {edit::Set{"view.background", "1,0,0,1"}}}, {"b", {edit::Set{"view.background", "1,0,0,1"}}}},
+        0,
+        "{colour}"};
+    lesson.steps[2].task = Predict{"Q", {{"a", {edit::Set{"no", "1"}}}, {"b", {}}}, 0, "R"};
+    lesson.steps[3].task = Match{"M", {edit::Set{"material.name", "x"}}};
+    lesson.steps[4].task = Match{"M", {edit::Set{"textures[0].priority", "0.5"}}};
+    lesson.steps[5].task =
+        Match{"M", {edit::Set{"textures[0].source", "file"}, edit::Set{"textures[0].file", "none.png"}}};
     std::vector<std::string> places;
     for (const Error& problem : problems())
         places.push_back(problem.where);

@@ -26,7 +26,8 @@ LessonScene tiled() {
         "image",
         Image{
             PixelFormat::Luminance8, 2, 2, 1, {std::byte{0}, std::byte{51}, std::byte{102}, std::byte{255}}});
-    EXPECT_TRUE(makeEdits(scene, {{"models[0].texCoords0", "0,0;72,0;72,72;0,72"}}));
+    EXPECT_TRUE(
+        makeEdits(scene, std::vector<Edit>{edit::Set{"models[0].texCoords0", "0,0;72,0;72,72;0,72"}}));
     return tiled;
 }
 
@@ -58,7 +59,7 @@ TEST(Mark, IsNotBesideIt) {
 
 TEST(Mark, IsOnTheModelOfTheRightAnswerAsWell) {
     Step step = markedAt(506, 400);
-    step.task = Predict{"Q", {{"a", {{"models[0].visible", "false"}}}, {"b", {}}}, 0, "R"};
+    step.task = Predict{"Q", {{"a", {edit::Set{"models[0].visible", "false"}}}, {"b", {}}}, 0, "R"};
     EXPECT_THAT(problemsOf(step),
                 ElementsAre(problem("/steps/0/look/probe", "in the right answer's picture")));
 }
@@ -80,10 +81,12 @@ TEST(Mark, MayBeWhereCoordinatesAreClamped) {
     scene.scene.textures[0].minFilter = MinFilter::Nearest;
     scene.scene.textures[0].wrapS = Wrap::Clamp;
     scene.scene.textures[0].wrapT = Wrap::Clamp;
-    ASSERT_TRUE(makeEdits(scene.scene, {{"models[0].texCoords0", "2,2;3,2;3,3;2,3"}}));
+    ASSERT_TRUE(
+        makeEdits(scene.scene, std::vector<Edit>{edit::Set{"models[0].texCoords0", "2,2;3,2;3,3;2,3"}}));
     EXPECT_THAT(problemsOf(markedAt(506, 400), scene), IsEmpty());
     scene.scene.textures[0].wrapT = Wrap::Repeat;
-    ASSERT_TRUE(makeEdits(scene.scene, {{"models[0].texCoords0", "2,2;3,2;3,2;2,2"}}));
+    ASSERT_TRUE(
+        makeEdits(scene.scene, std::vector<Edit>{edit::Set{"models[0].texCoords0", "2,2;3,2;3,2;2,2"}}));
     EXPECT_THAT(problemsOf(markedAt(506, 400), scene), ElementsAre(problem("/steps/0/look/probe", "t = ")))
         << "t = 2 is between the last texel and the first";
 }
@@ -111,7 +114,7 @@ TEST(Words, NeedAMark) {
 TEST(Words, NeedANumber) {
     Step step = markedAt(506, 400);
     step.task = Predict{"Q",
-                        {{"a", {}}, {"b", {{"passes[0].units[0].enabled", "false"}}}},
+                        {{"a", {}}, {"b", {edit::Set{"passes[0].units[0].enabled", "false"}}}},
                         1,
                         "It keeps {fragment}: {color}."};
     EXPECT_THAT(problemsOf(step), IsEmpty());
@@ -126,7 +129,8 @@ TEST(Words, NeedANumber) {
 /// Rho is 576 texels over the rows of the picture: 4.00, 2.40, 1.43 and 1.91.
 TEST(TypedNumbers, AreFoundWhereAnotherSizeHasOthers) {
     LessonScene scene = tiled();
-    ASSERT_TRUE(makeEdits(scene.scene, {{"models[0].texCoords0", "0,0;288,0;288,288;0,288"}}));
+    ASSERT_TRUE(makeEdits(scene.scene,
+                          std::vector<Edit>{edit::Set{"models[0].texCoords0", "0,0;288,0;288,288;0,288"}}));
     for (const char* text : {"Rho is 2.40.", "Rho is 2.4, which is much.", "About 1.43"})
         EXPECT_THAT(problemsOf(markedAt(506, 400, text), scene),
                     ElementsAre(problem("/steps/0/text", "expected the word")))

@@ -30,15 +30,15 @@ TEST(Match, IsReachedByTheSamePicture) {
     EXPECT_TRUE(same.passed);
     EXPECT_EQ(same.share, 0);
     EXPECT_FALSE(hintFor(scene, scene, ImageSource{}).value());
-    EXPECT_TRUE(gradeOf(scene, edited(scene, {{"textures[0].priority", "0.25"}})).passed)
+    EXPECT_TRUE(gradeOf(scene, edited(scene, {edit::Set{"textures[0].priority", "0.25"}})).passed)
         << "another scene with the same picture";
-    EXPECT_TRUE(gradeOf(scene, edited(scene, {{"view.background", "0.113,0.13,0.16,1"}})).passed)
+    EXPECT_TRUE(gradeOf(scene, edited(scene, {edit::Set{"view.background", "0.113,0.13,0.16,1"}})).passed)
         << "two 255ths are nothing";
 }
 
 TEST(Match, HintsAtTheOneEditThatIsMissing) {
     const Scene scene = defaultScene();
-    const Scene target = edited(scene, {{"view.background", "1,0,0.5,1"}});
+    const Scene target = edited(scene, {edit::Set{"view.background", "1,0,0.5,1"}});
     const Grade grade = gradeOf(scene, target);
     EXPECT_FALSE(grade.passed);
     EXPECT_GT(grade.share, 0.3) << "all of the background";
@@ -50,9 +50,9 @@ TEST(Match, HintsAtTheOneEditThatIsMissing) {
 
 TEST(Match, HintsAtTheEditThatReducesTheDifferenceMost) {
     const Scene scene = defaultScene();
-    const std::vector<Edit> edits{{"textures[0].priority", "0.5"}, // changes nothing that is seen
-                                  {"view.background", "1,1,1,1"},  // most of the picture
-                                  {"passes[0].units[0].envMode", "GL_REPLACE"}};
+    const std::vector<Edit> edits{edit::Set{"textures[0].priority", "0.5"}, // changes nothing that is seen
+                                  edit::Set{"view.background", "1,1,1,1"},  // most of the picture
+                                  edit::Set{"passes[0].units[0].envMode", "GL_REPLACE"}};
     const Scene target = edited(scene, edits);
     const Grade first = gradeOf(scene, target);
     EXPECT_EQ(hintOf(scene, target).path, "view.background");
@@ -64,8 +64,8 @@ TEST(Match, HintsAtTheEditThatReducesTheDifferenceMost) {
 
 TEST(Match, HintsAtWhatTheStudentChangedAmiss) {
     const Scene start = defaultScene();
-    const Scene target = edited(start, {{"passes[0].units[0].envMode", "GL_REPLACE"}});
-    const Scene amiss = edited(target, {{"models[0].visible", "false"}});
+    const Scene target = edited(start, {edit::Set{"passes[0].units[0].envMode", "GL_REPLACE"}});
+    const Scene amiss = edited(target, {edit::Set{"models[0].visible", "false"}});
     const SceneChange hint = hintOf(amiss, target);
     EXPECT_EQ(hint.path, "models[0].visible");
     EXPECT_EQ(hint.to, "true");
@@ -73,16 +73,16 @@ TEST(Match, HintsAtWhatTheStudentChangedAmiss) {
 
 /// Neither alone shows anything.
 TEST(Match, HintsAtTheFirstOfTwoThatShowOnlyTogether) {
-    const Scene start = edited(defaultScene(), {{"passes[0].alphaTest", "false"}});
-    const Scene target =
-        edited(start, {{"passes[0].alphaTest", "true"}, {"passes[0].alphaFunc", "GL_NEVER"}});
+    const Scene start = edited(defaultScene(), {edit::Set{"passes[0].alphaTest", "false"}});
+    const Scene target = edited(
+        start, {edit::Set{"passes[0].alphaTest", "true"}, edit::Set{"passes[0].alphaFunc", "GL_NEVER"}});
     EXPECT_FALSE(gradeOf(start, target).passed);
     EXPECT_EQ(hintOf(start, target).path, "passes[0].alphaTest");
 }
 
 TEST(Match, ComparesColoursAndNotAlpha) {
     const Scene scene = defaultScene();
-    EXPECT_TRUE(gradeOf(scene, edited(scene, {{"view.background", "0.11,0.13,0.16,0"}})).passed);
+    EXPECT_TRUE(gradeOf(scene, edited(scene, {edit::Set{"view.background", "0.11,0.13,0.16,0"}})).passed);
 }
 
 TEST(Match, StopsWhenItIsTold) {

@@ -97,7 +97,8 @@ TEST(Numbers, HasTheColourWithoutAUnit) {
 TEST(Numbers, AreThoseOfThePictureThatIsShown) {
     LessonScene scene = flat();
     scene.scene.textures[0].mipmaps = MipPolicy::Generated;
-    ASSERT_TRUE(makeEdits(scene.scene, {{"models[0].texCoords0", "0,0;36,0;36,72;0,72"}}));
+    ASSERT_TRUE(
+        makeEdits(scene.scene, std::vector<Edit>{edit::Set{"models[0].texCoords0", "0,0;36,0;36,72;0,72"}}));
     EXPECT_EQ(textAt("{side} {up} {rho}", 300, 800, scene), "0.50 1.00 1.00");
     EXPECT_EQ(textAt("{side} {up} {rho} {lambda}", 300, 800, scene, {96, 72}), "1.00 2.00 2.00 1.00");
     EXPECT_EQ(textAt("{side} {up} {rho} {lambda}", 300, 800, scene, {500, 288}), "0.25 0.50 0.50 -1.00");
@@ -115,11 +116,11 @@ TEST(Numbers, FindTheMarkInAPictureOfAnyShape) {
 
 TEST(Numbers, OfAStepAreThoseOfItsStartAndOfTheRightAnswer) {
     Step step{"S", "{color}", "", {}, lookAt(700, 100), {}};
-    step.task =
-        Predict{"Q",
-                {{"a", {{"passes[0].units[0].enabled", "false"}}}, {"b", {{"textures[0].baseLevel", "0"}}}},
-                0,
-                "{color}"};
+    step.task = Predict{"Q",
+                        {{"a", {edit::Set{"passes[0].units[0].enabled", "false"}}},
+                         {"b", {edit::Set{"textures[0].baseLevel", "0"}}}},
+                        0,
+                        "{color}"};
     LessonScene scene = flat();
     scene.scene.material.color = {0, 0.2F, 0, 1};
     const Result<StepNumbers> numbers = numbersOf(scene, step, small);

@@ -63,71 +63,18 @@ TEST_F(DrawnModels, AreDrawnByAnyPass) {
     EXPECT_FALSE(drawsAnything(scene, scene.passes[0]));
 }
 
-/// A pass for each way to name models.
-class NamedModels : public testing::Test {
-protected:
-    NamedModels() {
-        scene.models.resize(4);
-        scene.passes.resize(4);
-        scene.passes[1].models = {2};
-        scene.passes[2].models = {3, 1, 2};
-        scene.passes[3].models = {0};
-    }
+TEST(DrawEverywhere, AddsAModelToThePassesThatNameTheirs) {
     Scene scene;
-};
-
-TEST_F(NamedModels, StayThemselvesWhenOneIsRemoved) {
-    modelRemoved(scene, 1);
-    EXPECT_THAT(scene.passes[0].models, IsEmpty());
-    EXPECT_THAT(scene.passes[1].models, ElementsAre(1));
-    EXPECT_THAT(scene.passes[2].models, ElementsAre(2, 1));
-    EXPECT_THAT(scene.passes[3].models, ElementsAre(0));
-    for (const Pass& pass : scene.passes)
-        EXPECT_TRUE(pass.enabled);
-}
-
-// An empty list would mean all models.
-TEST_F(NamedModels, LeaveAPassOffThatNamedTheRemovedOneAlone) {
-    modelRemoved(scene, 2);
-    EXPECT_TRUE(scene.passes[0].enabled);
-    EXPECT_FALSE(scene.passes[1].enabled);
-    EXPECT_THAT(scene.passes[1].models, IsEmpty());
-    EXPECT_TRUE(scene.passes[2].enabled);
-    EXPECT_THAT(scene.passes[2].models, ElementsAre(2, 1));
-}
-
-TEST_F(NamedModels, StayThemselvesWhenOneIsPutIn) {
-    modelInserted(scene, 2);
-    EXPECT_THAT(scene.passes[0].models, IsEmpty());
-    EXPECT_THAT(scene.passes[1].models, ElementsAre(3));
-    EXPECT_THAT(scene.passes[2].models, ElementsAre(4, 1, 3));
-    EXPECT_THAT(scene.passes[3].models, ElementsAre(0));
-}
-
-TEST_F(NamedModels, StayThemselvesWhenTwoChangePlaces) {
-    modelsSwapped(scene, 1, 2);
-    EXPECT_THAT(scene.passes[0].models, IsEmpty());
-    EXPECT_THAT(scene.passes[1].models, ElementsAre(1));
-    EXPECT_THAT(scene.passes[2].models, ElementsAre(3, 2, 1));
-    EXPECT_THAT(scene.passes[3].models, ElementsAre(0));
-}
-
-TEST_F(NamedModels, AreJoinedByOneThatAllPassesShallDraw) {
+    scene.models.resize(4);
+    scene.passes.resize(4);
+    scene.passes[1].models = {2};
+    scene.passes[2].models = {3, 1, 2};
+    scene.passes[3].models = {0};
     drawEverywhere(scene, 3);
     EXPECT_THAT(scene.passes[0].models, IsEmpty());
     EXPECT_THAT(scene.passes[1].models, ElementsAre(2, 3));
     EXPECT_THAT(scene.passes[2].models, ElementsAre(3, 1, 2));
     EXPECT_THAT(scene.passes[3].models, ElementsAre(0, 3));
-}
-
-TEST_F(NamedModels, AreAsTheyWereAfterBoth) {
-    const std::vector<Pass> before = scene.passes;
-    modelInserted(scene, 0);
-    modelRemoved(scene, 0);
-    EXPECT_EQ(scene.passes, before);
-    modelsSwapped(scene, 0, 3);
-    modelsSwapped(scene, 3, 0);
-    EXPECT_EQ(scene.passes, before);
 }
 
 TEST(NameOfAModel, IsItsOwnOrItsShapes) {

@@ -1,18 +1,10 @@
 #include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
 #include "core/scene/timeline.h"
 
 #include <gtest/gtest.h>
 
 namespace texplorer::timeline_test {
 namespace {
-
-std::vector<std::string> pathsOf(const Timeline& timeline) {
-    std::vector<std::string> paths;
-    for (const KeyFrame& key : timeline.keys)
-        paths.push_back(key.path);
-    return paths;
-}
 
 struct Way {
     Easing easing;
@@ -90,39 +82,6 @@ TEST(Timelines, KnowWhetherAndHowLongTheyMove) {
     EXPECT_FALSE(isAnimated(scene));
     scene.timeline.keys = {{0, "view.azimuth", "0"}, {1, "view.azimuth", "9"}};
     EXPECT_TRUE(isAnimated(scene));
-}
-
-TEST(Timelines, FollowTheElementsOfTheirLists) {
-    const Timeline start{{{0, "textures[0].lodBias"},
-                          {0, "textures[1].lodBias"},
-                          {0, "textures[10].lodBias"},
-                          {0, "texturesX[1].lodBias"},
-                          {0, "passes[1].units[0].matrix[1].angle"},
-                          {0, "view.azimuth"}}};
-    Timeline removed = start;
-    elementRemoved(removed, "textures", 1);
-    EXPECT_EQ(pathsOf(removed),
-              (std::vector<std::string>{"textures[0].lodBias", "textures[9].lodBias", "texturesX[1].lodBias",
-                                        "passes[1].units[0].matrix[1].angle", "view.azimuth"}));
-    Timeline inserted = start;
-    elementInserted(inserted, "passes", 0);
-    EXPECT_EQ(inserted.keys[4].path, "passes[2].units[0].matrix[1].angle");
-    EXPECT_EQ(inserted.keys[1].path, "textures[1].lodBias");
-    Timeline swapped = start;
-    elementsSwapped(swapped, "passes[1].units[0].matrix", 1, 2);
-    EXPECT_EQ(swapped.keys[4].path, "passes[1].units[0].matrix[2].angle");
-}
-
-TEST(Timelines, FollowTheModels) {
-    Scene scene;
-    scene.models.resize(3);
-    scene.timeline.keys = {{0, "models[0].size"}, {0, "models[2].size"}};
-    modelsSwapped(scene, 0, 2);
-    EXPECT_EQ(pathsOf(scene.timeline), (std::vector<std::string>{"models[2].size", "models[0].size"}));
-    modelInserted(scene, 1);
-    EXPECT_EQ(pathsOf(scene.timeline), (std::vector<std::string>{"models[3].size", "models[0].size"}));
-    modelRemoved(scene, 0);
-    EXPECT_EQ(pathsOf(scene.timeline), (std::vector<std::string>{"models[2].size"}));
 }
 
 } // namespace

@@ -44,8 +44,8 @@ TEST(Plan, AxesRenderersSizesAndTimesAreMultiplied) {
     EXPECT_EQ(names[1], "n/wrapS=GL_REPEAT/magFilter=GL_NEAREST/fixed@8x8@0.5s");
     EXPECT_EQ(names[31], "n/wrapS=GL_CLAMP/magFilter=GL_LINEAR/shader@9x9@0.5s");
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 32U);
-    EXPECT_THAT(plan->cases[31].edits, ElementsAre(lesson::Edit{"textures[0].wrapS", "GL_CLAMP"},
-                                                   lesson::Edit{"textures[0].magFilter", "GL_LINEAR"}));
+    EXPECT_THAT(plan->cases[31].edits, ElementsAre(edit::Set{"textures[0].wrapS", "GL_CLAMP"},
+                                                   edit::Set{"textures[0].magFilter", "GL_LINEAR"}));
     EXPECT_EQ(plan->cases[31].renderer, RendererKind::Shader);
     EXPECT_EQ(plan->cases[31].time, 0.5);
 }

@@ -38,7 +38,7 @@ TEST(SuiteJson, IsReadAsItIsWritten) {
 
     const Entry& first = suite->entries[0];
     EXPECT_THAT(first.scenes, ElementsAre(SceneSource{SceneFile{"scenes/bricks.json"}}));
-    EXPECT_THAT(first.edits, ElementsAre(lesson::Edit{"textures[0].wrapS", "GL_CLAMP"}));
+    EXPECT_THAT(first.edits, ElementsAre(edit::Set{"textures[0].wrapS", "GL_CLAMP"}));
     EXPECT_THAT(first.axes, ElementsAre("a=*", "b=1,2"));
     EXPECT_THAT(first.settings.sizes, ElementsAre(PictureSize{64, 32}));
     EXPECT_THAT(first.settings.renderers, ElementsAre(RendererKind::Fixed, RendererKind::Shader));
@@ -49,7 +49,7 @@ TEST(SuiteJson, IsReadAsItIsWritten) {
     EXPECT_THAT(second.scenes,
                 ElementsAre(SceneSource{SceneLesson{"wrap", 3, 2, false}},
                             SceneSource{SceneExample{"checker"}}, SceneSource{SceneFile{"a.json"}}));
-    EXPECT_THAT(second.edits, ElementsAre(lesson::Edit{"", "seam"}, lesson::Edit{"x", "a=b"}));
+    EXPECT_THAT(second.edits, ElementsAre(edit::ApplyPreset{"seam"}, edit::Set{"x", "a=b"}));
     EXPECT_THAT(second.settings.times, ElementsAre(0, 1.5));
     EXPECT_THAT(second.settings.renderers, ElementsAre(RendererKind::Shader));
     EXPECT_EQ(second.settings.golden, Golden{GoldenReference{"level-blend"}});

@@ -1,0 +1,125 @@
+#include "core/scene/edit/edit.h"
+
+#include "core/scene/params/params.h"
+#include "core/scene/references.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace texplorer {
+namespace {
+
+constexpr std::string_view presetWord = "preset:";
+
+tl::unexpected<Error> noElement(const ListAt& list, std::string_view path, std::size_t found) {
+    return fail(
+        ErrorCode::OutOfRange,
+        fmt::format("expected the index of one of {} elements, counted from 0, found {}", list.size(), found),
+        std::string(path));
+}
+
+/// A list whose elements can be inserted, removed and moved.
+Result<ListAt> variableListAt(Scene& scene, const std::string& path) {
+    Result<ListAt> list = listAt(scene, path);
+    if (list && !list->row->insert)
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("it always has {} elements, in this order", list->size()), path);
+    return list;
+}
+
+Result<void> make(Scene& scene, const edit::Set& set) {
+    return setParam(scene, set.path, set.value);
+}
+
+Result<void> make(Scene& scene, const edit::Insert& insert) {
+    const Result<ListAt> list = variableListAt(scene, insert.list);
+    if (!list)
+        return fail(list.error());
+    if (list->size() >= list->row->maxCount)
+        return fail(ErrorCode::TooLarge, fmt::format("it already has {} elements", list->size()),
+                    insert.list);
+    if (insert.index > list->size())
+        return noElement(*list, insert.list, insert.index);
+    if (insert.copyOf && *insert.copyOf >= list->size())
+        return noElement(*list, insert.list, *insert.copyOf);
+    list->row->insert(list->owner, insert.index,
+                      insert.copyOf ? list->row->at(list->owner, *insert.copyOf) : nullptr);
+    renumber(scene, insert.list, afterInsert(insert.index));
+    return {};
+}
+
+Result<void> make(Scene& scene, const edit::Remove& remove) {
+    const Result<ListAt> list = variableListAt(scene, remove.list);
+    if (!list)
+        return fail(list.error());
+    if (remove.index >= list->size())
+        return noElement(*list, remove.list, remove.index);
+    if (list->size() <= list->row->minCount)
+        return fail(ErrorCode::TooLarge, fmt::format("it needs {} elements", list->row->minCount),
+                    remove.list);
+    list->row->erase(list->owner, remove.index);
+    renumber(scene, remove.list, afterRemove(remove.index));
+    return {};
+}
+
+Result<void> make(Scene& scene, const edit::Move& move) {
+    const Result<ListAt> list = variableListAt(scene, move.list);
+    if (!list)
+        return fail(list.error());
+    for (const std::size_t index : {move.from, move.to}) {
+        if (index >= list->size())
+            return noElement(*list, move.list, index);
+    }
+    list->row->move(list->owner, move.from, move.to);
+    renumber(scene, move.list, afterMove(move.from, move.to));
+    return {};
+}
+
+Result<void> make(Scene& scene, const edit::ApplyPreset& apply) {
+    const Preset* preset = findPreset(apply.name);
+    if (!preset)
+        return fail(ErrorCode::NotFound, "there is no such preset", apply.name);
+    return applyPreset(*preset, scene, apply.place);
+}
+
+} // namespace
+
+Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place) {
+    Scene edited = scene;
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        Result<void> made = std::visit([&](const auto& each) { return make(edited, each); }, edits[i]);
+        if (made)
+            continue;
+        Error& error = made.error();
+        if (!place.empty())
+            error.where = fmt::format("{}/{}{}{}", place, i, error.where.empty() ? "" : ": ", error.where);
+        return made;
+    }
+    scene = std::move(edited);
+    return {};
+}
+
+std::optional<Edit> parseEdit(std::string_view text) {
+    if (text.starts_with(presetWord) && text.size() > presetWord.size())
+        return edit::ApplyPreset{std::string(text.substr(presetWord.size()))};
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        return std::nullopt;
+    return edit::Set{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+std::string textOf(const Edit& edit) {
+    if (const auto* set = std::get_if<edit::Set>(&edit))
+        return fmt::format("{}={}", set->path, set->value);
+    if (const auto* preset = std::get_if<edit::ApplyPreset>(&edit))
+        return fmt::format("{}{}", presetWord, preset->name);
+    return {};
+}
+
+std::string_view pathOf(const Edit& edit) {
+    const auto* set = std::get_if<edit::Set>(&edit);
+    return set ? std::string_view(set->path) : std::string_view();
+}
+
+} // namespace texplorer

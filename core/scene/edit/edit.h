@@ -1,0 +1,80 @@
+#pragma once
+
+// Edits of a scene as values: what lessons, suites, fixes of findings and the buttons of lists do.
+
+#include "core/base/result.h"
+#include "core/preset/preset.h"
+#include "core/scene/scene.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace texplorer {
+
+namespace edit {
+
+/// Sets a parameter, as setParam: "textures[0].wrapS" to "GL_CLAMP".
+struct Set {
+    std::string path;
+    std::string value;
+
+    bool operator==(const Set&) const = default;
+};
+
+/// Inserts an element before the one with this index, or at the end: a new one, or a copy of another.
+struct Insert {
+    std::string list; ///< "textures", "passes[0].units[1].matrix"
+    std::size_t index = 0;
+    std::optional<std::size_t> copyOf{};
+
+    bool operator==(const Insert&) const = default;
+};
+
+struct Remove {
+    std::string list;
+    std::size_t index = 0;
+
+    bool operator==(const Remove&) const = default;
+};
+
+/// Moves an element to another index; the elements between move by one.
+struct Move {
+    std::string list;
+    std::size_t from = 0;
+    std::size_t to = 0;
+
+    bool operator==(const Move&) const = default;
+};
+
+struct ApplyPreset {
+    std::string name; ///< "alpha-test"
+    PresetPlace place{};
+
+    bool operator==(const ApplyPreset&) const = default;
+};
+
+} // namespace edit
+
+using Edit = std::variant<edit::Set, edit::Insert, edit::Remove, edit::Move, edit::ApplyPreset>;
+
+/// Makes all edits, or, if one is not possible, none. After Insert, Remove and Move everything that names an
+/// element of the list by its index names the same element (references.h). The error's `where` begins with
+/// `place` and the number of the edit, "edits/2", if a place is given. Errors: of setParam and applyPreset;
+/// NotFound: no such preset; OutOfRange: no such list or element; TooLarge: the list is full, or has no
+/// element more than it needs.
+[[nodiscard]] Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place = {});
+
+/// An edit in a file: "textures[0].wrapS=GL_CLAMP" or "preset:alpha-test"; nullopt for anything else.
+[[nodiscard]] std::optional<Edit> parseEdit(std::string_view text);
+
+/// The inverse; empty for edits that files cannot contain.
+[[nodiscard]] std::string textOf(const Edit& edit);
+
+/// The path that an edit sets; empty for other edits.
+[[nodiscard]] std::string_view pathOf(const Edit& edit);
+
+} // namespace texplorer

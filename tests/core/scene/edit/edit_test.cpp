@@ -1,0 +1,192 @@
+#include "core/scene/edit/edit.h"
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace texplorer::edit_test {
+namespace {
+
+using testing::HasSubstr;
+
+Scene threeOfEach() {
+    Scene scene = defaultScene();
+    scene.models.resize(3);
+    scene.textures.resize(3);
+    scene.passes.resize(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        scene.models[i].name = fmt::format("model {}", i);
+        scene.textures[i].lodBias = static_cast<float>(i);
+        scene.passes[i].name = fmt::format("pass {}", i);
+        scene.passes[i].models = {static_cast<int>(2 - i)};
+        scene.passes[i].units[0].texture = static_cast<int>(i);
+        scene.passes[i].units[0].matrix.resize(2);
+        scene.timeline.keys.push_back({0, fmt::format("textures[{}].priority", i), "1"});
+    }
+    return scene;
+}
+
+Scene after(Scene scene, const std::vector<Edit>& edits) {
+    const Result<void> made = makeEdits(scene, edits);
+    EXPECT_TRUE(made) << describe(made.error());
+    return scene;
+}
+
+TEST(Edits, InsertANewElementOrACopy) {
+    const Scene scene = after(threeOfEach(), {edit::Insert{"textures", 1}, edit::Insert{"models", 3, 0},
+                                              edit::Insert{"passes[1].units[0].matrix", 2}});
+    ASSERT_EQ(scene.textures.size(), 4U);
+    EXPECT_EQ(scene.textures[1], Texture());
+    EXPECT_EQ(scene.passes[2].units[0].texture, 3);
+    EXPECT_EQ(scene.timeline.keys[2].path, "textures[3].priority");
+    EXPECT_EQ(scene.models.at(3).name, "model 0");
+    EXPECT_EQ(scene.passes[1].units[0].matrix.size(), 3U);
+}
+
+TEST(Edits, RemoveAndMove) {
+    const Scene start = threeOfEach();
+    const Scene removed = after(start, {edit::Remove{"models", 0}});
+    EXPECT_EQ(removed.models.size(), 2U);
+    EXPECT_EQ(removed.passes[0].models, std::vector{1});
+    EXPECT_FALSE(removed.passes[2].enabled);
+    const Scene moved = after(start, {edit::Move{"textures", 0, 2}});
+    EXPECT_EQ(moved.textures[2], start.textures[0]);
+    EXPECT_EQ(moved.textures[0], start.textures[1]);
+    EXPECT_EQ(moved.passes[0].units[0].texture, 2);
+    EXPECT_EQ(after(moved, {edit::Move{"textures", 2, 0}}), start);
+}
+
+TEST(Edits, SeeWhatThoseBeforeThemMade) {
+    const Scene scene =
+        after(threeOfEach(), {edit::Insert{"textures", 3}, edit::Set{"textures[3].lodBias", "4"},
+                              edit::Set{"passes[0].units[0].texture", "3"}});
+    EXPECT_EQ(scene.textures.at(3).lodBias, 4);
+    EXPECT_EQ(scene.passes[0].units[0].texture, 3);
+}
+
+TEST(Edits, AreAllMadeOrNone) {
+    struct Refusal {
+        Edit edit;
+        const char* message;
+    };
+    Scene full = threeOfEach();
+    full.passes.resize(maxPasses);
+    const Refusal refusals[] = {
+        {edit::Set{"textures[9].lodBias", "1"}, "textures[9]"},
+        {edit::Insert{"textures", 9},
+         "textures: expected the index of one of 3 elements, counted from 0, found 9"},
+        {edit::Insert{"textures", 0, 3}, "found 3"},
+        {edit::Insert{"passes", 0}, "it already has"},
+        {edit::Insert{"passes[0].units", 0}, "it always has"},
+        {edit::Remove{"models", 3}, "found 3"},
+        {edit::Move{"models", 0, 3}, "found 3"},
+        {edit::Move{"view", 0, 0}, "view"},
+        {edit::Remove{"nothing", 0}, "nothing: no such parameter"},
+        {edit::Remove{"textures[0].wrapS", 0}, "it is no list"},
+        {edit::Remove{"material.shininess", 0}, "it is no list"},
+        {edit::ApplyPreset{"nothing"}, "nothing: there is no such preset"},
+        {edit::ApplyPreset{"alpha-test", {.pass = 99}}, "there is no unit"},
+    };
+    for (const Refusal& each : refusals) {
+        Scene scene = full;
+        const std::vector<Edit> edits{edit::Set{"material.shininess", "5"}, each.edit};
+        const Result<void> made = makeEdits(scene, edits, "edits");
+        ASSERT_FALSE(made) << each.message;
+        EXPECT_THAT(describe(made.error()), HasSubstr(each.message));
+        EXPECT_THAT(describe(made.error()), HasSubstr("edits/1"));
+        EXPECT_EQ(scene, full);
+    }
+    const Result<void> plain = makeEdits(full, std::vector<Edit>{edit::Remove{"nothing", 0}});
+    EXPECT_EQ(plain.error().where, "nothing") << "without a place it is the edit's alone";
+}
+
+TEST(Edits, KeepWhatAListNeeds) {
+    Scene scene = defaultScene();
+    scene.passes.resize(1);
+    EXPECT_FALSE(makeEdits(scene, std::vector<Edit>{edit::Remove{"passes", 0}}));
+    EXPECT_EQ(scene.passes.size(), 1U);
+}
+
+TEST(Edits, AreWrittenAsTheyAreRead) {
+    for (const char* text :
+         {"textures[0].wrapS=GL_CLAMP", "models[0].name=a=b", "material.shininess=", "preset:seam"}) {
+        const std::optional<Edit> edit = parseEdit(text);
+        ASSERT_TRUE(edit) << text;
+        EXPECT_EQ(textOf(*edit), text);
+    }
+    for (const char* text : {"", "=1", "preset:", "textures"})
+        EXPECT_FALSE(parseEdit(text)) << text;
+    EXPECT_EQ(pathOf(edit::Set{"a.b", "1"}), "a.b");
+    EXPECT_EQ(pathOf(edit::ApplyPreset{"seam"}), "");
+    EXPECT_EQ(textOf(edit::Remove{"models", 0}), "");
+}
+
+/// What a scene says of its objects, without their indices: each pass with the names of its models and the
+/// bias of its texture, and each texture's bias with its key frames.
+std::vector<std::string> relations(const Scene& scene) {
+    std::vector<std::string> said;
+    for (const Pass& pass : scene.passes) {
+        for (const int model : pass.models)
+            said.push_back(
+                fmt::format("{} draws {}", pass.name, scene.models.at(static_cast<std::size_t>(model)).name));
+        said.push_back(
+            fmt::format("{} shows {}", pass.name,
+                        scene.textures.at(static_cast<std::size_t>(pass.units[0].texture)).lodBias));
+    }
+    for (const KeyFrame& key : scene.timeline.keys) {
+        const std::string index = key.path.substr(key.path.find('[') + 1, 1);
+        said.push_back(fmt::format("{} moves", scene.textures.at(std::stoul(index)).lodBias));
+    }
+    std::ranges::sort(said);
+    return said;
+}
+
+TEST(Edits, NameTheSameElementsAfterAnyMoves) {
+    std::mt19937 random(7);
+    Scene scene = threeOfEach();
+    const std::vector<std::string> before = relations(scene);
+    for (int i = 0; i < 500; ++i) {
+        constexpr std::array lists{"models", "textures", "passes"};
+        const Edit move = edit::Move{lists[random() % 3], random() % 3, random() % 3};
+        ASSERT_TRUE(makeEdits(scene, std::vector{move}));
+        ASSERT_EQ(relations(scene), before) << i;
+    }
+}
+
+// The scene can always be written and read, after edits that were made and after edits that were refused.
+TEST(Edits, LeaveAValidSceneInAnyOrder) {
+    std::mt19937 random(11);
+    Scene scene = threeOfEach();
+    for (int i = 0; i < 400; ++i) {
+        constexpr std::array lists{"models",
+                                   "textures",
+                                   "passes",
+                                   "passes[0].units[0].matrix",
+                                   "textures[0].preparation",
+                                   "textures[0].levels",
+                                   "timeline.keys",
+                                   "passes[0].units"};
+        const std::string list = lists[random() % lists.size()];
+        const std::size_t index = random() % 5;
+        const Edit edits[] = {edit::Insert{list, index}, edit::Insert{list, index, random() % 4},
+                              edit::Remove{list, index}, edit::Move{list, index, random() % 4}};
+        const Edit& edit = edits[random() % 4];
+        const Scene before = scene;
+        if (list == "timeline.keys" && edit.index() == 1)
+            continue; // an empty key names no parameter
+        if (!makeEdits(scene, std::vector{edit})) {
+            ASSERT_EQ(scene, before);
+        }
+        const Result<Scene> read = parseScene(writeScene(scene));
+        ASSERT_TRUE(read) << i << ": " << describe(read.error());
+        ASSERT_EQ(*read, scene);
+    }
+}
+
+} // namespace
+} // namespace texplorer::edit_test
