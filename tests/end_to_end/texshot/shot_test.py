@@ -201,12 +201,13 @@ class Shot(Texshot):
             with self.subTest(arguments):
                 self.complains(code, expected, "shot", scene, *arguments, "-o", out)
 
-    def test_the_reference_knows_two_ways_of_anisotropy(self):
+    def test_the_reference_knows_three_ways_of_anisotropy(self):
         floor = ["--size", "64x48", "--renderer", "reference", "--set", "models[0].shape=floor",
                  "--set", "textures[0].maxAnisotropy=8"]
         probes = self.shot(*floor)
         self.assertEqual(self.shot(*floor, "--anisotropy", "probes").tobytes(), probes.tobytes())
-        self.assertNotEqual(self.shot(*floor, "--anisotropy", "ellipse").tobytes(), probes.tobytes())
+        others = [self.shot(*floor, "--anisotropy", method).tobytes() for method in ("ellipse", "line")]
+        self.assertEqual(len({probes.tobytes(), *others}), 3)
         scene = self.path / "floor.json"
         scene.write_text('{"version": 1, "view": {"azimuth": 33}, "textures": [{"maxAnisotropy": 8,'
                          ' "minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "generated"}],'
@@ -218,7 +219,7 @@ class Shot(Texshot):
         otherwise = self.shot(scene, "--renderer", "reference", "--size", "583x402")
         self.assertIsNotNone(self.difference(otherwise, alone))
         out = self.path / "out.png"
-        self.complains(2, 'expected one of probes, ellipse, found "fast"',
+        self.complains(2, 'expected one of probes, ellipse, line, found "fast"',
                        "shot", "--renderer", "reference", "--anisotropy", "fast", "-o", out)
         self.notes("only the reference has a choice", "shot", "--size", "8x8", "--anisotropy", "ellipse", "-o", out)
 
