@@ -83,12 +83,16 @@ Result<void> make(Scene& scene, const edit::ApplyPreset& apply) {
     return applyPreset(*preset, scene, apply.place);
 }
 
+Result<void> makeOne(Scene& scene, const Edit& edit) {
+    return std::visit([&](const auto& each) { return make(scene, each); }, edit);
+}
+
 } // namespace
 
 Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place) {
-    Scene edited = scene;
+    Scene tried = scene;
     for (std::size_t i = 0; i < edits.size(); ++i) {
-        Result<void> made = std::visit([&](const auto& each) { return make(edited, each); }, edits[i]);
+        Result<void> made = makeOne(tried, edits[i]);
         if (made)
             continue;
         Error& error = made.error();
@@ -96,7 +100,11 @@ Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_vi
             error.where = fmt::format("{}/{}{}{}", place, i, error.where.empty() ? "" : ": ", error.where);
         return made;
     }
-    scene = std::move(edited);
+    // In place, not by assignment: what the edits don't touch stays where it is in memory.
+    for (const Edit& each : edits) {
+        if (Result<void> made = makeOne(scene, each); !made)
+            return made;
+    }
     return {};
 }
 
