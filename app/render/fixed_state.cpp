@@ -245,6 +245,8 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
     switchUnitOff(index); // an earlier pass may have used another target, which could take precedence
     const auto target = static_cast<GLenum>(unit.target);
     glBindTexture(target, texture.name);
+    if (texture.hasDepths)
+        glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, static_cast<GLint>(texture.format));
     glEnable(target);
     setEnv(GL_TEXTURE_ENV_MODE, unit.envMode);
     if (unit.envMode == EnvMode::Combine)

@@ -130,7 +130,10 @@ public:
                 continue;
             const Unit& unit = scene.passes[pass].units[at];
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-            glBindTexture(static_cast<GLenum>(unit.target), textures[at].name);
+            const auto target = static_cast<GLenum>(unit.target);
+            glBindTexture(target, textures[at].name);
+            if (textures[at].hasDepths) // core profiles, for which the shader is, have no other mode
+                glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it is added to that of the shader
             setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);
         }

@@ -252,7 +252,6 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     glTexParameterf(target_, GL_TEXTURE_LOD_BIAS, texture.lodBias);
     glTexParameteri(target_, GL_TEXTURE_COMPARE_MODE, enumerant(texture.compareMode));
     glTexParameteri(target_, GL_TEXTURE_COMPARE_FUNC, enumerant(texture.compareFunc));
-    glTexParameteri(target_, GL_DEPTH_TEXTURE_MODE, enumerant(texture.depthMode));
     glTexParameterf(target_, GL_TEXTURE_PRIORITY, texture.priority);
     if (maxAnisotropy > 1) // otherwise the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,
