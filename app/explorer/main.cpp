@@ -6,9 +6,9 @@
 #include "app/explorer/window.h"
 #include "app/ui/model/scene_files.h"
 #include "app/view/pretence.h"
-#include "core/base/printable.h"
 #include "core/base/thrown.h"
 #include "core/lesson/lesson_files.h"
+#include "core/text/printable.h"
 #include "core/texture/image_budget.h"
 
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 #include "app/render/driver_cache.h"
 
-#include "core/base/descriptor.h"
-#include "core/base/file_kind.h"
-#include "core/base/user_folder.h"
+#include "core/files/descriptor.h"
+#include "core/files/file_kind.h"
+#include "core/files/user_folder.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/file_watch.h"
+#include "core/files/file_watch.h"
 #include "core/glsl/shader_pieces.h"
 
 #include <filesystem>

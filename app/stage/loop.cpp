@@ -4,7 +4,7 @@
 #include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/unsaved_work.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #include "app/view/picture_texts.h"
 
-#include "core/base/printable.h"
 #include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/text/printable.h"
 
 #include <fmt/format.h>
 

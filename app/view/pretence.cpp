@@ -1,8 +1,8 @@
 #include "app/view/pretence.h"
 
-#include "core/base/nearest_name.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/scene.h"
+#include "core/text/nearest_name.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -34,7 +34,8 @@ CATALOGUES = {
     "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
                "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],
-    "messages": ["core/base/", "core/autosave/", "core/codec/", "core/compare/difference", "core/image/",
+    "messages": ["core/base/", "core/files/", "core/text/", "core/autosave/", "core/codec/", "core/compare/difference",
+                 "core/image/",
                  "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/", "app/animation/", "app/lettering/",
                  "app/render/", "app/opengl/", "app/explorer/"],
 }

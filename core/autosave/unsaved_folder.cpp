@@ -1,10 +1,10 @@
 #include "core/autosave/unsaved_folder.h"
 
-#include "core/base/file_io.h"
-#include "core/base/file_kind.h"
-#include "core/base/file_lock.h"
-#include "core/base/private_directory.h"
-#include "core/base/user_folder.h"
+#include "core/files/file_io.h"
+#include "core/files/file_kind.h"
+#include "core/files/file_lock.h"
+#include "core/files/private_directory.h"
+#include "core/files/user_folder.h"
 
 #include <fmt/core.h>
 

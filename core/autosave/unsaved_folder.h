@@ -3,7 +3,7 @@
 // The directory of drafts: a file for each window with unsaved work, each with a lock file next to it.
 
 #include "core/autosave/unsaved_scene.h"
-#include "core/base/descriptor.h"
+#include "core/files/descriptor.h"
 
 #include <chrono>
 #include <vector>

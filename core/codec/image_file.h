@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 
 namespace texplorer {
 

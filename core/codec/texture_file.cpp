@@ -1,8 +1,8 @@
 #include "core/codec/texture_file.h"
 
-#include "core/base/file_io.h"
 #include "core/codec/image_file.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 
 #include <fmt/core.h>
 

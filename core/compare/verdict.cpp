@@ -1,7 +1,7 @@
 #include "core/compare/verdict.h"
 
 #include "core/base/count.h"
-#include "core/base/percent.h"
+#include "core/text/percent.h"
 
 #include <fmt/core.h>
 

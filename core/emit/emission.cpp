@@ -1,6 +1,6 @@
 #include "core/emit/emission.h"
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>

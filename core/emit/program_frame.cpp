@@ -1,8 +1,8 @@
 #include "core/emit/program_frame.h"
 
-#include "core/base/printable.h"
-#include "core/base/shell_word.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/printable.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

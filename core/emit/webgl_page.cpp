@@ -1,11 +1,11 @@
 // WebGL 2 in a page of HTML that needs no other file.
 
-#include "core/base/html.h"
-#include "core/base/printable.h"
 #include "core/emit/js_functions.h"
 #include "core/emit/piece_files.h"
 #include "core/emit/webgl.h"
 #include "core/gl/fragment.h"
+#include "core/text/html.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #include "core/example/example.h"
 
-#include "core/base/nearest_name.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/nearest_name.h"
 
 #include <fmt/core.h>
 

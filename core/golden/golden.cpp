@@ -1,10 +1,10 @@
 #include "core/golden/golden.h"
 
 #include "core/base/count.h"
-#include "core/base/printable.h"
 #include "core/codec/texture_file.h"
 #include "core/compare/comparison.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "core/lesson/lesson_files.h"
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 
 #include <fmt/core.h>
 

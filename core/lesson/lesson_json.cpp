@@ -1,6 +1,6 @@
-#include "core/base/json_end.h"
 #include "core/lesson/lesson.h"
 #include "core/scene/params/json_problem.h"
+#include "core/text/json_end.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

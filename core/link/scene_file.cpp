@@ -1,8 +1,8 @@
 #include "core/link/scene_file.h"
 
-#include "core/base/file_io.h"
 #include "core/codec/png/png_chunks.h"
 #include "core/codec/png/png_text.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 
 #include <fmt/core.h>

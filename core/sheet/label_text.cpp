@@ -1,6 +1,6 @@
 #include "core/sheet/label_text.h"
 
-#include "core/base/utf8.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 

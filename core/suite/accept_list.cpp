@@ -1,9 +1,9 @@
 #include "core/suite/accept_list.h"
 
-#include "core/base/nearest_name.h"
-#include "core/base/printable.h"
-#include "core/base/utf8.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/nearest_name.h"
+#include "core/text/printable.h"
+#include "core/text/utf8.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "core/suite/case_command.h"
 
-#include "core/base/printable.h"
-#include "core/base/shell_word.h"
+#include "core/text/printable.h"
+#include "core/text/shell_word.h"
 
 #include <algorithm>
 #include <array>

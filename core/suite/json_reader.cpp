@@ -1,9 +1,9 @@
 #include "core/suite/json_reader.h"
 
-#include "core/base/json_end.h"
-#include "core/base/printable.h"
 #include "core/scene/params/json_problem.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/json_end.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

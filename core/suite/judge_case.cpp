@@ -1,7 +1,6 @@
 #include "core/suite/judge_case.h"
 
 #include "core/base/count.h"
-#include "core/base/percent.h"
 #include "core/compare/comparison.h"
 #include "core/compare/heat_map.h"
 #include "core/compare/picture_pair.h"
@@ -12,6 +11,7 @@
 #include "core/suite/rule_choice.h"
 #include "core/suite/stored_picture.h"
 #include "core/suite/suite_folder.h"
+#include "core/text/percent.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "core/suite/junit.h"
 
-#include "core/base/html.h"
-#include "core/base/utf8.h"
+#include "core/text/html.h"
+#include "core/text/utf8.h"
 
 #include <fmt/core.h>
 

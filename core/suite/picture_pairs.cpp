@@ -1,6 +1,6 @@
 #include "core/suite/picture_pairs.h"
 
-#include "core/base/file_kind.h"
+#include "core/files/file_kind.h"
 #include "core/suite/png_size.h"
 #include "core/suite/suite_folder.h"
 

@@ -1,6 +1,6 @@
 #include "core/suite/png_size.h"
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 
 #include <algorithm>
 #include <string_view>

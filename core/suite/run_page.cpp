@@ -1,10 +1,10 @@
 #include "core/suite/run_page.h"
 
-#include "core/base/percent.h"
-#include "core/base/shell_word.h"
 #include "core/compare/comparison.h"
 #include "core/compare/metric.h"
 #include "core/suite/case_command.h"
+#include "core/text/percent.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "core/suite/stored_picture.h"
 
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 #include "core/texture/block_cache.h"
 
-#include "core/base/directory_listing.h"
-#include "core/base/file_io.h"
-#include "core/base/private_directory.h"
-#include "core/base/user_folder.h"
 #include "core/codec/dds/dds.h"
+#include "core/files/directory_listing.h"
+#include "core/files/file_io.h"
+#include "core/files/private_directory.h"
+#include "core/files/user_folder.h"
 #include "core/s3tc/encode.h"
 
 #define XXH_INLINE_ALL // the header is all of it: no library to link

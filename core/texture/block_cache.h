@@ -49,7 +49,7 @@ public:
 
     /// Writes an entry atomically, replacing any file of its name (links are not followed), and removes
     /// others if needed. Errors: there is no directory; it cannot be created or written; it is not private
-    /// (core/base/private_directory.h); the levels alone exceed the limit.
+    /// (core/files/private_directory.h); the levels alone exceed the limit.
     [[nodiscard]] Result<void> keep(const std::filesystem::path& file, std::vector<BlockImage> levels) const;
 
 private:

@@ -1,7 +1,7 @@
 #include "core/texture/image_source.h"
 
-#include "core/base/file_fingerprint.h"
 #include "core/codec/image_file.h"
+#include "core/files/file_fingerprint.h"
 #include "core/image/patterns/pattern.h"
 
 #include <fmt/core.h>

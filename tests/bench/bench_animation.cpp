@@ -2,8 +2,8 @@
 // the library's own way costs to encode those, one after the other.
 
 #include "core/animation/opaque_frame.h"
-#include "core/base/file_io.h"
 #include "core/codec/bmp/bmp.h"
+#include "core/files/file_io.h"
 #include "tests/bench/caller.h"
 
 #include <benchmark/benchmark.h>

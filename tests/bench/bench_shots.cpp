@@ -2,8 +2,8 @@
 // nothing in Mesa's cache and with everything. A cold cache is a folder of its own for each process. The same
 // of a sheet of many pictures.
 
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
+#include "core/files/file_io.h"
 #include "core/image/convert.h"
 #include "tests/bench/caller.h"
 #include "tests/bench/shot_states.h"

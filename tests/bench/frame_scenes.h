@@ -3,8 +3,8 @@
 // The scenes whose frames are compared: what texplorer shows first, and a floor that runs to the horizon,
 // each with every way of filtering; lines; and an embossed cube, which three passes draw.
 
-#include "core/base/file_io.h"
 #include "core/conform/dice.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/scene.h"
 #include "tests/support/floor_scene.h"

@@ -1,7 +1,7 @@
 // make_corpus FOLDER: the start corpus of the fuzzers, written by our own writers if there are any. One
 // subfolder per fuzzer; those of the decoders have the names of their rows, so that a new row adds its own.
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 #include "core/suite/record_json.h"

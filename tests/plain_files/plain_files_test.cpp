@@ -1,8 +1,8 @@
-// The plain versions of core/base/*_linux.cpp where they promise less.
+// The plain versions of core/files/*_linux.cpp where they promise less.
 
-#include "core/base/file_io.h"
-#include "core/base/file_lock.h"
-#include "core/base/private_directory.h"
+#include "core/files/file_io.h"
+#include "core/files/file_lock.h"
+#include "core/files/private_directory.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
 

@@ -1,7 +1,7 @@
 #include "tests/random/scene_soak.h"
 
-#include "core/base/file_io.h"
 #include "core/emit/program.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/keys.h"
 #include "tests/random/odd_files.h"

@@ -1,5 +1,5 @@
 #include "app/render/gl_functions.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/params.h"
 #include "tests/support/render_fixture.h"
 

@@ -2,7 +2,7 @@
 // on one side, assets/scenes on the other, pixel by pixel.
 
 #include "app/render/render_target.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/image/patterns/pattern.h"
 #include "core/reference/draw.h"
 #include "core/scene/params/json.h"

@@ -2,7 +2,7 @@
 
 #include "app/render/fixed_renderer.h"
 #include "app/render/shader_renderer.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/glsl/shader_pieces.h"
 #include "core/mesh/mesh.h"
 #include "core/reference/draw.h"

@@ -5,7 +5,7 @@
 #include "app/ui/model/sheet_file.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "tests/stage/numbers_for_pictures.h"
 #include "tests/support/no_threads.h"

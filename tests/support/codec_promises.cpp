@@ -1,8 +1,8 @@
 #include "tests/support/codec_promises.h"
 
-#include "core/base/utf8.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/utf8.h"
 #include "tests/support/watched_heap.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Plain file access for tests, independent of core/base/file_io.
+// Plain file access for tests, independent of core/files/file_io.
 
 #include "core/base/bytes.h"
 

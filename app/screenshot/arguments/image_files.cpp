@@ -9,11 +9,11 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/output/outputs_apart.h"
 #include "core/base/count.h"
-#include "core/base/file_io.h"
-#include "core/base/printable.h"
 #include "core/codec/image_file.h"
 #include "core/codec/losses.h"
+#include "core/files/file_io.h"
 #include "core/image/mipmaps.h"
+#include "core/text/printable.h"
 
 #include <fmt/format.h>
 

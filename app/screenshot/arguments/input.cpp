@@ -2,10 +2,10 @@
 
 #include "app/screenshot/output/messages.h"
 #include "core/base/count.h"
-#include "core/base/descriptor.h"
-#include "core/base/file_kind.h"
 #include "core/codec/image_file.h"
 #include "core/codec/registry.h"
+#include "core/files/descriptor.h"
+#include "core/files/file_kind.h"
 
 #include <fmt/core.h>
 

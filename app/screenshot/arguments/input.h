@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/file_io.h"
-#include "core/base/read_stream.h"
 #include "core/base/result.h"
+#include "core/files/file_io.h"
+#include "core/files/read_stream.h"
 
 #include <span>
 #include <string>

@@ -10,9 +10,9 @@
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
 #include "core/animation/frame_times.h"
-#include "core/base/name_pattern.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/timeline_check.h"
+#include "core/text/name_pattern.h"
 
 #include <fmt/core.h>
 

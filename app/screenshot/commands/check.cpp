@@ -1,10 +1,10 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/base/printable.h"
-#include "core/base/shell_word.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/initial_like.h"
 #include "core/scene/params/params.h"
+#include "core/text/printable.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

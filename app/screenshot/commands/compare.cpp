@@ -9,10 +9,10 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/output/outputs_apart.h"
 #include "core/base/count.h"
-#include "core/base/printable.h"
 #include "core/compare/comparison.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

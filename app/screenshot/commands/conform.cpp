@@ -7,11 +7,11 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
-#include "core/base/file_io.h"
-#include "core/base/shell_word.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

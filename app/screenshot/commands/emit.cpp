@@ -6,7 +6,7 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/reports/program_text.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 
 #include <fmt/core.h>
 

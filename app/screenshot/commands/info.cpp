@@ -2,9 +2,9 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/columns.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/base/printable.h"
 #include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
+#include "core/text/printable.h"
 #include "core/texture/texture_levels.h"
 
 #include <fmt/core.h>

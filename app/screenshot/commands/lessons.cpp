@@ -7,11 +7,11 @@
 #include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
-#include "core/base/file_io.h"
-#include "core/base/printable.h"
+#include "core/files/file_io.h"
 #include "core/lesson/lesson_check.h"
 #include "core/lesson/numbers.h"
 #include "core/scene/params/param_text.h"
+#include "core/text/printable.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

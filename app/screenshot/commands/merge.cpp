@@ -6,7 +6,7 @@
 #include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/run_folder.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/suite/junit.h"
 #include "core/suite/record_json.h"
 #include "core/suite/shard.h"

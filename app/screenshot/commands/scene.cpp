@@ -9,10 +9,10 @@
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/output/outputs_apart.h"
-#include "core/base/shell_word.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_diff.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/output.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/scene_schema.h"
 #include "core/suite/suite.h"
 

@@ -14,14 +14,14 @@
 #include "app/screenshot/runs/run_plan.h"
 #include "app/view/pretence.h"
 #include "core/base/count.h"
-#include "core/base/file_io.h"
-#include "core/base/printable.h"
-#include "core/base/shell_word.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/accept_list.h"
 #include "core/suite/junit.h"
 #include "core/suite/record_json.h"
 #include "core/suite/rule_choice.h"
+#include "core/text/printable.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

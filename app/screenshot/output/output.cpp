@@ -4,7 +4,7 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
 #include "core/base/count.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

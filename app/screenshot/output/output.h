@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/screenshot/command.h"
-#include "core/base/descriptor.h"
-#include "core/base/new_folders.h"
 #include "core/codec/registry.h"
+#include "core/files/descriptor.h"
+#include "core/files/new_folders.h"
 
 #include <memory>
 #include <string>

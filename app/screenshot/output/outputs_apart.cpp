@@ -2,7 +2,7 @@
 
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/output.h"
-#include "core/base/file_fingerprint.h"
+#include "core/files/file_fingerprint.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>

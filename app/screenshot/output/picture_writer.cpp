@@ -1,7 +1,7 @@
 #include "app/screenshot/output/picture_writer.h"
 
 #include "app/screenshot/output/interrupts.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/image/convert.h"
 
 #include <algorithm>

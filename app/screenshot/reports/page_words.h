@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/language/catalogue.h"
-#include "core/base/html.h"
-#include "core/base/printable.h"
+#include "core/text/html.h"
+#include "core/text/printable.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/screenshot/reports/program_text.h"
 
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 #include "core/lesson/lesson.h"
 #include "core/scene/params/keys.h"
 #include "core/suite/hash.h"

@@ -1,9 +1,9 @@
 #include "app/screenshot/reports/step_programs.h"
 
 #include "app/screenshot/reports/program_text.h"
-#include "core/base/file_io.h"
 #include "core/emit/excerpt.h"
 #include "core/emit/flavour.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>

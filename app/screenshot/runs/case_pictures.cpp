@@ -1,8 +1,8 @@
 #include "app/screenshot/runs/case_pictures.h"
 
-#include "core/base/directory_listing.h"
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
+#include "core/files/directory_listing.h"
+#include "core/files/file_io.h"
 #include "core/report/report_files.h"
 
 #include <fmt/core.h>

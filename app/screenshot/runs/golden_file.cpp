@@ -1,7 +1,7 @@
 #include "app/screenshot/runs/golden_file.h"
 
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
+#include "core/files/file_io.h"
 #include "core/image/convert.h"
 #include "core/suite/suite_folder.h"
 

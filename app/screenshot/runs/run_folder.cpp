@@ -2,9 +2,9 @@
 
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/runs/case_pictures.h"
-#include "core/base/file_io.h"
-#include "core/base/file_kind.h"
-#include "core/base/file_lock.h"
+#include "core/files/file_io.h"
+#include "core/files/file_kind.h"
+#include "core/files/file_lock.h"
 #include "core/report/report_files.h"
 #include "core/suite/record_json.h"
 #include "core/suite/run_page.h"

@@ -3,8 +3,8 @@
 // The folder of a run: its journal while it lasts, its report in the end.
 
 #include "app/screenshot/output/outputs_apart.h"
-#include "core/base/descriptor.h"
 #include "core/base/result.h"
+#include "core/files/descriptor.h"
 #include "core/suite/record.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "app/screenshot/runs/run_plan.h"
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/suite/accept_list.h"
 #include "core/suite/case_name.h"
 #include "core/suite/hash.h"

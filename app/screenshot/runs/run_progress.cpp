@@ -1,6 +1,6 @@
 #include "app/screenshot/runs/run_progress.h"
 
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

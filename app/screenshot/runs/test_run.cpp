@@ -5,9 +5,9 @@
 #include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/workers/pool.h"
 #include "core/base/count.h"
-#include "core/base/printable.h"
-#include "core/base/shell_word.h"
 #include "core/suite/judge_case.h"
+#include "core/text/printable.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

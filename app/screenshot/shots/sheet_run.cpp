@@ -6,10 +6,10 @@
 #include "app/screenshot/shots/drawing.h"
 #include "app/screenshot/shots/picture_texts.h"
 #include "core/base/count.h"
-#include "core/base/printable.h"
 #include "core/base/tried.h"
 #include "core/sheet/changes.h"
 #include "core/sheet/sheet_picture.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 // A worker process, as its program sees it.
 
 #include "app/screenshot/workers/message.h"
-#include "core/base/descriptor.h"
 #include "core/base/result.h"
+#include "core/files/descriptor.h"
 
 #include <span>
 #include <string>

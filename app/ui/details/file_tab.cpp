@@ -10,7 +10,7 @@
 #include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

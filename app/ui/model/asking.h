@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/base/file_fingerprint.h"
+#include "core/files/file_fingerprint.h"
 
 #include <filesystem>
 #include <optional>

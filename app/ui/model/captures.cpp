@@ -1,9 +1,9 @@
 #include "app/ui/model/captures.h"
 
 #include "app/ui/model/free_name.h"
-#include "core/base/file_io.h"
-#include "core/base/user_folder.h"
 #include "core/codec/png/png.h"
+#include "core/files/file_io.h"
+#include "core/files/user_folder.h"
 #include "core/image/convert.h"
 
 #include <fmt/core.h>

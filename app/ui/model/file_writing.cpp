@@ -3,7 +3,7 @@
 #include "app/ui/model/free_name.h"
 #include "core/base/background_thread.h"
 #include "core/base/parallel.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

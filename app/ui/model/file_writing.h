@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/file_fingerprint.h"
 #include "core/base/result.h"
 #include "core/base/worker.h"
+#include "core/files/file_fingerprint.h"
 #include "core/texture/texture_levels.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/thumbnails.h"
-#include "core/base/file_watch.h"
+#include "core/files/file_watch.h"
 #include "core/texture/image_loader.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "app/ui/model/free_name.h"
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 
 #include <fmt/core.h>
 

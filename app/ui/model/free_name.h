@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/file_fingerprint.h"
 #include "core/base/result.h"
+#include "core/files/file_fingerprint.h"
 
 #include <filesystem>
 #include <optional>

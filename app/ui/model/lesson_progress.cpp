@@ -2,7 +2,7 @@
 
 #include "app/ui/model/free_name.h"
 #include "app/ui/model/session.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 
 #include <nlohmann/json.hpp>
 

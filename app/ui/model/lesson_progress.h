@@ -3,8 +3,8 @@
 // The results of lesson steps in Settings::lessons, which are kept after a lesson is closed.
 
 #include "app/ui/model/settings.h"
-#include "core/base/file_fingerprint.h"
 #include "core/base/result.h"
+#include "core/files/file_fingerprint.h"
 #include "core/lesson/lesson_files.h"
 
 #include <cstddef>

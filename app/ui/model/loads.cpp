@@ -3,7 +3,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
-#include "core/base/file_fingerprint.h"
+#include "core/files/file_fingerprint.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>

@@ -5,7 +5,7 @@
 #include "app/ui/model/scene_paths.h"
 #include "app/ui/model/settings_file.h"
 #include "app/ui/model/timeline_edits.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
 #include "core/suite/hash.h"

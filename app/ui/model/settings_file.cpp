@@ -1,9 +1,9 @@
 #include "app/ui/model/settings_file.h"
 
 #include "app/ui/model/settings_merge.h"
-#include "core/base/file_io.h"
-#include "core/base/folder_lock.h"
-#include "core/base/user_folder.h"
+#include "core/files/file_io.h"
+#include "core/files/folder_lock.h"
+#include "core/files/user_folder.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "app/ui/model/settings_file.h"
-#include "core/base/json_end.h"
+#include "core/text/json_end.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -5,9 +5,9 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/view/picture_texts.h"
 #include "core/base/count.h"
-#include "core/base/printable.h"
 #include "core/codec/png/png.h"
 #include "core/sheet/sheet_picture.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "app/ui/model/texshot_command.h"
 
 #include "app/ui/model/sheet_file.h"
-#include "core/base/shell_word.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/params.h"
+#include "core/text/shell_word.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "app/ui/parameters/texture_thumbnail.h"
 
 #include "app/ui/language/translate.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 #include "core/texture/texture_levels.h"
 
 #include <filesystem>

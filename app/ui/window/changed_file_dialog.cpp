@@ -12,7 +12,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "app/ui/window/dialog_button.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

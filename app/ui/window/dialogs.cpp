@@ -15,11 +15,11 @@
 #include "app/ui/window/help_dialog.h"
 #include "app/ui/window/record_dialog.h"
 #include "app/ui/window/recovery_dialog.h"
-#include "core/base/printable.h"
 #include "core/codec/registry.h"
 #include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
 #include "core/suite/suite.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/model/files.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/base/file_fingerprint.h"
+#include "core/files/file_fingerprint.h"
 
 #include <filesystem>
 #include <optional>

@@ -10,7 +10,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_button.h"
-#include "core/base/printable.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/count.h"
-#include "core/base/word.h"
 #include "core/codec/bmp/bmp_bitfields.h"
+#include "core/text/word.h"
 
 #include <fmt/core.h>
 

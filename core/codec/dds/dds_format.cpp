@@ -1,6 +1,6 @@
 #include "core/codec/dds/dds_format.h"
 
-#include "core/base/word.h"
+#include "core/text/word.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "core/base/word.h"
 #include "core/codec/jpeg/jpeg.h"
 #include "core/codec/jpeg/jpeg_markers.h"
+#include "core/text/word.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
-#include "core/base/printable.h"
-#include "core/base/word.h"
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
 #include "core/codec/png/png_text.h"
+#include "core/text/printable.h"
+#include "core/text/word.h"
 
 #include <fmt/core.h>
 

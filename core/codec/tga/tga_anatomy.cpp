@@ -1,8 +1,8 @@
 #include "core/base/byte_reader.h"
 #include "core/base/count.h"
-#include "core/base/word.h"
 #include "core/codec/tga/tga.h"
 #include "core/codec/tga/tga_format.h"
+#include "core/text/word.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "core/codec/tga/tga_format.h"
 
 #include "core/base/byte_reader.h"
-#include "core/base/word.h"
+#include "core/text/word.h"
 
 #include <fmt/core.h>
 

@@ -2,13 +2,13 @@
 // tables at once. What the tables don't foresee ends the reading there, so that neither deep nesting nor long
 // lists can cost more memory than a scene may have.
 
-#include "core/base/json_end.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/json_problem.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
+#include "core/text/json_end.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>

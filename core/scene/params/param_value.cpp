@@ -1,9 +1,9 @@
 // What a row accepts, and its values as text.
 
-#include "core/base/nearest_name.h"
-#include "core/base/utf8.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
+#include "core/text/nearest_name.h"
+#include "core/text/utf8.h"
 
 #include <fmt/format.h>
 

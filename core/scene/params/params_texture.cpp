@@ -1,5 +1,5 @@
-#include "core/base/word.h"
 #include "core/scene/params/param_builder.h"
+#include "core/text/word.h"
 
 namespace texplorer {
 namespace {

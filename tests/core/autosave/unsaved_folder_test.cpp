@@ -2,7 +2,7 @@
 // process exclude each other like two processes. A child process tests that a lock ends with its process.
 
 #include "core/autosave/unsaved_folder.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/codec/texture_file.h"
+#include "core/files/file_io.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"

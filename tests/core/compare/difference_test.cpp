@@ -1,6 +1,6 @@
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
 #include "core/compare/heat_map.h"
+#include "core/files/file_io.h"
 #include "tests/support/grey_picture.h"
 #include "tests/support/temp_dir.h"
 

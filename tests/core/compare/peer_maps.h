@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 #include "tests/core/compare/metric_maps.h"
 #include "tests/support/python.h"
 

@@ -1,5 +1,5 @@
-#include "core/base/file_io.h"
 #include "core/emit/program.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 #include "tests/random/random_scene.h"

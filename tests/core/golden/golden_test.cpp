@@ -1,6 +1,6 @@
-#include "core/base/file_io.h"
 #include "core/codec/texture_file.h"
 #include "core/compare/heat_map.h"
+#include "core/files/file_io.h"
 #include "core/golden/golden.h"
 #include "core/s3tc/surface_pixels.h"
 #include "tests/core/compare/metric_maps.h"

@@ -1,5 +1,5 @@
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 #include "core/lesson/lesson_check.h"
 #include "core/lesson/lesson_files.h"
 #include "core/s3tc/surface_pixels.h"

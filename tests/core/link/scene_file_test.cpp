@@ -1,5 +1,5 @@
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
+#include "core/files/file_io.h"
 #include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"

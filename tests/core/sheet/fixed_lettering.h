@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/utf8.h"
 #include "core/sheet/lettering.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
-#include "core/base/file_io.h"
-#include "core/base/percent.h"
 #include "core/codec/registry.h"
 #include "core/conform/judge.h"
+#include "core/files/file_io.h"
 #include "core/reference/draw.h"
 #include "core/suite/judge_case.h"
 #include "core/suite/record_json.h"
+#include "core/text/percent.h"
 #include "tests/support/temp_dir.h"
 
 #include <fmt/core.h>

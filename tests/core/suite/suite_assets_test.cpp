@@ -1,6 +1,6 @@
 // The suites of assets/suites, and the one that docs/suites.md shows.
 
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/suite/case_scene.h"
 #include "core/suite/suite_folder.h"
 

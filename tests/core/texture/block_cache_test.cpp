@@ -1,7 +1,7 @@
 // Compressed levels are found the next time, and no content of the directory can do harm.
 
-#include "core/base/file_io.h"
 #include "core/codec/dds/dds.h"
+#include "core/files/file_io.h"
 #include "core/s3tc/decode.h"
 #include "core/texture/levels_worker.h"
 #include "core/texture/texture_levels.h"

@@ -10,11 +10,11 @@
 // driver's arithmetic (lambda_range.h): from one derivative for 2 x 2 pixels, of log2(rho) at most 0.0215 too
 // little, which was measured at 81 places from 0 to 5.
 
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
 #include "core/codec/registry.h"
 #include "core/conform/judge.h"
 #include "core/conform/lambda_range.h"
+#include "core/files/file_io.h"
 #include "core/reference/draw.h"
 #include "core/scene/params/json.h"
 #include "core/suite/rule_choice.h"

@@ -1,8 +1,8 @@
 // report_sample DIR [COUNT [WIDTH [HEIGHT]]]: writes the page of an invented run, with a case of every state
 // and hostile names. For the tests that open it in a browser, and for developers of the page.
 
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
+#include "core/files/file_io.h"
 #include "core/image/image.h"
 #include "core/report/report_files.h"
 

@@ -1,7 +1,7 @@
 #include "app/screenshot/runs/case_pictures.h"
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

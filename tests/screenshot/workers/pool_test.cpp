@@ -1,6 +1,6 @@
 #include "app/screenshot/workers/pool.h"
 #include "app/screenshot/workers/work_loop.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

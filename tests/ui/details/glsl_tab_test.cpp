@@ -1,4 +1,4 @@
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/glsl/shader_pieces.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"

@@ -1,6 +1,6 @@
 #include "app/ui/model/captures.h"
-#include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "app/ui/model/file_writing.h"
-#include "core/base/file_io.h"
 #include "core/base/thrown.h"
+#include "core/files/file_io.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
 

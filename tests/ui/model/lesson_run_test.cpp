@@ -8,7 +8,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_saving.h"
 #include "app/ui/model/settings_file.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"

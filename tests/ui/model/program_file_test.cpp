@@ -1,6 +1,6 @@
 #include "app/ui/model/program_file.h"
-#include "core/base/file_io.h"
 #include "core/codec/tga/tga.h"
+#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_saving.h"
 #include "app/ui/widgets/keys.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/image/texture_image.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/small_bmp.h"

@@ -2,7 +2,7 @@
 #include "app/ui/model/loads.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_saving.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
 

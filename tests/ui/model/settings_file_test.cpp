@@ -1,6 +1,6 @@
 #include "app/ui/model/settings_file.h"
-#include "core/base/file_io.h"
-#include "core/base/folder_lock.h"
+#include "core/files/file_io.h"
+#include "core/files/folder_lock.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_saving.h"
 #include "app/ui/model/texshot_command.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 #include "tests/support/temp_dir.h"

@@ -1,5 +1,5 @@
 #include "app/ui/widgets/font_file.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gtest/gtest.h>

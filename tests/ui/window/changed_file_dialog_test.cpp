@@ -1,6 +1,6 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"

@@ -3,7 +3,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/window/comfort.h"
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/link/scene_link.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"

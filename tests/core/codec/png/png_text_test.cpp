@@ -1,6 +1,6 @@
-#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_text.h"
+#include "core/files/file_io.h"
 #include "core/image/patterns/pattern.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"

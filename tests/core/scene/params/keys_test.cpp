@@ -1,4 +1,4 @@
-#include "core/base/file_io.h"
+#include "core/files/file_io.h"
 #include "core/scene/params/keys.h"
 
 #include <gmock/gmock.h>

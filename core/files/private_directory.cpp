@@ -1,0 +1,73 @@
+#include "core/files/private_directory.h"
+
+#include "core/files/file_kind.h"
+#include "core/files/file_owner.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+
+namespace texplorer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> refuse(const std::string& message, const fs::path& path) {
+    return fail(ErrorCode::Unwritable, message, path.string());
+}
+
+/// As the XDG Base Directory Specification wants it: what is made above is private, too.
+bool makeWithParents(const fs::path& path) {
+    if (::mkdir(path.c_str(), 0700) == 0 || errno == EEXIST)
+        return true;
+    return errno == ENOENT && path.has_relative_path() && makeWithParents(path.parent_path()) &&
+           (::mkdir(path.c_str(), 0700) == 0 || errno == EEXIST);
+}
+
+} // namespace
+
+Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
+    Descriptor directory(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    struct stat info = {};
+    if (!directory.valid()) {
+        const int error = errno;
+        if (error == ENOENT)
+            return fail(ErrorCode::NotFound, fmt::format("can't be opened: {}", systemText(error)),
+                        path.string());
+        if (::lstat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode))
+            return refuse(fmt::format("is {}, not a directory", kindName(info.st_mode)), path);
+        return refuse(fmt::format("can't be opened: {}", systemText(error)), path);
+    }
+    if (::fstat(directory.get(), &info) != 0)
+        return refuse(fmt::format("can't be examined: {}", systemText(errno)), path);
+    if (info.st_uid != thisUser())
+        return refuse(fmt::format("belongs to user {}, not to this one, {}", info.st_uid, thisUser()), path);
+    if ((info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+        return refuse(
+            fmt::format("is writable by others: expected mode 0700, found {:04o}", info.st_mode & 07777U),
+            path);
+    if ((info.st_mode & 07777U) != 0700 && !makeOwnersAlone(directory.get()))
+        return refuse(fmt::format("can't be made private: {}", systemText(errno)), path);
+    return PrivateDirectory(std::move(directory));
+}
+
+Result<PrivateDirectory> PrivateDirectory::make(const fs::path& path) {
+    if (!makeWithParents(path))
+        return refuse(fmt::format("can't be made: {}", systemText(errno)), path);
+    return open(path);
+}
+
+Descriptor PrivateDirectory::openFile(const std::string& name) const {
+    Descriptor file(
+        ::openat(directory_.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat info = {};
+    if (!file.valid() || ::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode) ||
+        info.st_uid != thisUser())
+        return {};
+    return file;
+}
+
+} // namespace texplorer
