@@ -1,7 +1,7 @@
 #include "app/view/picture_texts.h"
 
-#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
 #include "core/text/printable.h"
 
 #include <fmt/format.h>

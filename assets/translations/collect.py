@@ -26,7 +26,7 @@ LANGUAGES = {"zh_CN": ("Chinese (simplified)", 1, "nplurals=1; plural=0;"),
 CATALOGUES = {
     "vocabulary": ["core/gl/", "core/preset/", "core/mesh/", "core/image/patterns/", "app/view/",
                    "core/scene/renderer.h", "core/scene/scene.h", "core/scene/sampler_state.h",
-                   "core/example/", "core/emit/flavour.h"],
+                   "core/lesson/example", "core/emit/flavour.h"],
     "parameters": ["core/scene/params/params"],
     "diagnosis": ["core/diagnosis/"],
     "explanation": ["core/reference/"],
@@ -34,9 +34,8 @@ CATALOGUES = {
     "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
                "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],
-    "messages": ["core/base/", "core/files/", "core/text/", "core/autosave/", "core/codec/", "core/compare/difference",
-                 "core/image/",
-                 "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/", "app/animation/", "app/lettering/",
+    "messages": ["core/base/", "core/files/", "core/text/", "core/codec/", "core/compare/difference", "core/image/",
+                 "core/s3tc/", "core/texture/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/", "app/animation/", "app/lettering/",
                  "app/render/", "app/opengl/", "app/explorer/"],
 }
 

@@ -1,8 +1,8 @@
 #include "core/lesson/lesson_scene.h"
 
 #include "core/codec/registry.h"
-#include "core/example/example.h"
 #include "core/files/file_io.h"
+#include "core/lesson/example.h"
 #include "core/lesson/lesson_place.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"

@@ -1,8 +1,8 @@
 #include "core/suite/case_scene.h"
 
-#include "core/example/example.h"
 #include "core/files/file_fingerprint.h"
 #include "core/files/file_io.h"
+#include "core/lesson/example.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/scene/params/json.h"
 #include "core/suite/case_name.h"

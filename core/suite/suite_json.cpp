@@ -1,5 +1,5 @@
-#include "core/example/example.h"
 #include "core/files/file_io.h"
+#include "core/lesson/example.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/json_reader.h"

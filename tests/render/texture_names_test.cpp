@@ -1,7 +1,7 @@
-// Random sequences of calls in core/objects and in OpenGL: names, bindings, parameters, environments and the
-// colour that is drawn are the same after each.
+// Random sequences of calls in core/reference/texture_calls and in OpenGL: names, bindings, parameters,
+// environments and the colour that is drawn are the same after each.
 
-#include "core/objects/texture_calls.h"
+#include "core/reference/texture_calls.h"
 #include "tests/support/render_fixture.h"
 
 #include <GL/glew.h>

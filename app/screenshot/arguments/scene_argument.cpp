@@ -5,15 +5,15 @@
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/ui/language/lesson_catalogue.h"
-#include "core/example/example.h"
 #include "core/files/file_io.h"
+#include "core/lesson/example.h"
 #include "core/lesson/lesson_scene.h"
-#include "core/link/scene_file.h"
 #include "core/preset/preset.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_listing.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
+#include "core/scene/storage/scene_file.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/objects/texture_calls.h"
+#include "core/reference/texture_calls.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/objects/texture_calls.h"
+#include "core/reference/texture_calls.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_saving.h"
-#include "core/link/scene_file.h"
+#include "core/scene/storage/scene_file.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,11 +6,11 @@
 #include "app/ui/model/timeline_edits.h"
 #include "core/codec/image_file.h"
 #include "core/codec/registry.h"
-#include "core/example/example.h"
 #include "core/files/file_io.h"
-#include "core/link/scene_file.h"
-#include "core/link/scene_link.h"
+#include "core/lesson/example.h"
 #include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
+#include "core/scene/storage/scene_link.h"
 
 #include <fmt/core.h>
 

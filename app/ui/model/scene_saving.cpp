@@ -6,8 +6,8 @@
 #include "app/ui/model/settings_file.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/files/file_io.h"
-#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
 #include "core/suite/hash.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/recovery.h"
-#include "core/autosave/autosave.h"
+#include "core/scene/storage/autosave.h"
 
 namespace texplorer::ui {
 

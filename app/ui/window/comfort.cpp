@@ -8,7 +8,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/shortcuts.h"
-#include "core/link/scene_link.h"
+#include "core/scene/storage/scene_link.h"
 #include "core/text/printable.h"
 
 #include <fmt/core.h>

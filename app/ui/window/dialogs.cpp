@@ -16,8 +16,8 @@
 #include "app/ui/window/record_dialog.h"
 #include "app/ui/window/recovery_dialog.h"
 #include "core/codec/registry.h"
-#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
 #include "core/suite/suite.h"
 #include "core/text/printable.h"
 

@@ -20,7 +20,7 @@
 #include "app/ui/window/presets_menu.h"
 #include "app/ui/window/shortcuts.h"
 #include "core/base/count.h"
-#include "core/example/example.h"
+#include "core/lesson/example.h"
 
 #include <fmt/core.h>
 

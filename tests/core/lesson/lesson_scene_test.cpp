@@ -1,5 +1,5 @@
-#include "core/example/example.h"
 #include "core/files/file_io.h"
+#include "core/lesson/example.h"
 #include "core/lesson/lesson_check.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/lesson/match.h"

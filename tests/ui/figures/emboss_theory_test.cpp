@@ -1,5 +1,5 @@
 #include "app/ui/figures/emboss_theory.h"
-#include "core/example/example.h"
+#include "core/lesson/example.h"
 #include "tests/ui/workbench.h"
 
 #include <cmath>

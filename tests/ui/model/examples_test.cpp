@@ -1,7 +1,7 @@
-// The examples of core/example in the window.
+// The examples of core/lesson/example in the window.
 
 #include "app/ui/model/findings.h"
-#include "core/example/example.h"
+#include "core/lesson/example.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>

@@ -4,8 +4,8 @@
 #include "core/codec/png/png_text.h"
 #include "core/files/file_io.h"
 #include "core/image/convert.h"
-#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

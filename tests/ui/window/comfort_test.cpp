@@ -4,7 +4,7 @@
 #include "app/ui/widgets/palette.h"
 #include "app/ui/window/comfort.h"
 #include "core/files/file_io.h"
-#include "core/link/scene_link.h"
+#include "core/scene/storage/scene_link.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 

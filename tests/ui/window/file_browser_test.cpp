@@ -3,8 +3,8 @@
 #include "app/ui/widgets/keys.h"
 #include "core/codec/png/png.h"
 #include "core/files/file_io.h"
-#include "core/link/scene_file.h"
 #include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 

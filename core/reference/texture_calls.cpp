@@ -1,4 +1,4 @@
-#include "core/objects/texture_calls.h"
+#include "core/reference/texture_calls.h"
 
 #include "core/gl/argument_names.h"
 #include "core/scene/params/keys.h"

@@ -1,4 +1,4 @@
-#include "core/autosave/autosave.h"
+#include "core/scene/storage/autosave.h"
 
 #include <condition_variable>
 #include <mutex>

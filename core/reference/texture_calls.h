@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/objects/texture_names.h"
+#include "core/reference/texture_names.h"
 #include "core/scene/params/params.h"
 
 #include <string>

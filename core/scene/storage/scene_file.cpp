@@ -1,4 +1,4 @@
-#include "core/link/scene_file.h"
+#include "core/scene/storage/scene_file.h"
 
 #include "core/codec/png/png_chunks.h"
 #include "core/codec/png/png_text.h"

@@ -1,4 +1,4 @@
-#include "core/link/scene_link.h"
+#include "core/scene/storage/scene_link.h"
 
 #include "core/scene/params/json.h"
 

@@ -1,4 +1,4 @@
-#include "core/autosave/unsaved_folder.h"
+#include "core/scene/storage/unsaved_folder.h"
 
 #include "core/files/file_io.h"
 #include "core/files/file_kind.h"

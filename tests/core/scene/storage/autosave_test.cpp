@@ -1,6 +1,6 @@
 // A delay of 0 writes at once, a delay of one day never.
 
-#include "core/autosave/autosave.h"
+#include "core/scene/storage/autosave.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
 

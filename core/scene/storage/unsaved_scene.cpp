@@ -1,4 +1,4 @@
-#include "core/autosave/unsaved_scene.h"
+#include "core/scene/storage/unsaved_scene.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "core/objects/texture_names.h"
+#include "core/reference/texture_names.h"
 
 #include "core/reference/sampling/lod.h"
 #include "core/reference/shading/environment.h"

@@ -1,4 +1,4 @@
-#include "core/example/example.h"
+#include "core/lesson/example.h"
 
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
