@@ -1,5 +1,5 @@
-# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels, texshot or LAYER_tests; of
-# a kind that has no list here, there are too few sources to make a precompiled header worth its time.
+# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels, screenshot or LAYER_tests;
+# of a kind that has no list here, there are too few sources to make a precompiled header worth its time.
 # TEXPLORER_PRECOMPILE is off where it should show that every file includes what it uses.
 option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)
 
@@ -10,7 +10,7 @@ set(texplorer_precompiled_common
     <glm/glm.hpp> <tl/expected.hpp>)
 set(texplorer_precompiled_code ${texplorer_precompiled_common} <fmt/core.h>)
 set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
-set(texplorer_precompiled_texshot ${texplorer_precompiled_code} <nlohmann/json.hpp>)
+set(texplorer_precompiled_screenshot ${texplorer_precompiled_code} <nlohmann/json.hpp>)
 foreach(layer core render ui) # a precompiled header of their own: their flags differ
     set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_common} <gmock/gmock.h> <gtest/gtest.h>)
 endforeach()

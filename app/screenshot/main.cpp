@@ -1,7 +1,7 @@
 // texshot: the same scenes and the same panels as texplorer, without a display.
 
 #include "app/command_line/standard_streams.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/driver_crash.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/interrupts.h"
@@ -23,13 +23,6 @@
 #include <vector>
 
 namespace texplorer::screenshot {
-
-ExitCode complain(const Error& error, ExitCode code) {
-    say(error);
-    noteError(describe(error));
-    return code;
-}
-
 namespace {
 
 /// The commands under the titles that they have in --help.

@@ -1,9 +1,9 @@
 #include "core/lesson/lesson.h"
+#include "core/scene/params/json_object.h"
 #include "core/scene/params/json_problem.h"
 #include "core/text/json_end.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,48 +14,17 @@
 namespace texplorer::lesson {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr int maxDepth = 16;
 
-/// Reads the members of an object one by one; those that were not read are unknown. Keeps the first problem.
-class Members {
-public:
+/// Sentences of lessons tell what is expected alone.
+struct Members : JsonObject {
     Members(const Json& json, std::string where, std::optional<Error>& problem)
-        : json_(json)
-        , where_(std::move(where))
-        , problem_(problem) {
-        if (!json.is_object())
-            refuse("", "an object");
-    }
-
-    ~Members() {
-        if (!json_.is_object())
-            return;
-        for (const auto& [key, value] : json_.items()) {
-            if (std::ranges::find(taken_, key) == taken_.end())
-                say(ErrorCode::Malformed, key, fmt::format("expected one of {}", listOf(taken_)));
-        }
-    }
-
-    Members(const Members&) = delete;
-    Members& operator=(const Members&) = delete;
-
-    /// nullptr: it isn't there.
-    const Json* find(const char* key) {
-        taken_.emplace_back(key);
-        const auto found = json_.is_object() ? json_.find(key) : json_.end();
-        return found == json_.end() ? nullptr : &*found;
-    }
-
-    [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
+        : JsonObject(json, std::move(where), problem, Tells::Expected) {}
 
     void text(const char* key, std::string& target, bool isNeeded) {
-        const Json* value = find(key);
-        if (value && value->is_string())
-            target = value->get<std::string>();
-        else if (value)
-            refuse(key, "a text");
+        JsonObject::text(key, target, maxLessonBytes);
         if (isNeeded && target.empty())
             refuse(key, "a text that isn't empty");
     }
@@ -70,34 +39,8 @@ public:
             return;
         }
         for (std::size_t i = 0; i < count; ++i)
-            take((*value)[i], fmt::format("{}/{}/{}", where_, key, i));
+            take((*value)[i], fmt::format("{}/{}", placeOf(key), i));
     }
-
-    void refuse(const std::string& key, const std::string& expected) {
-        say(ErrorCode::Malformed, key, fmt::format("expected {}", expected));
-    }
-
-    void say(ErrorCode code, const std::string& key, std::string message) {
-        if (!problem_)
-            problem_ =
-                Error{code, std::move(message), key.empty() ? where_ : fmt::format("{}/{}", where_, key)};
-    }
-
-    [[nodiscard]] const std::string& where() const { return where_; }
-    [[nodiscard]] std::optional<Error>& problem() { return problem_; }
-
-private:
-    static std::string listOf(const std::vector<std::string>& keys) {
-        std::string names;
-        for (const std::string& key : keys)
-            names += (names.empty() ? "" : ", ") + key;
-        return names;
-    }
-
-    const Json& json_;
-    std::string where_;
-    std::optional<Error>& problem_;
-    std::vector<std::string> taken_;
 };
 
 std::string keyNameList() {
@@ -171,11 +114,11 @@ void readTask(Members& members, Step& step) {
     }
     if (const Json* json = members.find("predict")) {
         ++tasks;
-        readPredict(*json, members.where() + "/predict", members.problem(), step.task.emplace<Predict>());
+        readPredict(*json, members.placeOf("predict"), members.problem(), step.task.emplace<Predict>());
     }
     if (const Json* json = members.find("match")) {
         ++tasks;
-        readMatch(*json, members.where() + "/match", members.problem(), step.task.emplace<Match>());
+        readMatch(*json, members.placeOf("match"), members.problem(), step.task.emplace<Match>());
     }
     if (tasks > 1)
         members.say(ErrorCode::Malformed, "", "expected one of try, predict and match, found more");
@@ -243,18 +186,6 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     keys.push_back(std::move(key));
 }
 
-/// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'",
-/// which may be long, and not even UTF-8.
-std::string mistakeOf(const Json::exception& error) {
-    constexpr int numberOverflow = 406;
-    if (error.id == numberOverflow)
-        return "expected a smaller number";
-    std::string_view said = error.what();
-    said = said.substr(0, said.find("; last read"));
-    const std::size_t syntax = said.find("syntax error");
-    return readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax));
-}
-
 tl::unexpected<Error> tooDeep() {
     return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxDepth));
 }
@@ -280,9 +211,9 @@ Result<Json> parseJson(std::string_view text) {
             return tooDeep();
         const std::string_view read = text.substr(0, std::min(text.size(), error.byte));
         const auto line = 1 + std::ranges::count(read, '\n');
-        return fail(ErrorCode::Malformed, mistakeOf(error), fmt::format("line {}", line));
+        return fail(ErrorCode::Malformed, mistakeIn(error.id, error.what()), fmt::format("line {}", line));
     } catch (const Json::exception& error) {
-        return fail(ErrorCode::Malformed, mistakeOf(error));
+        return fail(ErrorCode::Malformed, mistakeIn(error.id, error.what()));
     }
 }
 

@@ -1,15 +1,6 @@
 #pragma once
 
-// Strict reading of JSON: unknown members are errors, with their place and the nearest known key.
-
-#include "core/base/result.h"
-
-#include <nlohmann/json.hpp>
-
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/scene/params/json_object.h"
 
 namespace texplorer::suite {
 
@@ -28,69 +19,5 @@ template<class AnyJson>
 
 /// The first problem of a text.
 using Problem = std::optional<Error>;
-
-/// Reads the members of an object one by one; the destructor reports the members that were not read as
-/// unknown. Only the first problem is reported.
-class JsonObject {
-public:
-    JsonObject(const Json& json, std::string where, Problem& problem);
-    ~JsonObject();
-    JsonObject(const JsonObject&) = delete;
-    JsonObject& operator=(const JsonObject&) = delete;
-
-    /// Returns nullptr if the member is missing.
-    const Json* find(const char* key);
-    const Json* need(const char* key);
-
-    // These leave `target` unchanged if the member is missing.
-    void text(const char* key, std::string& target, std::size_t maxBytes);
-    void flag(const char* key, bool& target);
-    void number(const char* key, double& target, double min, double max);
-    void whole(const char* key, std::size_t& target, std::size_t min, std::size_t max);
-    void whole(const char* key, int& target, int min, int max);
-
-    /// Calls `take(json, place)` for each element of a list, or for a single value. Returns whether the
-    /// member exists.
-    template<class Take>
-    bool oneOrMore(const char* key, std::size_t max, const Take& take) {
-        const Json* value = find(key);
-        if (value && value->is_array())
-            eachOf(key, *value, 1, max, take);
-        else if (value)
-            take(*value, placeOf(key));
-        return value != nullptr;
-    }
-    template<class Take>
-    void list(const char* key, std::size_t min, std::size_t max, const Take& take) {
-        const Json* value = min > 0 ? need(key) : find(key);
-        if (value && !value->is_array())
-            refuse(key, "a list");
-        else if (value)
-            eachOf(key, *value, min, max, take);
-    }
-
-    void refuse(const std::string& key, const std::string& expected);
-    void say(ErrorCode code, const std::string& key, std::string message);
-    [[nodiscard]] std::string placeOf(std::string_view key) const;
-    [[nodiscard]] Problem& problem() { return problem_; }
-
-private:
-    template<class Take>
-    void eachOf(const char* key, const Json& values, std::size_t min, std::size_t max, const Take& take) {
-        if (values.size() < min || values.size() > max)
-            return refuseCount(key, min, max, values.size());
-        for (std::size_t i = 0; i < values.size() && !problem_; ++i)
-            take(values[i], placeOf(key) + "/" + std::to_string(i));
-    }
-    void refuseCount(const char* key, std::size_t min, std::size_t max, std::size_t found);
-
-    const Json& json_;
-    std::string where_;
-    Problem& problem_;
-    std::vector<std::string_view> taken_;
-};
-
-/// "text", "12", "a list", for a message about what was found.
-[[nodiscard]] std::string foundText(const Json& json);
 
 } // namespace texplorer::suite

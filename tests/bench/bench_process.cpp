@@ -1,38 +1,18 @@
 // Whole processes, as a script that takes many screenshots pays for them.
 
+#include "tests/bench/child.h"
+
 #include <benchmark/benchmark.h>
 
-#include <initializer_list>
-#include <spawn.h>
-#include <string>
-#include <sys/wait.h>
-#include <vector>
+#include <fcntl.h>
 
-extern char** environ;
-
+namespace texplorer::bench {
 namespace {
 
-/// Runs a program to its end, its output thrown away; false where it can't be started or fails.
-bool run(std::initializer_list<std::string> words) {
-    std::vector<std::string> copy(words);
-    std::vector<char*> arguments;
-    for (std::string& word : copy)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", 1 /* O_WRONLY */, 0);
-    pid_t child = 0;
-    const int failed = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    int status = 0;
-    return failed == 0 && waitpid(child, &status, 0) == child && status == 0;
-}
-
-void runRepeatedly(benchmark::State& state, std::initializer_list<std::string> words) {
+void runRepeatedly(benchmark::State& state, const Words& words) {
+    static const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     for (auto _ : state) {
-        if (!run(words)) {
+        if (!hasSucceeded(startChild(words, {}, {.output = nowhere}))) {
             state.SkipWithError("the program failed");
             break;
         }
@@ -57,3 +37,4 @@ BENCHMARK(processTexshotShot)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(processTexshotParams)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace texplorer::bench

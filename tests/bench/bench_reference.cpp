@@ -3,6 +3,7 @@
 // its frames between ours.
 
 #include "core/reference/draw.h"
+#include "tests/bench/child.h"
 #include "tests/bench/comparisons.h"
 #include "tests/bench/frame_scenes.h"
 
@@ -15,14 +16,10 @@
 #include <fcntl.h>
 #include <map>
 #include <memory>
-#include <spawn.h>
 #include <string>
 #include <string_view>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
-
-extern char** environ;
 
 namespace texplorer::bench {
 namespace {
@@ -37,23 +34,8 @@ public:
         // Another driver's process that held an end of these would keep this one from ever reaching the end.
         if (pipe2(toChild, O_CLOEXEC) != 0 || pipe2(fromChild, O_CLOEXEC) != 0)
             return;
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_adddup2(&actions, toChild[0], 0);
-        posix_spawn_file_actions_adddup2(&actions, fromChild[1], 1);
-
-        std::string program = DRIVER_FRAMES;
-        char* arguments[] = {program.data(), nullptr};
-        std::string chosen = "GALLIUM_DRIVER=" + std::string(gallium);
-        std::vector<char*> environment{chosen.data()};
-        for (char** each = environ; *each; ++each) {
-            if (!std::string_view(*each).starts_with("GALLIUM_DRIVER="))
-                environment.push_back(*each);
-        }
-        environment.push_back(nullptr);
-        if (posix_spawn(&child_, arguments[0], &actions, nullptr, arguments, environment.data()) != 0)
-            child_ = 0;
-        posix_spawn_file_actions_destroy(&actions);
+        child_ = startChild({DRIVER_FRAMES}, "GALLIUM_DRIVER=" + std::string(gallium),
+                            {.input = toChild[0], .output = fromChild[1]});
         close(toChild[0]);
         close(fromChild[1]);
         ask_ = fdopen(toChild[1], "w");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/command_line/command_line.h"
 #include "core/scene/params/sweep_axis.h"
 
 #include <string>

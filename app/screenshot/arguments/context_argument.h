@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/command_line/command_line.h"
 #include "app/view/context_choice.h"
 
 namespace texplorer::screenshot {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/command_line/command_line.h"
 #include "core/compare/criterion.h"
 
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/command_line/command_line.h"
+#include "app/screenshot/output/answer.h"
 #include "core/codec/registry.h"
 #include "core/image/texture_image.h"
 #include "core/texture/texture_levels.h"

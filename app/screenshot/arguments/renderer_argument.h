@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/command_line/command_line.h"
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/picture_argument.h"
-#include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
 
 #include <span>

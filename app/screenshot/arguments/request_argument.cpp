@@ -1,7 +1,7 @@
 #include "app/screenshot/arguments/request_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
-#include "app/screenshot/output/outputs_apart.h"
+#include "app/screenshot/arguments/outputs_apart.h"
 
 #include <algorithm>
 #include <iterator>

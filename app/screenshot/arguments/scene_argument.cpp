@@ -3,7 +3,6 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/messages.h"
-#include "app/screenshot/shots/shot_list.h"
 #include "app/ui/language/lesson_catalogue.h"
 #include "core/files/file_io.h"
 #include "core/lesson/example.h"
@@ -258,6 +257,15 @@ std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScen
 
 std::filesystem::path SceneArgument::path() const {
     return isStandardInput(file) ? std::filesystem::path() : std::filesystem::path(file);
+}
+
+std::string sceneName(const std::string& file) {
+    if (file.empty())
+        return "scene";
+    std::filesystem::path name = std::filesystem::path(file).stem();
+    if (name.extension() == ".texplorer")
+        name = name.stem();
+    return name.string();
 }
 
 std::string nameOf(const SceneArgument& argument) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/command_line/command_line.h"
+#include "app/screenshot/output/answer.h"
 #include "core/lesson/lesson_files.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
@@ -68,6 +69,9 @@ struct SceneProblem {
 
 /// What any step of a lesson in a folder reads.
 [[nodiscard]] std::vector<std::string> filesOfLesson(const lesson::LessonFolder& folder);
+
+/// "cube" of "scenes/cube.texplorer.json".
+[[nodiscard]] std::string sceneName(const std::string& file);
 
 /// What it is called in names of files, "{scene}": the example's, the lesson's with its step, the file's
 /// without folder and extension.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/command_line/command_line.h"
 #include "app/screenshot/gl/gl_module.h"
 
 #include <string>

@@ -3,7 +3,7 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/animation_run.h"

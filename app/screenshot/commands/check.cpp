@@ -1,4 +1,5 @@
 #include "app/screenshot/arguments/scene_argument.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/initial_like.h"

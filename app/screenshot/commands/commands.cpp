@@ -1,3 +1,4 @@
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/reports/program_text.h"
 

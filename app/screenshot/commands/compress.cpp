@@ -3,7 +3,7 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/texture_input.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/long_work.h"
 #include "core/base/count.h"
 #include "core/codec/losses.h"

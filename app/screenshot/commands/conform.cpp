@@ -1,7 +1,7 @@
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/gl/mesa_settings.h"
 #include "app/screenshot/output/interrupts.h"

@@ -1,7 +1,7 @@
 #include "app/screenshot/arguments/image_files.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/texture_input.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/surface_pixels.h"
 

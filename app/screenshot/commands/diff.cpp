@@ -1,6 +1,6 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "core/scene/params/scene_diff.h"
 #include "core/text/printable.h"

@@ -1,4 +1,4 @@
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/json_text.h"
 #include "core/scene/params/param_text.h"

@@ -2,9 +2,10 @@
 
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/outputs_apart.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/output.h"
-#include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/reports/program_text.h"
 #include "core/files/file_io.h"
 

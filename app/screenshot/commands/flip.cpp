@@ -1,7 +1,7 @@
 #include "app/screenshot/arguments/image_files.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/texture_input.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/long_work.h"
 #include "core/s3tc/texture_flip.h"
 

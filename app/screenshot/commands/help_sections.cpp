@@ -2,7 +2,7 @@
 // what
 // --json prints, and how a suite is written.
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 
 #include <algorithm>
 #include <string_view>

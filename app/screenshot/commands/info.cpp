@@ -1,5 +1,5 @@
 #include "app/screenshot/arguments/input.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/columns.h"
 #include "app/screenshot/output/json_text.h"
 #include "core/codec/registry.h"

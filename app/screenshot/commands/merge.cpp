@@ -1,9 +1,9 @@
 #include "core/suite/merge.h"
 
 #include "app/screenshot/arguments/input.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/arguments/outputs_apart.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/output.h"
-#include "app/screenshot/output/outputs_apart.h"
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "core/files/file_io.h"

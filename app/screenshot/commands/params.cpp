@@ -2,7 +2,7 @@
 
 #include "core/scene/params/params.h"
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/ui/model/param_match.h"
 #include "core/scene/params/param_listing.h"
 

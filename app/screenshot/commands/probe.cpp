@@ -5,7 +5,7 @@
 #include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/reports/probe_report.h"

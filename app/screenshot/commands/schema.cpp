@@ -1,4 +1,4 @@
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/output.h"
 #include "core/files/file_io.h"
 #include "core/scene/params/scene_schema.h"

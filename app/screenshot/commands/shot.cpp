@@ -4,12 +4,12 @@
 #include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/window_argument.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
-#include "app/ui/window/min_window_size.h"
+#include "app/ui/model/min_window_size.h"
 #include "core/reference/false_colors.h"
 
 #include <fmt/core.h>

@@ -5,7 +5,7 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/request_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/sheet_run.h"
 #include "app/screenshot/shots/shot_list.h"

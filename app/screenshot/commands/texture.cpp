@@ -1,11 +1,11 @@
 // A texture of a scene as pictures: after each step of its preparation, and the levels that OpenGL is given.
 
 #include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/output.h"
-#include "app/screenshot/output/outputs_apart.h"
 #include "core/base/count.h"
 #include "core/image/depth_pixels.h"
 #include "core/reference/light_depth.h"

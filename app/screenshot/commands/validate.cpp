@@ -1,7 +1,7 @@
 // Whether files are what they should be, strictly: what a decoder survives is a fault here.
 
 #include "app/screenshot/arguments/input.h"
-#include "app/screenshot/command.h"
+#include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "core/codec/registry.h"
 #include "core/scene/params/json.h"

@@ -1,6 +1,6 @@
 #include "app/screenshot/gl/driver_crash.h"
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/output/answer.h"
 #include "app/screenshot/workers/signal_text.h"
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/output/answer.h"
 
 #include <mutex>
 #include <stop_token>

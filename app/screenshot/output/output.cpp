@@ -4,7 +4,6 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
 #include "core/base/count.h"
-#include "core/text/printable.h"
 
 #include <fmt/core.h>
 
@@ -134,22 +133,6 @@ tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std
     if (!output)
         return tl::unexpected(complain(output.error()));
     return ImageOutput{*std::move(output), *format, path};
-}
-
-namespace {
-
-bool printedSomething = false; // by the thread that does what the call asks for
-
-} // namespace
-
-bool hasPrinted() {
-    return printedSomething;
-}
-
-Result<void> print(std::string_view text) {
-    printedSomething = printedSomething || !text.empty();
-    outputBegins();
-    return writeStandardOutput(viewBytes(printable(text, LineBreaks::Keep)));
 }
 
 } // namespace texplorer::screenshot

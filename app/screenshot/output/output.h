@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/output/answer.h"
 #include "core/codec/registry.h"
 #include "core/files/descriptor.h"
 #include "core/files/new_folders.h"
@@ -34,9 +34,6 @@ private:
 
 /// The same of many files, each folder once: what else a name may be is seen when it is written.
 [[nodiscard]] Result<void> checkPlaces(const std::vector<std::string>& paths, NewFolders& made);
-
-/// Whether print() has printed something.
-[[nodiscard]] bool hasPrinted();
 
 /// Whether a path names the program's standard output.
 [[nodiscard]] bool isStandardOutput(const std::string& path);

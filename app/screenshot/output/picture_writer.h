@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/shots/picture_texts.h"
+#include "app/view/picture_texts.h"
 #include "core/base/worker.h"
 #include "core/codec/registry.h"
 
@@ -22,8 +22,8 @@ struct PictureJob {
     bool opaque = true; ///< written without its alpha
     std::filesystem::path path;
     const CodecRow* format = nullptr;
-    std::optional<PictureFacts> facts{}; ///< written with it; none: pixels alone
-    bool firstInFolder = false;          ///< the writer's own
+    std::optional<view::PictureFacts> facts{}; ///< written with it; none: pixels alone
+    bool firstInFolder = false;                ///< the writer's own
 };
 
 /// Encodes pictures and writes their files, each as a whole, on threads of its own while the next ones are

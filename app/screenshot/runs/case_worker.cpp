@@ -1,11 +1,11 @@
 #include "app/screenshot/runs/case_worker.h"
 
+#include "app/screenshot/gl/picture_texts.h"
 #include "app/screenshot/reports/probe_report.h"
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/golden_file.h"
 #include "app/screenshot/runs/pair_worker.h"
 #include "app/screenshot/runs/run_plan.h"
-#include "app/screenshot/shots/picture_texts.h"
 #include "core/base/tried.h"
 #include "core/image/convert.h"
 #include "core/reference/probe.h"

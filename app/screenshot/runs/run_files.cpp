@@ -1,7 +1,7 @@
 #include "app/screenshot/runs/run_files.h"
 
+#include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "app/screenshot/output/outputs_apart.h"
 #include "core/suite/case_scene.h"
 #include "core/suite/suite_folder.h"
 

@@ -2,7 +2,7 @@
 
 // The folder of a run: its journal while it lasts, its report in the end.
 
-#include "app/screenshot/output/outputs_apart.h"
+#include "app/screenshot/arguments/outputs_apart.h"
 #include "core/base/result.h"
 #include "core/files/descriptor.h"
 #include "core/suite/record.h"

@@ -1,11 +1,11 @@
 #include "app/screenshot/shots/animation_run.h"
 
 #include "app/animation/make_encoder.h"
+#include "app/screenshot/gl/picture_texts.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/drawing.h"
-#include "app/screenshot/shots/picture_texts.h"
 #include "core/base/tried.h"
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #include "app/screenshot/shots/drawing.h"
 
-#include "app/screenshot/command.h"
+#include "app/screenshot/output/answer.h"
 #include "app/screenshot/shots/shot_drawer.h"
 #include "core/base/count.h"
 #include "core/base/parallel.h"

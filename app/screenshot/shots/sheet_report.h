@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/screenshot/shots/picture_texts.h"
+#include "app/screenshot/gl/picture_texts.h"
 #include "core/compare/comparison.h"
 
 #include <glm/vec2.hpp>

@@ -1,10 +1,10 @@
 #include "app/screenshot/shots/sheet_run.h"
 
+#include "app/screenshot/gl/picture_texts.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/drawing.h"
-#include "app/screenshot/shots/picture_texts.h"
 #include "core/base/count.h"
 #include "core/base/tried.h"
 #include "core/sheet/changes.h"

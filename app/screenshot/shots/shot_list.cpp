@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <unordered_map>
 
 namespace texplorer::screenshot {
@@ -143,15 +142,6 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) con
         names.push_back(std::move(name));
     }
     return names;
-}
-
-std::string sceneName(const std::string& file) {
-    if (file.empty())
-        return "scene";
-    std::filesystem::path name = std::filesystem::path(file).stem();
-    if (name.extension() == ".texplorer")
-        name = name.stem();
-    return name.string();
 }
 
 } // namespace texplorer::screenshot

@@ -75,7 +75,4 @@ private:
     std::size_t count_ = 0;
 };
 
-/// "cube" of "scenes/cube.texplorer.json".
-[[nodiscard]] std::string sceneName(const std::string& file);
-
 } // namespace texplorer::screenshot

@@ -1,7 +1,7 @@
 #include "app/screenshot/shots/shot_report.h"
 
+#include "app/screenshot/gl/picture_texts.h"
 #include "app/screenshot/output/json_text.h"
-#include "app/screenshot/shots/picture_texts.h"
 
 #include <utility>
 

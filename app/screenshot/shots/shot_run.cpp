@@ -1,11 +1,11 @@
 #include "app/screenshot/shots/shot_run.h"
 
+#include "app/screenshot/gl/picture_texts.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/picture_writer.h"
 #include "app/screenshot/shots/drawing.h"
-#include "app/screenshot/shots/picture_texts.h"
 #include "app/screenshot/shots/shot_drawer.h"
 #include "core/base/count.h"
 #include "core/base/parallel.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
+#include "app/screenshot/output/answer.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_report.h"

@@ -1,5 +1,7 @@
 #include "core/scene/params/json_problem.h"
 
+#include "core/text/printable.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -67,6 +69,15 @@ std::string readableProblem(std::string_view said) {
     return place->inside.empty() ? fmt::format("the file ends; expected {}", place->expected)
                                  : fmt::format("the file ends in the middle of {}; expected {}",
                                                place->inside, place->expected);
+}
+
+std::string mistakeIn(int exception, std::string_view said) {
+    constexpr int numberOverflow = 406;
+    if (exception == numberOverflow)
+        return "expected a smaller number";
+    said = said.substr(0, said.find("; last read"));
+    const std::size_t syntax = said.find("syntax error");
+    return printable(readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax)));
 }
 
 } // namespace texplorer

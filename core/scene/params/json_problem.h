@@ -10,4 +10,8 @@ namespace texplorer {
 /// an object; expected a key in quotes". Unknown messages are returned unchanged.
 [[nodiscard]] std::string readableProblem(std::string_view said);
 
+/// The same of the whole text of one of the library's exceptions: "[json.exception.parse_error.101] parse
+/// error at line 1, column 2: syntax error …; last read: '…'", which may be long, and not even UTF-8.
+[[nodiscard]] std::string mistakeIn(int exception, std::string_view said);
+
 } // namespace texplorer

@@ -1,6 +1,6 @@
 // A window manager may make the window smaller than it asks for: nothing fits, and nothing may break.
 
-#include "app/ui/window/min_window_size.h"
+#include "app/ui/model/min_window_size.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::tiny_window_test {

@@ -1,4 +1,4 @@
-#include "app/screenshot/output/outputs_apart.h"
+#include "app/screenshot/arguments/outputs_apart.h"
 
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/output.h"

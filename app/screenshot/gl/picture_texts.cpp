@@ -1,4 +1,4 @@
-#include "app/screenshot/shots/picture_texts.h"
+#include "app/screenshot/gl/picture_texts.h"
 
 #include <string>
 

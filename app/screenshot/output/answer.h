@@ -1,0 +1,33 @@
+#pragma once
+
+// What a call ends with: its answer, or why there is none, and its exit status.
+
+#include "core/base/result.h"
+
+#include <string_view>
+
+namespace texplorer::screenshot {
+
+enum ExitCode : int {
+    success = 0,
+    failure = 1,   ///< a file, the driver or the scene: one sentence on standard error says which
+    wrongCall = 2, ///< the command line itself: an option, a path or a value that does not exist
+    // 128 and a signal's number, as a shell has it, of a program that a signal ended: 130 Ctrl+C
+};
+
+/// Says what is wrong on standard error, and to who has asked for JSON (json_text.h). Returns `code`.
+ExitCode complain(const Error& error, ExitCode code = failure);
+
+/// Of an error that was found with the scene: a wrong call where it is about an option, "--level".
+[[nodiscard]] inline ExitCode statusOf(const Error& error) {
+    return error.code == ErrorCode::OutOfRange && error.where.starts_with("--") ? wrongCall : failure;
+}
+
+/// A text of several lines, or JSON, to standard output: printable (core/base/printable.h), its lines kept.
+/// Parts that come from outside are made printable before, so that they bring no lines of their own.
+[[nodiscard]] Result<void> print(std::string_view text);
+
+/// Whether print() has printed something.
+[[nodiscard]] bool hasPrinted();
+
+} // namespace texplorer::screenshot

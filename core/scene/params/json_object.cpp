@@ -1,0 +1,135 @@
+#include "core/scene/params/json_object.h"
+
+#include "core/scene/params/param_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace texplorer {
+
+std::string foundText(const nlohmann::json& json) {
+    if (json.is_string())
+        return inQuotes(json.get_ref<const std::string&>());
+    if (json.is_array())
+        return "a list";
+    if (json.is_object())
+        return "an object";
+    return json.dump();
+}
+
+JsonObject::JsonObject(const nlohmann::json& json, std::string where, std::optional<Error>& problem,
+                       Tells tells)
+    : json_(json)
+    , where_(std::move(where))
+    , problem_(problem)
+    , tells_(tells) {
+    if (!json.is_object())
+        say(ErrorCode::Malformed, "", sentence("an object", &json));
+}
+
+JsonObject::~JsonObject() {
+    if (!json_.is_object() || problem_)
+        return;
+    for (const auto& [key, value] : json_.items()) {
+        if (std::ranges::find(taken_, key) != taken_.end())
+            continue;
+        if (tells_ == Tells::Found)
+            say(ErrorCode::Malformed, shortened(key),
+                fmt::format("unknown key; {}", suggestName(key, taken_)));
+        else
+            say(ErrorCode::Malformed, key, fmt::format("expected one of {}", fmt::join(taken_, ", ")));
+    }
+}
+
+const nlohmann::json* JsonObject::find(const char* key) {
+    if (std::ranges::find(taken_, key) == taken_.end())
+        taken_.emplace_back(key);
+    const auto found = json_.is_object() ? json_.find(key) : json_.end();
+    return found == json_.end() ? nullptr : &*found;
+}
+
+const nlohmann::json* JsonObject::need(const char* key) {
+    const nlohmann::json* found = find(key);
+    if (!found)
+        say(ErrorCode::Malformed, "", fmt::format("expected the key \"{}\"", key));
+    return found;
+}
+
+void JsonObject::text(const char* key, std::string& target, std::size_t maxBytes) {
+    const nlohmann::json* value = find(key);
+    if (!value)
+        return;
+    if (!value->is_string())
+        return refuse(key, "a text");
+    target = value->get<std::string>();
+    if (target.size() > maxBytes)
+        say(ErrorCode::TooLarge, key,
+            fmt::format("expected at most {} bytes, found {}", maxBytes, target.size()));
+}
+
+void JsonObject::flag(const char* key, bool& target) {
+    const nlohmann::json* value = find(key);
+    if (value && value->is_boolean())
+        target = value->get<bool>();
+    else if (value)
+        refuse(key, "true or false");
+}
+
+void JsonObject::number(const char* key, double& target, double min, double max) {
+    const nlohmann::json* value = find(key);
+    if (!value)
+        return;
+    const double found = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
+    if (found >= min && found <= max)
+        target = found;
+    else
+        refuse(key, fmt::format("a number from {} to {}", min, max));
+}
+
+void JsonObject::whole(const char* key, std::size_t& target, std::size_t min, std::size_t max) {
+    const nlohmann::json* value = find(key);
+    if (!value)
+        return;
+    if (value->is_number_unsigned() && *value >= min && *value <= max)
+        target = value->get<std::size_t>();
+    else
+        refuse(key, fmt::format("a whole number from {} to {}", min, max));
+}
+
+void JsonObject::whole(const char* key, int& target, int min, int max) {
+    const nlohmann::json* value = find(key);
+    if (!value)
+        return;
+    if (value->is_number_integer() && *value >= min && *value <= max)
+        target = value->get<int>();
+    else
+        refuse(key, fmt::format("a whole number from {} to {}", min, max));
+}
+
+void JsonObject::refuse(const std::string& key, const std::string& expected) {
+    const auto found = json_.is_object() ? json_.find(key) : json_.end();
+    say(ErrorCode::Malformed, key, sentence(expected, found == json_.end() ? nullptr : &*found));
+}
+
+std::string JsonObject::sentence(const std::string& expected, const nlohmann::json* found) const {
+    return found && tells_ == Tells::Found ? fmt::format("expected {}, found {}", expected, foundText(*found))
+                                           : fmt::format("expected {}", expected);
+}
+
+void JsonObject::refuseCount(const char* key, std::size_t min, std::size_t max, std::size_t found) {
+    say(found > max ? ErrorCode::TooLarge : ErrorCode::Malformed, key,
+        fmt::format("expected a list of {} to {}, found {}", min, max, found));
+}
+
+void JsonObject::say(ErrorCode code, const std::string& key, std::string message) {
+    if (!problem_)
+        problem_ = Error{code, std::move(message), key.empty() ? where_ : placeOf(key)};
+}
+
+std::string JsonObject::placeOf(std::string_view key) const {
+    return fmt::format("{}/{}", where_, key);
+}
+
+} // namespace texplorer
