@@ -15,17 +15,19 @@ foreach(layer core render ui) # a precompiled header of their own: their flags d
     set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_common} <gmock/gmock.h> <gtest/gtest.h>)
 endforeach()
 
-# The first target of a kind creates it; the others reuse it.
+# The first target of a kind with these compiler options creates it; the others reuse it.
 function(texplorer_precompile target kind)
     if(NOT TEXPLORER_PRECOMPILE OR NOT DEFINED texplorer_precompiled_${kind})
         return()
     endif()
-    get_property(maker GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${kind})
+    get_target_property(options ${target} COMPILE_OPTIONS)
+    string(MD5 key "${kind} ${options}")
+    get_property(maker GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${key})
     if(maker)
         target_precompile_headers(${target} REUSE_FROM ${maker})
     else()
         target_precompile_headers(${target} PRIVATE ${texplorer_precompiled_${kind}})
-        set_property(GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${kind} ${target})
+        set_property(GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${key} ${target})
     endif()
     if(CCACHE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(${target} PRIVATE -fpch-preprocess) # ccache can then look into it
