@@ -3,7 +3,7 @@
 // They prove only that nothing has changed since, and that is their purpose: other tests prove what is right.
 
 #include "core/files/file_io.h"
-#include "core/golden/gtest.h"
+#include "core/golden/golden.h"
 #include "core/lesson/lesson_files.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/reference/draw.h"
@@ -137,8 +137,12 @@ testing::AssertionResult isDrawnAs(const fs::path& picture, const Scene& scene, 
         return testing::AssertionFailure() << describe(frame.error());
     if (!frame->problems.empty())
         return testing::AssertionFailure() << frame->problems.front();
-    return assertionOf(
-        checkGolden(frame->image, picture, {.criterion = {.tolerance = 0, .compared = Compared::Rgb}}));
+    const Result<GoldenCheck> check =
+        checkGolden(frame->image, picture, {.criterion = {.tolerance = 0, .compared = Compared::Rgb}});
+    if (!check)
+        return testing::AssertionFailure() << describe(check.error());
+    const std::string_view message = check->message; // whose last line says how to update a golden
+    return testing::AssertionResult(check->alike) << message.substr(0, message.rfind('\n'));
 }
 
 TEST(ReleasedFiles, AreThereForThisVersion) {
