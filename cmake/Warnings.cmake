@@ -13,7 +13,7 @@ function(texplorer_warnings target)
         -Wformat=2            # printf formats that don't match or aren't literals
         -Wimplicit-fallthrough # a case that runs into the next
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # GCC 12's false alarm about "text" + std::string (PR 105651)
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-missing-field-initializers> # and about designated initializers (PR 96868)
+        -Wno-missing-field-initializers # designated initializers that name a part (GCC PR 96868; Clang since 19)
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> # its false alarms about std::optional (PR 80635)
         $<$<CXX_COMPILER_ID:Clang>:-Wno-double-promotion> # Clang warns even where the text says double{x}
     )
