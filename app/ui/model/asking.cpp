@@ -12,12 +12,38 @@ namespace texplorer::ui {
 namespace {
 
 void askAboutChanges(Session& session, Pending next) {
-    session.window.pending = next;
+    session.window.pending = std::move(next);
     if (isDirty(session.document))
         session.window.dialog = Dialog::Discard;
     else
         finishPending(session);
 }
+
+/// Runs an action.
+struct Finish {
+    Session& session;
+
+    void operator()(std::monostate /*nothing*/) const {}
+    void operator()(pending::NewScene /*action*/) const { newScene(session); }
+    void operator()(const pending::Example& action) const {
+        report(session, openExample(session, action.file));
+    }
+    void operator()(const pending::Lesson& action) const {
+        report(session, openLessonNamed(session, action.nameOrFolder));
+    }
+    void operator()(pending::ChooseScene /*action*/) const { session.window.dialog = Dialog::OpenScene; }
+    void operator()(const pending::OpenFiles& action) const {
+        report(session, openFiles(session, action.files), action.files.front());
+    }
+    void operator()(const pending::OpenScene& action) const {
+        report(session, openScene(session, action.file), action.file);
+    }
+    void operator()(const pending::ShowScene& action) const {
+        action.load->before = session.document.scene; // the user has answered
+        showLoadedScene(session, std::move(*action.load));
+    }
+    void operator()(pending::Quit /*action*/) const { session.window.quitConfirmed = true; }
+};
 
 bool isLesson(const std::filesystem::path& folder) {
     std::error_code ignored;
@@ -28,53 +54,15 @@ bool isLesson(const std::filesystem::path& folder) {
 } // namespace
 
 void finishPending(Session& session) {
-    const Pending pending = session.window.pending;
-    session.window.pending = Pending::None;
-    switch (pending) {
-    case Pending::None:
-        break;
-    case Pending::NewScene:
-        newScene(session);
-        break;
-    case Pending::Example:
-        report(session, openExample(session, session.window.pendingExample));
-        break;
-    case Pending::Lesson:
-        report(session, openLessonNamed(session, session.window.pendingLesson));
-        break;
-    case Pending::OpenScene:
-        session.window.dialog = Dialog::OpenScene;
-        break;
-    case Pending::OpenFiles: {
-        const std::vector<std::filesystem::path> files = std::move(session.window.pendingFiles);
-        session.window.pendingFiles.clear();
-        report(session, openFiles(session, files), files.front());
-        break;
-    }
-    case Pending::OpenPicture: {
-        const AskedPicture asked = std::exchange(session.window.askedPicture, {});
-        report(session, openScene(session, asked.file), asked.file);
-        break;
-    }
-    case Pending::ShowScene:
-        if (const std::shared_ptr<Load> ready = std::exchange(session.window.readyScene, nullptr)) {
-            ready->before = session.document.scene; // the user has answered
-            showLoadedScene(session, std::move(*ready));
-        }
-        break;
-    case Pending::Quit:
-        session.window.quitConfirmed = true;
-        break;
-    }
+    std::visit(Finish{session}, std::exchange(session.window.pending, {}));
 }
 
 void askLesson(Session& session, std::string nameOrFolder) {
-    session.window.pendingLesson = std::move(nameOrFolder);
-    askAboutChanges(session, Pending::Lesson);
+    askAboutChanges(session, pending::Lesson{std::move(nameOrFolder)});
 }
 
 void askOpenScene(Session& session) {
-    askAboutChanges(session, Pending::OpenScene);
+    askAboutChanges(session, pending::ChooseScene{});
 }
 
 void askOpenImage(Session& session, std::string param) {
@@ -83,12 +71,11 @@ void askOpenImage(Session& session, std::string param) {
 }
 
 void askNewScene(Session& session) {
-    askAboutChanges(session, Pending::NewScene);
+    askAboutChanges(session, pending::NewScene{});
 }
 
 void askExample(Session& session, std::string_view file) {
-    session.window.pendingExample = file;
-    askAboutChanges(session, Pending::Example);
+    askAboutChanges(session, pending::Example{std::string(file)});
 }
 
 void askSaveAnswers(Session& session) {
@@ -105,7 +92,7 @@ void save(Session& session) {
     const Result<void> saved = saveTo(session, session.document.file);
     report(session, saved);
     if (!saved)
-        session.window.pending = Pending::None;
+        session.window.pending = {};
 }
 
 Result<void> saveTo(Session& session, const std::filesystem::path& file,
@@ -123,11 +110,11 @@ Result<void> saveTo(Session& session, const std::filesystem::path& file,
 }
 
 void requestQuit(Session& session) {
-    askAboutChanges(session, Pending::Quit);
+    askAboutChanges(session, pending::Quit{});
 }
 
 void askPictureScene(Session& session) {
-    askAboutChanges(session, Pending::OpenPicture);
+    askAboutChanges(session, pending::OpenScene{std::exchange(session.window.askedPicture, {}).file});
 }
 
 void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
@@ -148,8 +135,7 @@ void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
         return;
     if (!replaces)
         return report(session, openFiles(session, files), files.front());
-    session.window.pendingFiles = std::move(files);
-    askAboutChanges(session, Pending::OpenFiles);
+    askAboutChanges(session, pending::OpenFiles{std::move(files)});
 }
 
 } // namespace texplorer::ui

@@ -125,8 +125,7 @@ void showLoadedScene(Session& session, Load load) {
         return replaceDocument(session, std::move(document));
     }
     load.before = session.document.scene; // the next answer is for this scene
-    session.window.readyScene = std::make_shared<Load>(std::move(load));
-    session.window.pending = Pending::ShowScene;
+    session.window.pending = pending::ShowScene{std::make_shared<Load>(std::move(load))};
     session.window.dialog = Dialog::Discard;
 }
 

@@ -26,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace texplorer::ui {
@@ -66,8 +67,32 @@ enum class Dialog {
     Picture
 };
 
+/// The actions that replace the document.
+namespace pending {
+struct NewScene {};
+struct Example {
+    std::string file; ///< its name
+};
+struct Lesson {
+    std::string nameOrFolder;
+};
+struct ChooseScene {};
+struct OpenFiles {
+    std::vector<std::filesystem::path> files; ///< at least one
+};
+struct OpenScene {
+    std::filesystem::path file;
+};
+struct ShowScene {
+    std::shared_ptr<Load> load; ///< finished; shared for the sake of copies of the state
+};
+struct Quit {};
+} // namespace pending
+
 /// The action that waits for the user's decision about unsaved changes.
-enum class Pending { None, NewScene, Example, Lesson, OpenScene, OpenFiles, OpenPicture, ShowScene, Quit };
+using Pending =
+    std::variant<std::monostate, pending::NewScene, pending::Example, pending::Lesson, pending::ChooseScene,
+                 pending::OpenFiles, pending::OpenScene, pending::ShowScene, pending::Quit>;
 
 /// The visible part of the texture plane.
 struct Plane {
@@ -135,13 +160,9 @@ struct WindowState : DocumentLook {
     emit::Flavour flavour = emit::Flavour::Fixed; ///< for Dialog::SaveProgram
     bool allCalls = false;  ///< programs also set OpenGL's initial values: when listed, copied and exported
     std::string imageParam; ///< for OpenImage: the parameter that will name it; empty: the bound texture
-    Pending pending = Pending::None;
-    std::vector<std::filesystem::path> pendingFiles;
+    Pending pending{};
     AskedPicture askedPicture;
-    std::string pendingExample;       ///< the name of its file
-    std::string pendingLesson;        ///< its name or its folder
-    std::shared_ptr<Load> readyScene; ///< loaded, but unsaved changes must be decided first
-    std::vector<Error> refused;       ///< files that could not be opened, until the user has read the list
+    std::vector<Error> refused; ///< files that could not be opened, until the user has read the list
     bool quitConfirmed = false;
     bool fillsScreen = false;             ///< the host shows the window in full screen
     std::optional<int> tour;              ///< the current step of the tour, from 0

@@ -17,6 +17,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <variant>
 
 namespace texplorer::ui {
 namespace {
@@ -29,14 +30,14 @@ void decide(Session& session, Decision decision) {
         keepMine(session);
         return save(session);
     }
-    if (decision == Decision::Theirs && session.window.pending == Pending::None)
+    if (decision == Decision::Theirs && std::holds_alternative<std::monostate>(session.window.pending))
         return takeTheirs(session);
     session.document.changedFile.reset();
     if (decision == Decision::Theirs)
         return finishPending(session); // the shown scene is discarded for the pending action
     if (decision == Decision::Elsewhere)
         return askSaveAs(session);
-    session.window.pending = Pending::None;
+    session.window.pending = {};
 }
 
 /// One row per different parameter, as many as fit into the window.

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <variant>
 
 namespace texplorer::ui {
 namespace {
@@ -104,8 +105,9 @@ void drawDiscard(Session& session) {
     const std::string title = fmt::format("Unsaved changes in {}", name);
     if (!beginModal(name.empty() ? "Unsaved changes in this scene" : title.c_str()))
         return;
-    text(session.window.pending == Pending::Quit ? "Save them before quitting?"
-                                                 : "Save them before opening another scene?");
+    text(std::holds_alternative<pending::Quit>(session.window.pending)
+             ? "Save them before quitting?"
+             : "Save them before opening another scene?");
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     const bool keep = dialogButton("Save") || isKeyPressed(key::enter, false);
     noteItem("discard:save");
@@ -120,10 +122,9 @@ void drawDiscard(Session& session) {
         session.window.dialog = Dialog::None;
     }
     ImGui::EndPopup();
-    if (stay) {
-        session.window.pending = Pending::None;
-        session.window.readyScene.reset();
-    } else if (drop)
+    if (stay)
+        session.window.pending = {};
+    else if (drop)
         finishPending(session);
     else if (keep)
         save(session);
@@ -191,7 +192,8 @@ void drawRefused(Session& session) {
 
 /// Opens a dialog that the user has not requested, if no other one is open.
 void openWaitingDialog(Session& session) {
-    if (session.window.dialog != Dialog::None || session.window.pending != Pending::None)
+    if (session.window.dialog != Dialog::None ||
+        !std::holds_alternative<std::monostate>(session.window.pending))
         return;
     if (!session.window.refused.empty())
         session.window.dialog = Dialog::Refused;
@@ -233,7 +235,7 @@ void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pi
         return;
     session.window.dialog = Dialog::None;
     if (browsing == Browsing::Cancelled) {
-        session.window.pending = Pending::None;
+        session.window.pending = {};
         return;
     }
     session.window.notice = {};
