@@ -3,6 +3,3 @@ if(TEXPLORER_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
 endif()
-if(TEXPLORER_FUZZ)
-    add_compile_options(-fsanitize=fuzzer-no-link) # counts which branches an input takes
-endif()
