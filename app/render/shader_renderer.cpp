@@ -132,7 +132,9 @@ public:
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
             const auto target = static_cast<GLenum>(unit.target);
             glBindTexture(target, textures[at].name);
-            if (textures[at].hasDepths) // core profiles, for which the shader is, have no other mode
+            // As core profiles, for which the shader is written, have it; NVIDIA applies GL_ALPHA to shadow
+            // samplers.
+            if (textures[at].hasDepths)
                 glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it is added to that of the shader
             setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);

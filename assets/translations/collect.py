@@ -35,8 +35,10 @@ CATALOGUES = {
                "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/files/", "core/text/", "core/codec/", "core/compare/difference", "core/image/",
-                 "core/s3tc/", "core/texture/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/", "app/animation/", "app/lettering/",
-                 "app/render/", "app/opengl/", "app/explorer/"],
+                 "core/s3tc/", "core/texture/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/",
+                 "core/lesson/lesson_json", "core/lesson/lesson_files", "core/lesson/lesson_keys",
+                 "core/lesson/lesson_scene", "app/animation/", "app/lettering/", "app/render/", "app/opengl/",
+                 "app/explorer/"],
 }
 
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P<text>(?:[^"\\\n]|\\.)*)"'

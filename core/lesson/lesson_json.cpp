@@ -171,7 +171,7 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     LessonKey key;
     members.text("key", key.key, true);
     if (!isKeyName(key.key))
-        members.refuse("key", "A to Z, 0 to 9 or one of " + keyNameList());
+        members.refuse("key", fmt::format("A to Z, 0 to 9 or one of {}", keyNameList()));
     if (std::ranges::find(keys, key.key, &LessonKey::key) != keys.end())
         members.say(ErrorCode::Malformed, "key",
                     fmt::format("expected each key once, found {} again", key.key));

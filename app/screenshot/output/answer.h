@@ -23,7 +23,7 @@ ExitCode complain(const Error& error, ExitCode code = failure);
     return error.code == ErrorCode::OutOfRange && error.where.starts_with("--") ? wrongCall : failure;
 }
 
-/// A text of several lines, or JSON, to standard output: printable (core/base/printable.h), its lines kept.
+/// A text of several lines, or JSON, to standard output: printable (core/text/printable.h), its lines kept.
 /// Parts that come from outside are made printable before, so that they bring no lines of their own.
 [[nodiscard]] Result<void> print(std::string_view text);
 

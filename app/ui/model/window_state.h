@@ -67,7 +67,7 @@ enum class Dialog {
     Picture
 };
 
-/// The actions that replace the document.
+/// What waits for the answer about unsaved changes.
 namespace pending {
 struct NewScene {};
 struct Example {

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <set>
 #include <utility>
 
 namespace texplorer::ui::lesson_folder_test {
@@ -109,6 +111,42 @@ TEST_F(LessonFolderInTheWindow, StaysAsItWasWhileItIsBrokenAndSaysWhere) {
     tell("lesson.json");
     EXPECT_EQ(run().lesson.steps[1].text, "Third text.");
     EXPECT_EQ(session->window.notice.text, "");
+}
+
+TEST_F(LessonFolderInTheWindow, SaysInEveryLanguageWhatIsBroken) {
+    const std::string head = R"({"lesson": 1, "title": "Mine", "about": "About it.", "steps": [)";
+    const std::string step = R"({"title": "One", "text": "One.", "scene": "cube")";
+    const std::string key = R"(, "keys": [{"key": "F", "label": "F")";
+    const std::array broken{
+        std::string("{"),
+        std::string(R"({"lesson": 0, "title": "Mine"})"),
+        std::string(R"({"lesson": 99, "title": "Mine", "about": "About it.", "steps": []})"),
+        std::string(R"({"lesson": 1, "title": 5, "about": "About it.", "steps": []})"),
+        head + R"({"title": "One", "text": "One."}]})",
+        head + R"({"title": "One", "text": "One.", "scene": "../scene.json"}]})",
+        head + R"({"title": "One", "text": "One.", "scene": "none"}]})",
+        head + step + R"(, "look": {"probe": [1]}}]})",
+        head + step + R"(, "edits": ["wrap"]}]})",
+        head + step + R"(, "edits": ["textures[0].nothing=1"]}]})",
+        head + step +
+            R"(, "predict": {"question": "Why?", "answers": [{"text": "One"}, {"text": "Two"}], "right": 7}}]})",
+        head + step + R"(, "try": "It.", "match": {"task": "It.", "edits": ["view.azimuth=1"]}}]})",
+        head + step + "}]" + key + "}]}",
+        head + step + "}]" + key + R"(, "path": "view.distance", "add": 0}]})",
+    };
+    for (const Language language : {Language::Chinese, Language::Russian}) {
+        std::set<std::string, std::less<>> gaps;
+        speak(language, &gaps);
+        frames();
+        gaps.clear();
+        for (const std::string& text : broken) {
+            writeRaw(folder / "lesson.json", text);
+            session->window.notice.text.clear();
+            tell("lesson.json");
+            EXPECT_THAT(session->window.notice.text, HasSubstr("can't be read")) << text;
+        }
+        EXPECT_THAT(gaps, testing::IsEmpty()) << rowOf(language).name;
+    }
 }
 
 TEST_F(LessonFolderInTheWindow, IsLeftAtItsLastStepWhereTheOneThatWasShownIsGone) {
