@@ -105,10 +105,8 @@ void drawKeptTab(Session& session, KeptTabState& state) {
         noteItem("a-b tab:same");
         return;
     }
-    if (const std::optional<std::size_t> wanted = drawChanges(session, state.changes)) {
-        if (const Result<void> taken = takeFromKept(session, state.changes[*wanted]); !taken)
-            say(session, taken.error());
-    }
+    if (const std::optional<std::size_t> wanted = drawChanges(session, state.changes))
+        takeFromKept(session, state.changes[*wanted]);
 }
 
 } // namespace texplorer::ui

@@ -44,21 +44,19 @@ void selectAsInA(Selection& selection, const Selection& inA, std::string_view pa
     }
 }
 
-using Record = void (*)(Session& session, std::string_view what, std::string_view path);
-
-void recordTaken(Session& session, Record record, std::string_view what, std::string_view path) {
-    sealEdit(session);
-    record(session, what, path);
-    sealEdit(session);
-    selectAsInA(session.window.selection, session.document.kept.selection, path);
-    leaveHiddenModel(session);
-    bringSelectionBack(session);
-}
-
 Scene keptFrom(const Session& session) {
     Scene scene = *session.document.kept.scene;
     scene.view = lookedAtFrom(scene.view, session.document.scene.view);
     return scene;
+}
+
+void take(Session& session, std::string name, const std::string& path) {
+    Selection selection = session.window.selection;
+    selectAsInA(selection, session.document.kept.selection, path);
+    submit(session, {.name = std::move(name),
+                     .edits = {edit::Replace{std::make_shared<const Scene>(keptFrom(session)), path}},
+                     .path = path,
+                     .select = std::move(selection)});
 }
 
 } // namespace
@@ -126,21 +124,13 @@ std::vector<SceneChange> changesSinceKept(const Session& session) {
     return changesBetween(keptFrom(session), session.document.scene);
 }
 
-Result<void> takeFromKept(Session& session, const SceneChange& change) {
-    Scene edited = session.document.scene;
-    if (Result<void> taken = takeOver(edited, keptFrom(session), change.path); !taken)
-        return taken;
-    session.document.scene = std::move(edited);
-    recordTaken(session, recordEdit, fmt::format("{} of A", change.label), change.path);
-    return {};
+void takeFromKept(Session& session, const SceneChange& change) {
+    take(session, fmt::format("{} of A", change.label), change.path);
 }
 
 void takeAllFromKept(Session& session) {
-    if (!session.document.kept.scene)
-        return;
-    endStanding(session);
-    session.document.scene = keptFrom(session);
-    recordTaken(session, recordScene, "All of A", {});
+    if (session.document.kept.scene)
+        take(session, "All of A", {});
 }
 
 } // namespace texplorer::ui

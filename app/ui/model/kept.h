@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/model/selection.h"
-#include "core/base/result.h"
 #include "core/scene/params/scene_diff.h"
 #include "core/scene/scene.h"
 
@@ -43,9 +42,8 @@ void followKept(Session& session);
 /// The differences from A to the current scene, except the camera; empty if no state is kept.
 [[nodiscard]] std::vector<SceneChange> changesSinceKept(const Session& session);
 
-/// Sets the scene to A's value, as an undo step. Restored models or passes are selected as in A. The error
-/// says why the value does not fit.
-[[nodiscard]] Result<void> takeFromKept(Session& session, const SceneChange& change);
+/// Submits a step that sets the scene to A's value. Restored models or passes are selected as in A.
+void takeFromKept(Session& session, const SceneChange& change);
 /// The same for all differences, except the camera.
 void takeAllFromKept(Session& session);
 

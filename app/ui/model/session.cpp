@@ -96,6 +96,7 @@ void replaceDocument(Session& session, Document document) {
 
 void exchangeDocument(Session& session, Document document) {
     cancelLoads(session);
+    session.steps.clear(); // they are for the other document
     session.document = std::move(document);
     ++session.documents;
     leaveHiddenModel(session);
@@ -169,17 +170,15 @@ void recordScene(Session& session, std::string_view what, std::string_view path)
     document.lastChanged = path;
 }
 
-bool makeStep(Session& session, std::string_view what, std::span<const Edit> edits, std::string_view path) {
-    if (!makeEdits(session.document.scene, edits))
-        return false;
-    sealEdit(session);
-    recordEdit(session, what, path);
-    sealEdit(session);
-    return true;
+void submit(Session& session, Step step) {
+    session.steps.push_back(std::move(step));
 }
 
 void sealEdit(Session& session) {
-    session.document.history.seal();
+    if (session.steps.empty())
+        session.document.history.seal();
+    else
+        submit(session, {}); // without edits: see takeSteps
 }
 
 void undo(Session& session) {

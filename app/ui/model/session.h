@@ -2,12 +2,12 @@
 
 #include "app/ui/model/document.h"
 #include "app/ui/model/services.h"
+#include "app/ui/model/step.h"
 #include "app/ui/model/window_state.h"
-#include "core/scene/edit/edit.h"
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -18,6 +18,7 @@ struct Session {
     Services services;
     Document document;
     WindowState window;
+    std::vector<Step> steps; ///< submitted in this frame
     std::size_t documents =
         0; ///< the number of replaced documents, for panels to detect that their state is out of date
 };
@@ -60,12 +61,10 @@ void takeBackEdit(Session& session);
 /// Call after the scene was replaced: selects existing and visible objects.
 void bringSelectionBack(Session& session);
 
-/// Makes edits as one undo step, all or none, and records them as recordEdit does. Returns whether they were
-/// possible.
-bool makeStep(Session& session, std::string_view what, std::span<const Edit> edits,
-              std::string_view path = {});
+/// Has a step made at the end of the frame (app/ui/editor).
+void submit(Session& session, Step step);
 
-/// Ends an undo step: the next edit starts a new one even with the same name.
+/// Ends an undo step, after the submitted ones: the next edit starts a new one even with the same name.
 void sealEdit(Session& session);
 
 void undo(Session& session);

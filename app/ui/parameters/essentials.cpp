@@ -219,8 +219,7 @@ void pinnedRows(Session& session) {
             if (!captioned)
                 caption("Pinned");
             captioned = true;
-            if (paramWidget(session, place.owner, row) && mayMoveLists(row))
-                return; // the rest is drawn in the next frame
+            paramWidget(session, place.owner, row);
         }
     }
 }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t minPerLine = 8;
 
-/// One picture of the choice. `edit` sets it on a texture.
+/// One picture of the choice, and the edits that set it.
 struct Choice {
     std::string name; ///< its name in tests
     std::string label;
@@ -30,7 +30,7 @@ struct Choice {
     std::shared_ptr<const Image> image;
     bool isCurrent;
     std::string path;
-    std::function<void(Texture&)> edit;
+    std::vector<Edit> edits;
 };
 
 void drawChoice(Session& session, const Pictures& pictures, const Choice& choice, float extent) {
@@ -54,16 +54,16 @@ void drawChoice(Session& session, const Pictures& pictures, const Choice& choice
         draw.AddRect({low.x - line, low.y - line}, {high.x + line, high.y + line},
                      ImGui::GetColorU32(choice.isCurrent ? ImGuiCol_CheckMark : ImGuiCol_Text), 0, 0,
                      choice.isCurrent ? 1.5F * line : line);
-    const auto index = static_cast<std::size_t>(selectedUnit(session).texture);
     if (hovered && !choice.isCurrent)
         preview(session, choice.name, choice.label,
-                [&](Scene& scene) { choice.edit(scene.textures[index]); });
-    if (!pressed || choice.isCurrent)
-        return;
-    sealEdit(session);
-    choice.edit(*boundTexture(session));
-    recordEdit(session, choice.label, choice.path);
-    sealEdit(session);
+                [&](Scene& scene) { static_cast<void>(makeEdits(scene, choice.edits)); });
+    if (pressed && !choice.isCurrent)
+        submit(session, {.name = choice.label, .edits = choice.edits, .path = choice.path});
+}
+
+Edit sourceIs(const std::string& texture, SourceKind source) {
+    return edit::Set{fmt::format("{}.{}", texture, keyOf<&Texture::source>()),
+                     std::string(rowOf(source).name)};
 }
 
 /// An available file, whether it is shown at present or not.
@@ -79,7 +79,7 @@ std::optional<Choice> fileChoice(Session& session, const std::string& path) {
                   thumbnailOf(session, texture, selectedUnit(session).target),
                   isCurrent,
                   path + "." + keyOf<&Texture::file>(),
-                  [](Texture& shown) { shown.source = SourceKind::File; }};
+                  {sourceIs(path, SourceKind::File)}};
 }
 
 } // namespace
@@ -110,13 +110,13 @@ void imageChoice(Session& session, const Pictures& pictures) {
     for (const EnumRow& row : patternRows) {
         const auto pattern = static_cast<Pattern>(row.value);
         const std::string rowPath = path + "." + keyOf<&Texture::pattern>();
-        choices.push_back({fmt::format("{}={}", rowPath, row.name), std::string(row.label), row.help,
+        choices.push_back({fmt::format("{}={}", rowPath, row.name),
+                           std::string(row.label),
+                           row.help,
                            session.services.patterns.find(pattern),
-                           texture.source == SourceKind::Pattern && texture.pattern == pattern, rowPath,
-                           [pattern](Texture& shown) {
-                               shown.source = SourceKind::Pattern;
-                               shown.pattern = pattern;
-                           }});
+                           texture.source == SourceKind::Pattern && texture.pattern == pattern,
+                           rowPath,
+                           {sourceIs(path, SourceKind::Pattern), edit::Set{rowPath, std::string(row.name)}}});
     }
     if (std::optional<Choice> file = fileChoice(session, path))
         choices.push_back(std::move(*file));

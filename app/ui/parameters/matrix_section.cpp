@@ -41,7 +41,7 @@ void addStep(Session& session, const EnumRow& op) {
     if (kind == MatrixOp::Scale || kind == MatrixOp::Rotate)
         edits.emplace_back(
             edit::Set{step + keyOf<&MatrixStep::amount>(), kind == MatrixOp::Scale ? "1,1,1" : "0,0,1"});
-    makeStep(session, "Add matrix step", edits, list);
+    submit(session, {.name = "Add matrix step", .edits = std::move(edits), .path = list});
 }
 
 void offerMotion(Session& session, const Motion& motion) {
@@ -117,7 +117,7 @@ void motionButtons(Session& session) {
 }
 
 void matrixSection(Session& session) {
-    std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
+    const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     static const MatrixStep initial;
     if (steps.empty())
         wrappedText("The identity: coordinates are unchanged. Each step moves, turns or scales them.");
@@ -128,13 +128,12 @@ void matrixSection(Session& session) {
         dimText(fmt::format("Step {}", i + 1));
         constexpr ListWords words{"matrix step", "", "Move this step up", "Move this step down",
                                   "Remove this step"};
-        const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
-        if (pressed) {
+        if (const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size())) {
             const std::string list = matrixPath(session);
-            makeStep(session, pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps",
-                     std::array{editOf(*pressed, list, i)}, list);
-            ImGui::PopID();
-            break; // the rest is drawn in the next frame
+            submit(session,
+                   {.name = pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps",
+                    .edits = {editOf(*pressed, list, i)},
+                    .path = list});
         }
         paramRows(session, {&steps[i], &initial, path}, matrixStepTable(), {.captions = false});
         ImGui::Separator();

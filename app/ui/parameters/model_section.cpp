@@ -70,22 +70,16 @@ void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
 void editModels(Session& session, std::size_t count) {
     constexpr ListWords words{"model", "Add a copy of this model after it", "Draw this model earlier",
                               "Draw this model later", "Remove this model"};
-    int& chosen = session.window.selection.model;
-    const auto pressed = listButtons(words, static_cast<std::size_t>(chosen), count, 0, maxModels);
+    const auto chosen = static_cast<std::size_t>(session.window.selection.model);
+    const auto pressed = listButtons(words, chosen, count, 0, maxModels);
     if (!pressed)
         return;
     const bool adds = pressed == ListEdit::Add;
-    const bool removes = pressed == ListEdit::Remove;
-    const std::vector<Edit> edits =
-        adds ? addedModel(session)
-             : std::vector{editOf(*pressed, keyOf<&Scene::models>(), static_cast<std::size_t>(chosen))};
-    if (!makeStep(session, adds ? "Add model" : removes ? "Remove model" : "Reorder models", edits))
-        return;
-    const int last = static_cast<int>(session.document.scene.models.size()) - 1;
-    const int now = removes || count == 0 ? chosen : pressed == ListEdit::Up ? chosen - 1 : chosen + 1;
-    chosen = std::clamp(now, 0, std::max(0, last));
-    session.window.selection.vertex.reset();
-    clearTexel(session); // its texel may belong to another model
+    submit(session, {.name = adds                          ? "Add model"
+                             : pressed == ListEdit::Remove ? "Remove model"
+                                                           : "Reorder models",
+                     .edits = adds ? addedModel(session)
+                                   : std::vector{editOf(*pressed, keyOf<&Scene::models>(), chosen)}});
 }
 
 } // namespace

@@ -27,8 +27,7 @@ void searchResults(Session& session, std::string_view words) {
                     noteItem(fmt::format("found in:{}", tab));
                 }
                 ++found;
-                if (paramWidget(session, place.owner, row) && mayMoveLists(row))
-                    return; // the rest is drawn in the next frame
+                paramWidget(session, place.owner, row);
             }
         }
     }

@@ -26,33 +26,29 @@ namespace {
 void editPasses(Session& session) {
     constexpr ListWords words{"pass", "Add a copy of this pass after it", "Draw this pass earlier",
                               "Draw this pass later", "Remove this pass"};
-    int& chosen = session.window.selection.pass;
-    const std::size_t count = session.document.scene.passes.size();
-    const auto pressed = listButtons(words, static_cast<std::size_t>(chosen), count, 1, maxPasses);
+    const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
+    const auto pressed = listButtons(words, chosen, session.document.scene.passes.size(), 1, maxPasses);
     if (!pressed)
         return;
     const bool adds = pressed == ListEdit::Add;
     const std::string list = keyOf<&Scene::passes>();
-    std::vector<Edit> edits{editOf(*pressed, list, static_cast<std::size_t>(chosen))};
+    std::vector<Edit> edits{editOf(*pressed, list, chosen)};
     if (adds &&
         selectedPass(session).depthFunc == CompareFunc::Less) // no depth is less than the previous pass's
         edits.emplace_back(edit::Set{fmt::format("{}[{}].{}", list, chosen + 1, keyOf<&Pass::depthFunc>()),
                                      std::string(rowOf(CompareFunc::LessEqual).name)});
-    const bool removes = pressed == ListEdit::Remove;
-    if (!makeStep(session, adds ? "Add pass" : removes ? "Remove pass" : "Reorder passes", edits))
-        return;
-    chosen = removes                   ? std::min(chosen, static_cast<int>(count) - 2)
-             : pressed == ListEdit::Up ? chosen - 1
-                                       : chosen + 1;
-    clearTexel(session); // the number of its pass has changed
+    submit(session, {.name = adds                          ? "Add pass"
+                             : pressed == ListEdit::Remove ? "Remove pass"
+                                                           : "Reorder passes",
+                     .edits = std::move(edits)});
 }
 
-void modelsChanged(Session& session) {
+void setModels(Session& session, const std::vector<int>& models) {
     const auto pass = static_cast<std::size_t>(session.window.selection.pass);
-    sealEdit(session);
-    recordEdit(session, "Models of the pass",
-               fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::models>()));
-    sealEdit(session);
+    const std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::models>());
+    submit(session, {.name = "Models of the pass",
+                     .edits = {edit::Set{path, fmt::format("{}", fmt::join(models, ","))}},
+                     .path = path});
 }
 
 /// One model of the list: a tick, and, if it is drawn, buttons that draw it earlier or later. Returns whether
@@ -88,7 +84,7 @@ bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const st
 /// All models, or the ticked ones.
 void modelsOfPass(Session& session) {
     const std::vector<Model>& models = session.document.scene.models;
-    std::vector<int>& named = selectedPass(session).models;
+    std::vector<int> named = selectedPass(session).models;
     std::vector<int> order = named; // followed by those that it leaves out
     for (int i = 0; i < static_cast<int>(models.size()); ++i) {
         if (std::ranges::find(named, i) == named.end())
@@ -96,10 +92,8 @@ void modelsOfPass(Session& session) {
     }
     caption("Models");
     bool all = named.empty();
-    if (ImGui::Checkbox(label("All models"), &all)) {
-        named = all ? std::vector<int>{} : order;
-        modelsChanged(session);
-    }
+    if (ImGui::Checkbox(label("All models"), &all))
+        setModels(session, all ? std::vector<int>{} : order);
     noteItem("pass models:all");
     helpTip("Whether this pass draws all models in order, or only the selected ones");
     if (named.empty())
@@ -107,11 +101,9 @@ void modelsOfPass(Session& session) {
     for (std::size_t place = 0; place < order.size(); ++place) {
         const int index = order[place];
         ImGui::PushID(index);
-        const bool changed =
-            modelOfPass(named, index, place, shownNameOf(models[static_cast<std::size_t>(index)]));
+        if (modelOfPass(named, index, place, shownNameOf(models[static_cast<std::size_t>(index)])))
+            setModels(session, named);
         ImGui::PopID();
-        if (changed)
-            return modelsChanged(session); // the rest is drawn in the next frame
     }
 }
 

@@ -115,8 +115,4 @@ std::vector<ShownStruct> shownStructs(Session& session) {
     return places.take();
 }
 
-bool mayMoveLists(const ParamRow& row) {
-    return row.kind == Kind::Bool || row.kind == Kind::Enum || row.kind == Kind::Text;
-}
-
 } // namespace texplorer::ui

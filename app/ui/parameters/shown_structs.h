@@ -19,9 +19,6 @@ struct ShownStruct {
 /// All structs of the selection, in the order of the tabs. Valid until the next edit of a list in the scene.
 [[nodiscard]] std::vector<ShownStruct> shownStructs(Session& session);
 
-/// Whether an edit of the row may add elements to the scene's lists, which makes the owners invalid.
-[[nodiscard]] bool mayMoveLists(const ParamRow& row);
-
 /// The structs that panels edit by their rows.
 [[nodiscard]] Owner textureOwner(Session& session); ///< of the bound one, which there must be
 [[nodiscard]] Owner unitOwner(Session& session);

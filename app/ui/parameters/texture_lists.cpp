@@ -66,12 +66,6 @@ private:
     float indent_;
 };
 
-void listChanged(Session& session, std::string_view what) {
-    sealEdit(session);
-    recordEdit(session, what);
-    sealEdit(session);
-}
-
 struct ListTexts {
     ListWords words;
     const char* reorder; ///< the name in Undo
@@ -87,17 +81,18 @@ constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
                                "Reorder levels",
                                "Remove level"};
 
-/// The buttons of one element. Returns true if the list has changed: the rest is drawn in the next frame.
-bool editElement(Session& session, std::size_t index, std::size_t count, const std::string& path,
+/// The buttons of one element.
+void editElement(Session& session, std::size_t index, std::size_t count, const std::string& path,
                  const ListTexts& texts) {
-    const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, count);
-    return pressed && makeStep(session, pressed == ListEdit::Remove ? texts.remove : texts.reorder,
-                               std::array{editOf(*pressed, path.substr(0, path.rfind('[')), index)});
+    if (const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, count))
+        submit(session, {.name = pressed == ListEdit::Remove ? texts.remove : texts.reorder,
+                         .edits = {editOf(*pressed, path.substr(0, path.rfind('[')), index)}});
 }
 
 /// The parameters of one element, next to its picture.
 template<class Element>
-void elementRows(Session& session, Element& element, const std::string& path, const StructTable& table) {
+void elementRows(Session& session, const Element& element, const std::string& path,
+                 const StructTable& table) {
     static const Element initial;
     const Owner owner{&element, &initial, path, [&](const ParamRow& row, const Value& value) {
                           return acceptsFile(session, path, element.file, row, value);
@@ -154,16 +149,19 @@ std::size_t levelsWanted(const LevelPlan& plan) {
     return std::min(maxGivenLevels, static_cast<std::size_t>(std::max(0, count)));
 }
 
-GivenLevel nextLevel(const Texture& texture) {
-    GivenLevel level;
-    level.pattern = texture.levels.empty() ? texture.pattern : texture.levels.back().pattern;
-    return level;
-}
-
-void addLevels(Session& session, Texture& texture, std::size_t count) {
-    const GivenLevel level = nextLevel(texture);
-    texture.levels.resize(count, level);
-    listChanged(session, "Add levels");
+/// Adds levels with the pattern of the smallest one until there are `count`.
+void addLevels(Session& session, std::size_t index, std::size_t count) {
+    const Texture& texture = session.document.scene.textures[index];
+    const Pattern pattern = texture.levels.empty() ? texture.pattern : texture.levels.back().pattern;
+    const std::string list =
+        fmt::format("{}.{}", elementOf<&Scene::textures>(index), keyOf<&Texture::levels>());
+    std::vector<Edit> edits;
+    for (std::size_t level = texture.levels.size(); level < count; ++level) {
+        edits.emplace_back(edit::Insert{list, level});
+        edits.emplace_back(edit::Set{fmt::format("{}[{}].{}", list, level, keyOf<&GivenLevel::pattern>()),
+                                     std::string(rowOf(pattern).name)});
+    }
+    submit(session, {.name = "Add levels", .edits = std::move(edits)});
 }
 
 /// A dim line above a list without effect, with the reason.
@@ -177,7 +175,7 @@ void idleNote(const Session& session, const std::string& path) {
 
 void preparationList(Session& session, std::size_t texture, const LevelsSummary* summary,
                      const Pictures& pictures) {
-    std::vector<ImageStep>& steps = session.document.scene.textures[texture].preparation;
+    const std::vector<ImageStep>& steps = session.document.scene.textures[texture].preparation;
     const std::string owner = elementOf<&Scene::textures>(texture) + ".";
     caption("Preparation");
     idleNote(session, owner + keyOf<&Texture::preparation>());
@@ -194,12 +192,9 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
         const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
         ImGui::AlignTextToFramePadding();
         dimText(fmt::format("Step {}", i + 1));
-        const bool changed = editElement(session, i, steps.size(), path, stepTexts);
-        if (!changed)
-            elementRows(session, steps[i], path, imageStepTable());
+        editElement(session, i, steps.size(), path, stepTexts);
+        elementRows(session, steps[i], path, imageStepTable());
         ImGui::PopID();
-        if (changed)
-            break;
     }
     ImGui::BeginDisabled(steps.size() >= maxImageSteps);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -209,9 +204,9 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
                 const std::string list = owner + keyOf<&Texture::preparation>();
                 const std::string added =
                     fmt::format("{}[{}].{}", list, steps.size(), keyOf<&ImageStep::op>());
-                makeStep(session, "Add image step",
-                         std::array<Edit, 2>{edit::Insert{list, steps.size()},
-                                             edit::Set{added, std::string(op.name)}});
+                submit(session,
+                       {.name = "Add image step",
+                        .edits = {edit::Insert{list, steps.size()}, edit::Set{added, std::string(op.name)}}});
             }
             noteItem(fmt::format("add step:{}", op.name));
             choiceTip(op);
@@ -224,7 +219,7 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
 }
 
 void levelList(Session& session, std::size_t index, const LevelsSummary* summary, const Pictures& pictures) {
-    Texture& texture = session.document.scene.textures[index];
+    const Texture& texture = session.document.scene.textures[index];
     const bool given = texture.mipmaps == MipPolicy::Given;
     if (!given && texture.levels.empty())
         return;
@@ -247,26 +242,23 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
         }
         if (given)
             levelExtents(plan, number, target);
-        const bool changed = editElement(session, i, texture.levels.size(), path, levelTexts);
-        if (!changed)
-            elementRows(session, texture.levels[i], path, givenLevelTable());
+        editElement(session, i, texture.levels.size(), path, levelTexts);
+        elementRows(session, texture.levels[i], path, givenLevelTable());
         ImGui::PopID();
-        if (changed)
-            return;
     }
     const std::size_t wanted = levelsWanted(plan);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     ImGui::BeginDisabled(texture.levels.size() >= maxGivenLevels);
     if (ImGui::Button(label("+ Level"), {width, 0}))
-        addLevels(session, texture, texture.levels.size() + 1);
+        addLevels(session, index, texture.levels.size() + 1);
     noteItem("add level");
     ImGui::EndDisabled();
     helpTip("Adds a smaller level from a built-in pattern or a file");
     ImGui::SameLine(0, gap);
     ImGui::BeginDisabled(texture.levels.size() >= wanted);
     if (ImGui::Button(label("+ Down to 1 × 1"), {width, 0}))
-        addLevels(session, texture, wanted);
+        addLevels(session, index, wanted);
     noteItem("add all levels");
     ImGui::EndDisabled();
     helpTip("Adds all levels that a complete texture needs");

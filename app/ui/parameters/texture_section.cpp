@@ -22,28 +22,31 @@ std::string textureName(const Session& session, int index) {
                        shownNameOfImage(session.document.scene.textures[static_cast<std::size_t>(index)]));
 }
 
+std::string boundPath(const Session& session) {
+    return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>());
+}
+
 void addTexture(Session& session) {
     const std::size_t added = session.document.scene.textures.size();
     const std::string texture = elementOf<&Scene::textures>(added) + ".";
-    makeStep(
-        session, "Add texture",
-        std::array<Edit, 4>{
-            edit::Insert{keyOf<&Scene::textures>(), added},
-            edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(Pattern::UvTemplate).name)},
-            edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
-            edit::Set{fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()),
-                      std::to_string(added)}});
+    submit(session, {.name = "Add texture",
+                     .edits = {edit::Insert{keyOf<&Scene::textures>(), added},
+                               edit::Set{texture + keyOf<&Texture::pattern>(),
+                                         std::string(rowOf(Pattern::UvTemplate).name)},
+                               edit::Set{texture + keyOf<&Texture::mipmaps>(),
+                                         std::string(rowOf(MipPolicy::Generated).name)},
+                               edit::Set{boundPath(session), std::to_string(added)}}});
 }
 
 void removeTexture(Session& session, int index) {
-    makeStep(session, "Remove texture",
-             std::array<Edit, 1>{edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(index)}});
+    submit(session, {.name = "Remove texture",
+                     .edits = {edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(index)}}});
 }
 
 /// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited
 /// below.
 void textureChoice(Session& session) {
-    Unit& unit = selectedUnit(session);
+    const Unit& unit = selectedUnit(session);
     const ParamRow* row = findParam(unitTable(), keyOf<&Unit::texture>());
     const bool bound = boundTexture(session) != nullptr;
     const std::string current = bound ? textureName(session, unit.texture) : tr("None");
@@ -55,11 +58,10 @@ void textureChoice(Session& session) {
         for (int i = 0; i < static_cast<int>(session.document.scene.textures.size()); ++i) {
             const std::string name = textureName(session, i);
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
-                unit.texture = i;
-                sealEdit(session);
-                recordEdit(session, row ? row->label : "Texture",
-                           fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()));
-                sealEdit(session);
+                const std::string path = boundPath(session);
+                submit(session, {.name = std::string(row ? row->label : "Texture"),
+                                 .edits = {edit::Set{path, std::to_string(i)}},
+                                 .path = path});
             }
             noteItem(fmt::format("bind:{}", i));
         }

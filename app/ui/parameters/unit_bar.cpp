@@ -19,12 +19,6 @@
 namespace texplorer::ui {
 namespace {
 
-void textureAdded(Session& session, std::string_view what, const std::string& path = {}) {
-    sealEdit(session);
-    recordEdit(session, what, path);
-    sealEdit(session);
-}
-
 /// A pattern that no texture of the scene has; brick, or else the first.
 Pattern freshPattern(const Scene& scene) {
     const auto isTaken = [&](Pattern pattern) {
@@ -40,10 +34,13 @@ Pattern freshPattern(const Scene& scene) {
 
 /// Copies the settings to a texture for this unit alone.
 void ownTexture(Session& session) {
-    const Texture copy = *boundTexture(session);
-    session.document.scene.textures.push_back(copy);
-    selectedUnit(session).texture = static_cast<int>(session.document.scene.textures.size()) - 1;
-    textureAdded(session, "Own texture");
+    const std::size_t added = session.document.scene.textures.size();
+    const auto copied = static_cast<std::size_t>(selectedUnit(session).texture);
+    submit(session,
+           {.name = "Own texture",
+            .edits = {edit::Insert{keyOf<&Scene::textures>(), added, copied},
+                      edit::Set{fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()),
+                                std::to_string(added)}}});
 }
 
 void drawThumbnail(Session& session, const Pictures& pictures, const Unit& unit, int number, ImVec2 low,
@@ -154,23 +151,28 @@ void reachLine(Session& session) {
 } // namespace
 
 void switchUnit(Session& session, int unit, bool on) {
-    Scene& scene = session.document.scene;
-    Unit& switched = selectedPass(session).units[static_cast<std::size_t>(unit)];
+    const Scene& scene = session.document.scene;
+    session.window.selection.unit = unit;
+    const Unit& switched = selectedUnit(session);
     const bool neverOn = switched == Unit{} && !sharersText(session, unit).empty();
     const bool wantsTexture = on && (neverOn || !textureOf(scene, switched));
-    if (wantsTexture && scene.textures.size() >= maxTextures && !textureOf(scene, switched))
+    const std::size_t added = scene.textures.size();
+    if (wantsTexture && added >= maxTextures && !textureOf(scene, switched))
         return say(session, "The scene can have no more textures, and a unit needs one.");
-    if (wantsTexture && scene.textures.size() < maxTextures) {
-        Texture texture;
-        texture.pattern = freshPattern(scene);
-        texture.mipmaps = MipPolicy::Generated;
-        scene.textures.push_back(texture);
-        switched.texture = static_cast<int>(scene.textures.size()) - 1;
+    const std::string owner = selectedUnitPath(session) + ".";
+    std::vector<Edit> edits;
+    if (wantsTexture && added < maxTextures) {
+        const std::string texture = elementOf<&Scene::textures>(added) + ".";
+        edits = {
+            edit::Insert{keyOf<&Scene::textures>(), added},
+            edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(freshPattern(scene)).name)},
+            edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
+            edit::Set{owner + keyOf<&Unit::texture>(), std::to_string(added)}};
     }
-    switched.enabled = on;
-    session.window.selection.unit = unit;
-    textureAdded(session, on ? "Switch unit on" : "Switch unit off",
-                 fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::enabled>()));
+    const std::string path = owner + keyOf<&Unit::enabled>();
+    edits.emplace_back(edit::Set{path, on ? "true" : "false"});
+    submit(session,
+           {.name = on ? "Switch unit on" : "Switch unit off", .edits = std::move(edits), .path = path});
 }
 
 std::string sharersText(const Session& session, int unit) {

@@ -47,28 +47,28 @@ int placeCount(const Value& value) {
                                                       : 1;
 }
 
-bool assignCoord(Session& session, const ParamPlace& place, int component, float number) {
-    Model& model = *static_cast<Model*>(place.owner.values);
-    const Mesh mesh = meshOf(model);
-    const int unit = placeUnitOf(*place.row);
-    const TexCoords coords = effectiveTexCoords(model, mesh, unit);
+void assignCoord(Session& session, const ParamPlace& place, int component, float number) {
+    const Model& model = *static_cast<const Model*>(place.owner.values);
+    const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
     if (*place.vertex >= coords.size() || component < 0 || component > 3)
-        return false;
+        return;
     glm::vec4 coord = coords[*place.vertex];
     if (coord[component] == number)
-        return false;
+        return;
     coord[component] = number;
-    setTexCoord(model, mesh, unit, *place.vertex, coord);
-    recordEdit(session, fmt::format("Move vertex {}", *place.vertex),
-               fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex));
-    return true;
+    const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
+    submit(session, {.name = fmt::format("Move vertex {}", *place.vertex),
+                     .edits = {edit::Set{path, formatNumbers({&coord.x, 4})}},
+                     .path = path,
+                     .continues = true});
 }
 
 } // namespace
 
 std::optional<ParamPlace> placeOf(Scene& scene, std::string_view path) {
     const StructTable* table = &sceneTable();
-    ParamPlace place{{&scene, nullptr, {}}};
+    void* values = &scene;
+    ParamPlace place{{nullptr, nullptr, {}}};
     while (true) {
         const std::size_t dot = path.find('.');
         const std::string_view part = path.substr(0, dot);
@@ -77,15 +77,16 @@ std::optional<ParamPlace> placeOf(Scene& scene, std::string_view path) {
         if (const ParamRow* row = findParam(*table, key)) {
             if (dot != std::string_view::npos || (index && row->kind != Kind::TexCoordList))
                 return std::nullopt;
+            place.owner.values = values;
             place.row = row;
             place.vertex = index;
             return place;
         }
         const ChildRow* child = findChild(*table, key);
         if (!child || dot == std::string_view::npos || child->indexed != index.has_value() ||
-            index.value_or(0) >= child->size(place.owner.values))
+            index.value_or(0) >= child->size(values))
             return std::nullopt;
-        place.owner.values = child->at(place.owner.values, index.value_or(0));
+        values = child->at(values, index.value_or(0));
         place.owner.path += fmt::format("{}{}", place.owner.path.empty() ? "" : ".", part);
         table = child->table;
         path.remove_prefix(dot + 1);
@@ -107,7 +108,7 @@ float numberAt(const ParamPlace& place, int component) {
     return numbers ? numbers[std::clamp(component, 0, placeCount(value) - 1)] : 0.0F;
 }
 
-bool assignNumber(Session& session, const ParamPlace& place, int component, float number) {
+void assignNumber(Session& session, const ParamPlace& place, int component, float number) {
     const Range range = rangeOf(place);
     number = std::clamp(number, range.min, range.max);
     if (place.vertex)
@@ -117,7 +118,7 @@ bool assignNumber(Session& session, const ParamPlace& place, int component, floa
         *whole = static_cast<int>(std::lround(number));
     else if (float* numbers = numbersOf(value))
         numbers[std::clamp(component, 0, placeCount(value) - 1)] = number;
-    return assignParam(session, place.owner, *place.row, value);
+    assignParam(session, place.owner, *place.row, value);
 }
 
 Range rangeOf(const ParamPlace& place) {

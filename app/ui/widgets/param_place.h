@@ -21,8 +21,8 @@ struct ParamPlace {
 /// for those with several numbers.
 [[nodiscard]] float numberAt(const ParamPlace& place, int component);
 
-/// Sets it as its control does: clamped to the row's range, recorded. Returns true if it changed.
-bool assignNumber(Session& session, const ParamPlace& place, int component, float number);
+/// Submits another number as its control does: clamped to the row's range.
+void assignNumber(Session& session, const ParamPlace& place, int component, float number);
 
 /// The range and step of a drag.
 [[nodiscard]] Range rangeOf(const ParamPlace& place);

@@ -126,20 +126,20 @@ std::string wordsOfEdit(const ParamRow& row, const Value& value) {
 
 } // namespace
 
-bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
+void assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
     if (value == row.read(owner.values))
-        return false;
+        return;
     if (const Result<void> fits = checkValue(row, value); !fits) {
         session.window.notice = {fmt::format("{}: {}", row.label, fits.error().message), {}};
-        return false;
+        return;
     }
     if (owner.accepts && !owner.accepts(row, value))
-        return false;
-    row.write(owner.values, value);
-    recordEdit(session, wordsOfEdit(row, value), owner.pathOf(row));
-    if (!isContinuous(row.kind))
-        sealEdit(session);
-    return true;
+        return;
+    const std::string path = owner.pathOf(row);
+    submit(session, {.name = wordsOfEdit(row, value),
+                     .edits = {edit::Set{path, formatValue(row, value)}},
+                     .path = path,
+                     .continues = isContinuous(row.kind)});
 }
 
 void sealAfterItem(Session& session) {
@@ -327,14 +327,15 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
         line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
 }
 
-/// Applies the user's change of a line. Returns true if the value changed.
-bool finish(Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
+/// Submits the user's change of a line.
+void finish(Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
+    if (line.edited && !line.reset)
+        assignParam(session, owner, row, line.value);
     if (!line.reset)
-        return line.edited && assignParam(session, owner, row, line.value);
+        return;
     sealEdit(session);
-    const bool changed = assignParam(session, owner, row, line.initial);
+    assignParam(session, owner, row, line.initial);
     sealEdit(session);
-    return changed;
 }
 
 } // namespace
@@ -355,7 +356,7 @@ void resetSign(const ParamRow& row, Line& line) {
 }
 
 /// `sign`: the room for ↺ next to it; 0: the colour shows the change, for buttons that of the chosen one.
-bool controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width,
+void controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width,
                   float sign = 0) {
     ImGui::PushID(line.path.c_str());
     line.hasSign = sign > 0;
@@ -376,12 +377,12 @@ bool controlAlone(Session& session, const Owner& owner, const ParamRow& row, Lin
     }
     rowMenu(session, row, line);
     ImGui::PopID();
-    return finish(session, owner, row, line);
+    finish(session, owner, row, line);
 }
 
 } // namespace
 
-bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
+void paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
     Line line = lineOf(session, owner, row);
     const float sign = ImGui::GetFontSize() * resetRoom;
     line.plan = planChoices(session, owner, row, width, lines);
@@ -389,18 +390,18 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
     if (!narrower || narrower->lines.size() > line.plan->lines.size()) // the sign is not worth another line
         return controlAlone(session, owner, row, std::move(line), width);
     line.plan = std::move(narrower);
-    return controlAlone(session, owner, row, std::move(line), width, sign);
+    controlAlone(session, owner, row, std::move(line), width, sign);
 }
 
-bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
+void paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
     Line line = lineOf(session, owner, row);
     line.slidesTo = end;
-    return controlAlone(session, owner, row, std::move(line), width);
+    controlAlone(session, owner, row, std::move(line), width);
 }
 
-bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
+void paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     if (isList(row.kind))
-        return false;
+        return;
     Line line = lineOf(session, owner, row);
 
     ImGui::PushID(line.path.c_str());
@@ -461,7 +462,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     ImGui::EndGroup();
     rowMenu(session, row, line);
     ImGui::PopID();
-    return finish(session, owner, row, line);
+    finish(session, owner, row, line);
 }
 
 bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row) {

@@ -13,12 +13,12 @@
 
 namespace texplorer::ui {
 
-/// The struct that a group of rows edits, and one with the initial values.
+/// The struct that a group of rows shows and edits, and one with the initial values.
 struct Owner {
-    void* values = nullptr;
+    const void* values = nullptr;
     const void* initial = nullptr;
     std::string path; ///< "textures[0]"; empty for the scene itself
-    /// Called before a value is written; false cancels the change.
+    /// Called before an edit is submitted; false cancels it.
     std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
     /// The name of a choice in this place; empty: the name in its row.
     std::function<std::string(const ParamRow& row, const EnumRow& choice)> labelOf = {};
@@ -29,20 +29,19 @@ struct Owner {
 };
 
 /// One line: label, control, and a sign to reset it if it differs from the initial value; a right click opens
-/// a menu to reset and pin it. The control depends on the row's kind. Records the edit. Returns true if the
-/// value changed.
-bool paramWidget(Session& session, const Owner& owner, const ParamRow& row);
+/// a menu to reset and pin it. The control depends on the row's kind. Submits edits.
+void paramWidget(Session& session, const Owner& owner, const ParamRow& row);
 
 /// The control alone, for panels with their own lines. `lines`: the maximum number of lines for the buttons
-/// of a choice. Returns true if the value changed.
-bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width,
+/// of a choice.
+void paramControl(Session& session, const Owner& owner, const ParamRow& row, float width,
                   std::size_t lines = 1);
 
 /// The control alone, for a Float on a scale of powers: a slider from the least value to `end`.
-bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end);
+void paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end);
 
-/// Sets a value as its control does: validated, confirmed, recorded. Returns true if it changed.
-bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value);
+/// Submits another value as its control does: validated and confirmed.
+void assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value);
 
 /// Options for the rows of a table.
 struct RowOptions {

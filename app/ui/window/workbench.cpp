@@ -1,5 +1,6 @@
 #include "app/ui/window/workbench.h"
 
+#include "app/ui/editor/editor.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/document_names.h"
 #include "app/ui/model/findings.h"
@@ -170,6 +171,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     for (const DockRow& row : dockRows)
         drawDock(session, states.details, pictures, layout, row.dock);
     endStanding(session);
+    takeSteps(session);           // before a shortcut that undoes them
     const Hint said = endHints(); // later texts, of the bar itself, are tooltips
     drawStatusBar(session, pictures, capabilities, layout, said);
     for (const SeamRow& row : seamRows)
@@ -183,6 +185,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         resizeTextByWheel(session, states.textWheel, layout);
     drawDialogs(session, states.dialogs, pictures);
     drawSpotlight(session, layout);
+    takeSteps(session);
     if (const std::optional<Fix> fix = std::exchange(session.window.wantedFix, std::nullopt))
         applyFix(session, *fix);
     followEdits(session);

@@ -1,6 +1,9 @@
 #include "core/scene/edit/edit.h"
 
+#include "core/scene/params/key_edits.h"
 #include "core/scene/params/params.h"
+#include "core/scene/params/scene_at.h"
+#include "core/scene/params/scene_diff.h"
 #include "core/scene/references.h"
 
 #include <fmt/core.h>
@@ -83,6 +86,20 @@ Result<void> make(Scene& scene, const edit::ApplyPreset& apply) {
     return applyPreset(*preset, scene, apply.place);
 }
 
+Result<void> make(Scene& scene, const edit::Replace& replace) {
+    if (!replace.path.empty())
+        return takeOver(scene, *replace.from, replace.path);
+    scene = *replace.from;
+    return {};
+}
+
+/// Whether it may set parameters that have key frames.
+bool setsValues(const Edit& edit) {
+    const auto* replace = std::get_if<edit::Replace>(&edit);
+    return std::holds_alternative<edit::Set>(edit) || std::holds_alternative<edit::ApplyPreset>(edit) ||
+           (replace && !replace->path.empty());
+}
+
 Result<void> makeOne(Scene& scene, const Edit& edit) {
     return std::visit([&](const auto& each) { return make(scene, each); }, edit);
 }
@@ -108,6 +125,31 @@ Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_vi
     return {};
 }
 
+Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime time) {
+    Scene made = scene;
+    bool keyed = false;
+    for (const Edit& each : edits) {
+        if (made.timeline.keys.empty() || !setsValues(each)) {
+            if (Result<void> done = makeOne(made, each); !done)
+                return fail(done.error());
+            continue;
+        }
+        Scene shown = sceneAt(made, time.shown);
+        shown.timeline = made.timeline;
+        Scene edited = shown;
+        if (Result<void> done = makeOne(edited, each); !done)
+            return fail(done.error());
+        const Result<bool> set = keyEdits(edited, shown, time.key);
+        if (!set)
+            return set;
+        putUnkeyed(edited, made);
+        made = std::move(edited);
+        keyed |= *set;
+    }
+    scene = std::move(made);
+    return keyed;
+}
+
 std::optional<Edit> parseEdit(std::string_view text) {
     if (text.starts_with(presetWord) && text.size() > presetWord.size())
         return edit::ApplyPreset{std::string(text.substr(presetWord.size()))};
@@ -126,8 +168,10 @@ std::string textOf(const Edit& edit) {
 }
 
 std::string_view pathOf(const Edit& edit) {
-    const auto* set = std::get_if<edit::Set>(&edit);
-    return set ? std::string_view(set->path) : std::string_view();
+    if (const auto* set = std::get_if<edit::Set>(&edit))
+        return set->path;
+    const auto* replace = std::get_if<edit::Replace>(&edit);
+    return replace ? std::string_view(replace->path) : std::string_view();
 }
 
 } // namespace texplorer

@@ -7,6 +7,7 @@
 #include "core/scene/scene.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,9 +58,18 @@ struct ApplyPreset {
     bool operator==(const ApplyPreset&) const = default;
 };
 
+/// Copies the value at a path from another scene, as takeOver, or the whole scene.
+struct Replace {
+    std::shared_ptr<const Scene> from;
+    std::string path{}; ///< empty: the whole scene
+
+    bool operator==(const Replace&) const = default;
+};
+
 } // namespace edit
 
-using Edit = std::variant<edit::Set, edit::Insert, edit::Remove, edit::Move, edit::ApplyPreset>;
+using Edit =
+    std::variant<edit::Set, edit::Insert, edit::Remove, edit::Move, edit::ApplyPreset, edit::Replace>;
 
 /// Makes all edits, or, if one is not possible, none. After Insert, Remove and Move everything that names an
 /// element of the list by its index names the same element (references.h). The error's `where` begins with
@@ -68,13 +78,23 @@ using Edit = std::variant<edit::Set, edit::Insert, edit::Remove, edit::Move, edi
 /// element more than it needs.
 [[nodiscard]] Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place = {});
 
+/// When edits are made in a scene with key frames.
+struct EditTime {
+    double shown = 0; ///< seconds: the values at this time are seen and edited
+    float key = 0;    ///< seconds: where a new key is set
+};
+
+/// The same at a time: an edit of a parameter with key frames leaves its value and sets a key there, unless
+/// the whole scene is replaced. Returns whether a key was set. Errors: those of putKey as well.
+[[nodiscard]] Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime time);
+
 /// An edit in a file: "textures[0].wrapS=GL_CLAMP" or "preset:alpha-test"; nullopt for anything else.
 [[nodiscard]] std::optional<Edit> parseEdit(std::string_view text);
 
 /// The inverse; empty for edits that files cannot contain.
 [[nodiscard]] std::string textOf(const Edit& edit);
 
-/// The path that an edit sets; empty for other edits.
+/// The path that an edit sets or replaces; empty for other edits.
 [[nodiscard]] std::string_view pathOf(const Edit& edit);
 
 } // namespace texplorer

@@ -183,11 +183,13 @@ TEST_F(Kept, WhatComesBackIsSelectedAsItWas) {
     recordEdit(*session, "Less");
     frames(1);
     EXPECT_EQ(session->window.selection.model, 0);
-    ASSERT_TRUE(takeFromKept(*session, {"models", "Models", "", "", true}));
+    takeFromKept(*session, {"models", "Models", "", "", true});
+    frames();
     EXPECT_EQ(session->window.selection.model, 2);
     EXPECT_EQ(session->window.selection.vertex, 5U);
     EXPECT_EQ(session->window.selection.pass, 0);
     takeAllFromKept(*session);
+    frames();
     EXPECT_EQ(session->window.selection.pass, 1);
     EXPECT_EQ(session->window.selection.unit, 3);
 }
@@ -199,7 +201,8 @@ TEST_F(Kept, TakingOverBringsTheSelectionIntoTheScene) {
     recordEdit(*session, "More");
     session->window.selection.model = 8;
     session->document.kept.selection.model = 8;
-    ASSERT_TRUE(takeFromKept(*session, {"models", "Models", "", "", true}));
+    takeFromKept(*session, {"models", "Models", "", "", true});
+    frames();
     EXPECT_LT(session->window.selection.model, models);
 }
 

@@ -126,6 +126,86 @@ TEST(Edits, AreWrittenAsTheyAreRead) {
     EXPECT_EQ(textOf(edit::Remove{"models", 0}), "");
 }
 
+TEST(Edits, ReplaceAValueOrTheScene) {
+    Scene other = threeOfEach();
+    other.textures[1].wrapS = Wrap::Clamp;
+    other.view.azimuth = 12;
+    const auto from = std::make_shared<const Scene>(other);
+    const Scene start = threeOfEach();
+    const Scene one = after(start, {edit::Replace{from, "textures[1].wrapS"}});
+    EXPECT_EQ(one.textures[1].wrapS, Wrap::Clamp);
+    EXPECT_EQ(one.view, start.view);
+    EXPECT_EQ(after(start, {edit::Replace{from}}), other);
+    Scene refused = start;
+    EXPECT_FALSE(makeEdits(refused, std::vector<Edit>{edit::Replace{from, "textures[9].wrapS"}}));
+    EXPECT_EQ(refused, start);
+}
+
+// Edits of a scene whose key frames are shown at a time.
+
+/// The material's shininess goes from 0 to 10 in 10 seconds; its own value is 3.
+Scene moving() {
+    Scene scene = threeOfEach();
+    scene.material.shininess = 3;
+    scene.timeline.keys = {{0, "material.shininess", "0"}, {10, "material.shininess", "10"}};
+    return scene;
+}
+
+TEST(EditsAtATime, SetAKeyInsteadOfAValueThatHasKeys) {
+    Scene scene = moving();
+    const Result<bool> keyed =
+        makeEditsAt(scene, std::vector<Edit>{edit::Set{"material.shininess", "7"}}, {.shown = 4, .key = 4});
+    ASSERT_TRUE(keyed) << describe(keyed.error());
+    EXPECT_TRUE(*keyed);
+    EXPECT_EQ(scene.material.shininess, 3);
+    ASSERT_EQ(scene.timeline.keys.size(), 3U);
+    EXPECT_EQ(scene.timeline.keys[2].time, 4);
+    EXPECT_EQ(scene.timeline.keys[2].value, "7");
+}
+
+TEST(EditsAtATime, SetNoKeyForTheShownValueOrAnother) {
+    Scene scene = moving();
+    const std::vector<Edit> edits{edit::Set{"material.shininess", "4"}, edit::Set{"view.azimuth", "20"}};
+    const Result<bool> keyed = makeEditsAt(scene, edits, {.shown = 4, .key = 4});
+    ASSERT_TRUE(keyed) << describe(keyed.error());
+    EXPECT_FALSE(*keyed);
+    EXPECT_EQ(scene.timeline, moving().timeline);
+    EXPECT_EQ(scene.material.shininess, 3);
+    EXPECT_EQ(scene.view.azimuth, 20);
+}
+
+TEST(EditsAtATime, SetTheKeyOfTheElementThatWasMovedBefore) {
+    Scene scene = threeOfEach(); // each texture has a key of its priority
+    const std::vector<Edit> edits{edit::Move{"textures", 0, 2}, edit::Set{"textures[2].priority", "0.5"}};
+    const Result<bool> keyed = makeEditsAt(scene, edits, {.shown = 0, .key = 0});
+    ASSERT_TRUE(keyed) << describe(keyed.error());
+    EXPECT_TRUE(*keyed);
+    Scene expected = threeOfEach();
+    expected.timeline.keys[0].value = "0.5";
+    ASSERT_TRUE(makeEdits(expected, std::vector<Edit>{edit::Move{"textures", 0, 2}}));
+    EXPECT_EQ(scene, expected);
+}
+
+TEST(EditsAtATime, ReplaceTheSceneWithItsKeys) {
+    Scene scene = moving();
+    const auto from = std::make_shared<const Scene>(threeOfEach());
+    const Result<bool> keyed =
+        makeEditsAt(scene, std::vector<Edit>{edit::Replace{from}}, {.shown = 4, .key = 4});
+    ASSERT_TRUE(keyed) << describe(keyed.error());
+    EXPECT_FALSE(*keyed);
+    EXPECT_EQ(scene, threeOfEach());
+}
+
+TEST(EditsAtATime, AreAllMadeOrNone) {
+    Scene scene = moving();
+    const std::vector<Edit> edits{edit::Set{"material.shininess", "7"}, edit::Remove{"models", 9}};
+    EXPECT_FALSE(makeEditsAt(scene, edits, {.shown = 4, .key = 4}));
+    EXPECT_EQ(scene, moving());
+    const std::vector<Edit> late{edit::Set{"material.shininess", "7"}};
+    EXPECT_FALSE(makeEditsAt(scene, late, {.shown = 4, .key = maxKeyTime * 2})) << "no key can be there";
+    EXPECT_EQ(scene, moving());
+}
+
 /// What a scene says of its objects, without their indices: each pass with the names of its models and the
 /// bias of its texture, and each texture's bias with its key frames.
 std::vector<std::string> relations(const Scene& scene) {

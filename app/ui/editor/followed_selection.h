@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/ui/model/selection.h"
+#include "core/scene/edit/edit.h"
+
+namespace texplorer::ui {
+
+/// Keeps the selected model and pass selected after an edit of their list. An inserted element is selected;
+/// after a removed one, the next. Vertices are selected no longer when the list of models has changed.
+void follow(Selection& selection, const Edit& edit);
+
+} // namespace texplorer::ui

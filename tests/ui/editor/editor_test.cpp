@@ -1,0 +1,128 @@
+// Submitted steps, without panels and without Dear ImGui.
+
+#include "app/ui/editor/editor.h"
+#include "app/ui/model/services.h"
+#include "app/ui/model/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace texplorer::ui::editor_test {
+namespace {
+
+class Editor : public testing::Test {
+protected:
+    void make(Step step) {
+        submit(session, std::move(step));
+        takeSteps(session);
+    }
+    [[nodiscard]] Scene& scene() { return session.document.scene; }
+    [[nodiscard]] const History& history() const { return session.document.history; }
+
+    ServicesAtOnce services;
+    Session session{services.lend()};
+};
+
+Step set(const std::string& path, const std::string& value, bool continues = false) {
+    return {.name = path, .edits = {edit::Set{path, value}}, .path = path, .continues = continues};
+}
+
+TEST_F(Editor, MakesStepsInTheirOrderAsStepsOfUndo) {
+    const std::size_t steps = history().size();
+    submit(session, set("view.azimuth", "10"));
+    submit(session, set("view.azimuth", "20"));
+    EXPECT_NE(scene().view.azimuth, 10) << "not before the end of the frame";
+    takeSteps(session);
+    EXPECT_EQ(scene().view.azimuth, 20);
+    EXPECT_EQ(history().size(), steps + 2);
+    EXPECT_EQ(session.document.lastChanged, "view.azimuth");
+    undo(session);
+    EXPECT_EQ(scene().view.azimuth, 10);
+}
+
+TEST_F(Editor, JoinsTheStepsOfADragUntilItEnds) {
+    const std::size_t steps = history().size();
+    make(set("view.azimuth", "10", true));
+    make(set("view.azimuth", "20", true));
+    EXPECT_EQ(history().size(), steps + 1);
+    submit(session, set("view.azimuth", "30", true));
+    sealEdit(session);
+    submit(session, set("view.azimuth", "40", true));
+    takeSteps(session);
+    EXPECT_EQ(history().size(), steps + 2);
+    undo(session);
+    EXPECT_EQ(scene().view.azimuth, 30);
+}
+
+TEST_F(Editor, RefusesAStepThatIsNotPossibleAndSaysWhy) {
+    const Scene before = scene();
+    const std::size_t steps = history().size();
+    make({.name = "Impossible", .edits = {edit::Set{"view.azimuth", "10"}, edit::Remove{"models", 99}}});
+    EXPECT_EQ(scene(), before);
+    EXPECT_EQ(history().size(), steps);
+    EXPECT_THAT(session.window.notice.text, testing::HasSubstr("found 99"));
+}
+
+TEST_F(Editor, SetsAKeyFrameAndStopsTheClock) {
+    scene().timeline.keys = {{0, "view.azimuth", "0"}, {10, "view.azimuth", "10"}};
+    session.window.playback = {.playing = true, .time = 4};
+    make(set("view.azimuth", "7"));
+    ASSERT_EQ(scene().timeline.keys.size(), 3U);
+    EXPECT_EQ(scene().timeline.keys[2].value, "7");
+    EXPECT_FALSE(session.window.playback.playing);
+}
+
+TEST_F(Editor, SelectsWhatTheStepSaysAsFarAsItExists) {
+    make({.name = "Select",
+          .edits = {edit::Set{"view.azimuth", "10"}},
+          .select = Selection{.model = 99, .unit = 2}});
+    EXPECT_EQ(session.window.selection.model, 0) << "the first that is visible";
+    EXPECT_EQ(session.window.selection.unit, 2);
+}
+
+TEST_F(Editor, ForgetsTheStepsOfAnotherDocument) {
+    submit(session, set("view.azimuth", "10"));
+    replaceDocument(session, Document(defaultScene(), ImageSource{}));
+    takeSteps(session);
+    EXPECT_NE(scene().view.azimuth, 10);
+}
+
+/// Any steps, undone and redone, lead to the same scenes.
+TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {
+    std::mt19937 random(3);
+    std::vector<Scene> scenes{scene()};
+    const auto number = [&random](std::size_t below) { return random() % below; };
+    while (scenes.size() < 120) {
+        constexpr std::array lists{"models", "textures", "passes", "passes[0].units[0].matrix",
+                                   "textures[0].levels"};
+        const std::string list = lists[number(lists.size())];
+        const std::array<Edit, 5> edits{edit::Insert{list, number(4)}, edit::Remove{list, number(4)},
+                                        edit::Move{list, number(4), number(4)},
+                                        edit::Set{"textures[0].wrapS", number(2) ? "GL_CLAMP" : "GL_REPEAT"},
+                                        edit::Set{"material.shininess", std::to_string(number(128))}};
+        const Scene before = scene();
+        make({.name = "Step", .edits = {edits[number(edits.size())]}});
+        if (scene() != before)
+            scenes.push_back(scene());
+        if (number(4) == 0 && scenes.size() > 2) {
+            undo(session);
+            EXPECT_EQ(scene(), scenes[scenes.size() - 2]);
+            redo(session);
+            EXPECT_EQ(scene(), scenes.back());
+        }
+    }
+    for (std::size_t i = scenes.size() - 1; i-- > 0;) {
+        undo(session);
+        ASSERT_EQ(scene(), scenes[i]) << i;
+    }
+    for (std::size_t i = 1; i < scenes.size(); ++i) {
+        redo(session);
+        ASSERT_EQ(scene(), scenes[i]) << i;
+    }
+}
+
+} // namespace
+} // namespace texplorer::ui::editor_test
