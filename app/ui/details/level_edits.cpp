@@ -1,6 +1,7 @@
 #include "app/ui/details/level_edits.h"
 
 #include "core/scene/params/keys.h"
+#include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
@@ -10,17 +11,26 @@
 namespace texplorer::ui {
 namespace {
 
+/// Continues the step of a drag.
+void drag(Session& session, std::string name, std::string path, std::string value) {
+    submit(session, {.name = std::move(name),
+                     .edits = {edit::Set{path, std::move(value)}},
+                     .path = path,
+                     .continues = true});
+}
+
 template<auto Member, class Value>
-void setOfTexture(Session& session, Value value, const char* what) {
-    Texture* texture = boundTexture(session);
+void setOfTexture(Session& session, Value value, const char* name) {
+    const Texture* texture = boundTexture(session);
     if (!texture || texture->*Member == value)
         return;
-    texture->*Member = value;
-    recordEdit(
-        session, what,
-        fmt::format("{}.{}",
-                    elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture)),
-                    keyOf<Member>()));
+    const auto index = static_cast<std::size_t>(selectedUnit(session).texture);
+    drag(session, name, fmt::format("{}.{}", elementOf<&Scene::textures>(index), keyOf<Member>()),
+         formatNumber(static_cast<float>(value)));
+}
+
+Texture& textureIn(Scene& scene, int index) {
+    return scene.textures.at(static_cast<std::size_t>(index));
 }
 
 bool reads(const Texture& texture, int base, int max) {
@@ -38,7 +48,7 @@ void followForced(Session& session) {
 }
 
 void toggleForced(Session& session, int level) {
-    Texture* texture = boundTexture(session);
+    const Texture* texture = boundTexture(session);
     if (!texture)
         return;
     followForced(session);
@@ -53,10 +63,10 @@ void toggleForced(Session& session, int level) {
         forced->level = level;
     else
         forced = {selectedUnit(session).texture, level, texture->baseLevel, texture->maxLevel};
-    sealEdit(session);
-    std::tie(texture->baseLevel, texture->maxLevel) = levels;
-    recordEdit(session, isForced ? "Read the previous levels" : fmt::format("Read level {} alone", level));
-    sealEdit(session);
+    submit(session, isForced ? "Read the previous levels" : fmt::format("Read level {} alone", level),
+           [levels, index = selectedUnit(session).texture](Scene& scene) {
+               std::tie(textureIn(scene, index).baseLevel, textureIn(scene, index).maxLevel) = levels;
+           });
 }
 
 void setBaseLevel(Session& session, int level) {
@@ -80,12 +90,9 @@ void setTextureBias(Session& session, float bias) {
 }
 
 void setUnitBias(Session& session, float bias) {
-    Unit& unit = selectedUnit(session);
-    if (unit.lodBias == bias)
-        return;
-    unit.lodBias = bias;
-    recordEdit(session, "Set LOD bias of the unit",
-               fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::lodBias>()));
+    if (selectedUnit(session).lodBias != bias)
+        drag(session, "Set LOD bias of the unit",
+             fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::lodBias>()), formatNumber(bias));
 }
 
 float biasOf(const Session& session) {
@@ -102,19 +109,18 @@ bool limitsLevels(const Session& session) {
 }
 
 void readAllLevels(Session& session) {
-    Texture* texture = boundTexture(session);
-    if (!texture)
-        return;
-    sealEdit(session);
-    const Texture initial;
-    texture->baseLevel = initial.baseLevel;
-    texture->maxLevel = initial.maxLevel;
-    texture->minLod = initial.minLod;
-    texture->maxLod = initial.maxLod;
-    texture->lodBias = initial.lodBias;
-    selectedUnit(session).lodBias = 0;
-    recordEdit(session, "Read all levels");
-    sealEdit(session);
+    const Selection& at = session.window.selection;
+    submit(session, "Read all levels", [&at](Scene& scene) {
+        Unit& unit = scene.passes[static_cast<std::size_t>(at.pass)].units[static_cast<std::size_t>(at.unit)];
+        unit.lodBias = 0;
+        const Texture initial;
+        Texture& texture = textureIn(scene, unit.texture);
+        texture.baseLevel = initial.baseLevel;
+        texture.maxLevel = initial.maxLevel;
+        texture.minLod = initial.minLod;
+        texture.maxLod = initial.maxLod;
+        texture.lodBias = initial.lodBias;
+    });
 }
 
 } // namespace texplorer::ui

@@ -86,7 +86,7 @@ void fixButtons(Session& session, const Finding& finding) {
                 ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
             ImGui::SameLine();
         if (ImGui::SmallButton(label(fix.label).c_str()))
-            session.window.wantedFix = fix;
+            applyFix(session, fix);
         noteItem("levels:fix " + fix.label);
         helpTip(assignmentsOf(fix));
     }

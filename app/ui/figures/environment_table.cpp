@@ -247,10 +247,9 @@ void drawCell(Session& session, const TableSubject& subject, const TableColors& 
                 [&](Scene& scene) { take(scene, selection, subject, cell); });
     if (!pressed || own)
         return;
-    sealEdit(session);
-    take(session.document.scene, selection, subject, cell);
-    recordEdit(session, wordsOf(cell), selectedUnitPath(session) + "." + keyOf<&Unit::envMode>());
-    sealEdit(session);
+    submit(
+        session, wordsOf(cell), [&](Scene& scene) { take(scene, selection, subject, cell); },
+        selectedUnitPath(session) + "." + keyOf<&Unit::envMode>());
 }
 
 /// The name of the format, and the texel in that format.

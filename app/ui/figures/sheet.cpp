@@ -109,11 +109,9 @@ void take(Session& session, const Axes& axes, std::size_t row, std::size_t colum
         session.window.notice = {describe(made.error()), {}};
         return;
     }
-    sealEdit(session);
-    session.document.scene = *std::move(made);
-    recordEdit(session, wordsOf(session, axes, row, column), axes.rows.axis.path);
-    sealEdit(session);
-    bringSelectionBack(session);
+    submit(
+        session, wordsOf(session, axes, row, column), [&](Scene& scene) { scene = *std::move(made); },
+        axes.rows.axis.path);
 }
 
 /// Handles the mouse on a cell.

@@ -85,12 +85,9 @@ std::string assignmentsOf(const Fix& fix) {
 }
 
 void applyFix(Session& session, const Fix& fix) {
-    sealEdit(session);
-    const Result<void> applied = apply(fix, session.document.scene);
-    if (applied)
-        recordEdit(session, fix.label, fix.assignments.front().path);
-    report(session, applied);
-    sealEdit(session);
+    submit(session, {.name = fix.label,
+                     .edits = {fix.assignments.begin(), fix.assignments.end()},
+                     .path = fix.assignments.front().path});
 }
 
 } // namespace texplorer::ui

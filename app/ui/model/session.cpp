@@ -10,6 +10,7 @@
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/key_edits.h"
+#include "core/scene/params/scene_diff.h"
 
 #include <fmt/core.h>
 
@@ -172,6 +173,17 @@ void recordScene(Session& session, std::string_view what, std::string_view path)
 
 void submit(Session& session, Step step) {
     session.steps.push_back(std::move(step));
+}
+
+void submit(Session& session, std::string name, const std::function<void(Scene&)>& change, std::string path) {
+    const Scene& scene = session.document.scene;
+    auto changed = std::make_shared<Scene>(scene);
+    change(*changed);
+    Step step{.name = std::move(name), .path = std::move(path)};
+    for (SceneChange& each : changesBetween(scene, *changed))
+        step.edits.emplace_back(edit::Replace{changed, std::move(each.path)});
+    if (!step.edits.empty())
+        submit(session, std::move(step));
 }
 
 void sealEdit(Session& session) {

@@ -5,6 +5,7 @@
 #include "app/ui/model/step.h"
 #include "app/ui/model/window_state.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,6 +64,12 @@ void bringSelectionBack(Session& session);
 
 /// Has a step made at the end of the frame (app/ui/editor).
 void submit(Session& session, Step step);
+
+/// The same with the changes that a function makes in a copy of the scene. It may change the lengths of a
+/// unit's or a texture's lists, but not those of textures, models and passes, which other parts name by their
+/// index.
+void submit(Session& session, std::string name, const std::function<void(Scene&)>& change,
+            std::string path = {});
 
 /// Ends an undo step, after the submitted ones: the next edit starts a new one even with the same name.
 void sealEdit(Session& session);

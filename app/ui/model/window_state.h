@@ -129,7 +129,6 @@ struct DocumentLook {
     LevelView levels;
     InspectedFile fileView;
     Notice notice;
-    std::optional<Fix> wantedFix; ///< applied at the end of the frame, when the scene is not in use
 };
 
 /// The pictures of a lesson's step, and the settings that they replaced.

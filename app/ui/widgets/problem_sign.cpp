@@ -33,7 +33,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
     ImGui::PopTextWrapPos();
     for (const Fix& fix : problem.fixes) {
         if (ImGui::Button(label(fix.label).c_str())) {
-            session.window.wantedFix = fix;
+            applyFix(session, fix);
             ImGui::CloseCurrentPopup();
         }
         noteItem(fmt::format("{}#fix:{}", path, fix.label));

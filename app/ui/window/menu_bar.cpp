@@ -40,14 +40,6 @@ bool menu(const char* name) {
     return open;
 }
 
-template<class Struct>
-void resetTo(Session& session, Struct& target, const char* what, Struct initial = {}) {
-    target = std::move(initial);
-    sealEdit(session);
-    recordEdit(session, what);
-    sealEdit(session);
-}
-
 /// GL's initial texture parameters; the image is kept.
 Texture withInitialParameters(const Texture& texture) {
     Texture initial;
@@ -57,13 +49,16 @@ Texture withInitialParameters(const Texture& texture) {
     return initial;
 }
 
-void resetEverything(Session& session) {
-    Scene& scene = session.document.scene;
+Unit withInitialParameters(const Unit& unit) {
+    return {.enabled = unit.enabled, .target = unit.target, .texture = unit.texture};
+}
+
+void resetEverything(Scene& scene) {
     for (Texture& texture : scene.textures)
         texture = withInitialParameters(texture);
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units)
-            unit = Unit{.enabled = unit.enabled, .target = unit.target, .texture = unit.texture};
+            unit = withInitialParameters(unit);
     }
     for (Model& model : scene.models) {
         model.ownMaterial = false;
@@ -72,9 +67,6 @@ void resetEverything(Session& session) {
     }
     scene.light = {};
     scene.material = {};
-    sealEdit(session);
-    recordEdit(session, "Reset everything");
-    sealEdit(session);
 }
 
 void examplesMenu(Session& session) {
@@ -193,16 +185,20 @@ void editMenu(Session& session, const Layout& layout) {
     ImGui::Separator();
     resetItem(session);
     caption("Reset to GL's initial values");
-    Texture* texture = boundTexture(session);
-    if (item("Texture parameters", {}, texture != nullptr))
-        resetTo(session, *texture, "Reset texture", withInitialParameters(*texture));
-    if (item("Texture unit")) {
-        Unit& unit = selectedUnit(session);
-        resetTo(session, unit, "Reset unit",
-                Unit{.enabled = unit.enabled, .target = unit.target, .texture = unit.texture});
-    }
+    const Selection& at = session.window.selection;
+    const auto unitIn = [&at](Scene& scene) -> Unit& {
+        return scene.passes[static_cast<std::size_t>(at.pass)].units[static_cast<std::size_t>(at.unit)];
+    };
+    if (item("Texture parameters", {}, boundTexture(session) != nullptr))
+        submit(session, "Reset texture", [&](Scene& scene) {
+            Texture& texture = scene.textures[static_cast<std::size_t>(unitIn(scene).texture)];
+            texture = withInitialParameters(texture);
+        });
+    if (item("Texture unit"))
+        submit(session, "Reset unit",
+               [&](Scene& scene) { unitIn(scene) = withInitialParameters(unitIn(scene)); });
     if (item("Everything but models and view"))
-        resetEverything(session);
+        submit(session, "Reset everything", resetEverything);
 }
 
 std::string_view shortcutOf(RendererKind renderer) {

@@ -102,7 +102,7 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
             break;
         if (ImGui::SmallButton(label(fix.label).c_str()))
-            session.window.wantedFix = fix;
+            applyFix(session, fix);
         noteItem("fix:" + fix.label);
         helpTip(assignmentsOf(fix));
         ImGui::SameLine();

@@ -186,8 +186,6 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     drawDialogs(session, states.dialogs, pictures);
     drawSpotlight(session, layout);
     takeSteps(session);
-    if (const std::optional<Fix> fix = std::exchange(session.window.wantedFix, std::nullopt))
-        applyFix(session, *fix);
     followEdits(session);
     endPreview(session);
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
