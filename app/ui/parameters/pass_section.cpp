@@ -11,7 +11,7 @@
 #include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
