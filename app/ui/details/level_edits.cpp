@@ -40,6 +40,8 @@ bool reads(const Texture& texture, int base, int max) {
 } // namespace
 
 void followForced(Session& session) {
+    if (!session.steps.empty())
+        return; // the texture may not have its levels yet
     std::optional<ForcedLevel>& forced = session.document.forced;
     const Texture* texture = boundTexture(session);
     if (forced && (!texture || selectedUnit(session).texture != forced->texture ||

@@ -10,6 +10,8 @@
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/key_edits.h"
+#include "core/scene/params/keys.h"
+#include "core/scene/params/params.h"
 #include "core/scene/params/scene_diff.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,6 @@
 #include "app/ui/parameters/model_section.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_tips.h"

@@ -1,7 +1,6 @@
 #include "app/ui/parameters/pass_section.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/number_choice.h"
@@ -84,7 +83,7 @@ bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const st
 /// All models, or the ticked ones.
 void modelsOfPass(Session& session) {
     const std::vector<Model>& models = session.document.scene.models;
-    std::vector<int> named = selectedPass(session).models;
+    const std::vector<int>& named = selectedPass(session).models;
     std::vector<int> order = named; // followed by those that it leaves out
     for (int i = 0; i < static_cast<int>(models.size()); ++i) {
         if (std::ranges::find(named, i) == named.end())
@@ -101,8 +100,9 @@ void modelsOfPass(Session& session) {
     for (std::size_t place = 0; place < order.size(); ++place) {
         const int index = order[place];
         ImGui::PushID(index);
-        if (modelOfPass(named, index, place, shownNameOf(models[static_cast<std::size_t>(index)])))
-            setModels(session, named);
+        std::vector<int> edited = named;
+        if (modelOfPass(edited, index, place, shownNameOf(models[static_cast<std::size_t>(index)])))
+            setModels(session, edited);
         ImGui::PopID();
     }
 }

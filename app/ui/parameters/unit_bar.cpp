@@ -152,13 +152,13 @@ void reachLine(Session& session) {
 
 void switchUnit(Session& session, int unit, bool on) {
     const Scene& scene = session.document.scene;
-    session.window.selection.unit = unit;
-    const Unit& switched = selectedUnit(session);
+    const Unit& switched = selectedPass(session).units[static_cast<std::size_t>(unit)];
     const bool neverOn = switched == Unit{} && !sharersText(session, unit).empty();
     const bool wantsTexture = on && (neverOn || !textureOf(scene, switched));
     const std::size_t added = scene.textures.size();
     if (wantsTexture && added >= maxTextures && !textureOf(scene, switched))
         return say(session, "The scene can have no more textures, and a unit needs one.");
+    session.window.selection.unit = unit;
     const std::string owner = selectedUnitPath(session) + ".";
     std::vector<Edit> edits;
     if (wantsTexture && added < maxTextures) {

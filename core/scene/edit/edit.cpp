@@ -35,7 +35,8 @@ Result<void> make(Scene& scene, const edit::Set& set) {
     return setParam(scene, set.path, set.value);
 }
 
-Result<void> make(Scene& scene, const edit::Insert& insert) {
+/// Copies of elements are copied from `shown`, which has the same lists.
+Result<void> make(Scene& scene, const edit::Insert& insert, Scene& shown) {
     const Result<ListAt> list = variableListAt(scene, insert.list);
     if (!list)
         return fail(list.error());
@@ -46,10 +47,15 @@ Result<void> make(Scene& scene, const edit::Insert& insert) {
         return noElement(*list, insert.list, insert.index);
     if (insert.copyOf && *insert.copyOf >= list->size())
         return noElement(*list, insert.list, *insert.copyOf);
+    const Result<ListAt> copied = variableListAt(shown, insert.list);
     list->row->insert(list->owner, insert.index,
-                      insert.copyOf ? list->row->at(list->owner, *insert.copyOf) : nullptr);
+                      insert.copyOf && copied ? copied->row->at(copied->owner, *insert.copyOf) : nullptr);
     renumber(scene, insert.list, afterInsert(insert.index));
     return {};
+}
+
+Result<void> make(Scene& scene, const edit::Insert& insert) {
+    return make(scene, insert, scene);
 }
 
 Result<void> make(Scene& scene, const edit::Remove& remove) {
@@ -129,12 +135,20 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
     Scene made = scene;
     bool keyed = false;
     for (const Edit& each : edits) {
-        if (made.timeline.keys.empty() || !setsValues(each)) {
+        const bool hasKeys = !made.timeline.keys.empty();
+        const auto* insert = std::get_if<edit::Insert>(&each);
+        const bool copiesShown = hasKeys && insert && insert->copyOf;
+        if (!copiesShown && !(hasKeys && setsValues(each))) {
             if (Result<void> done = makeOne(made, each); !done)
                 return fail(done.error());
             continue;
         }
         Scene shown = sceneAt(made, time.shown);
+        if (copiesShown) {
+            if (Result<void> done = make(made, *insert, shown); !done)
+                return fail(done.error());
+            continue;
+        }
         shown.timeline = made.timeline;
         Scene edited = shown;
         if (Result<void> done = makeOne(edited, each); !done)

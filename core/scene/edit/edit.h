@@ -85,7 +85,8 @@ struct EditTime {
 };
 
 /// The same at a time: an edit of a parameter with key frames leaves its value and sets a key there, unless
-/// the whole scene is replaced. Returns whether a key was set. Errors: those of putKey as well.
+/// the whole scene is replaced. A copied element has the values that are seen. Returns whether a key was set.
+/// Errors: those of putKey as well.
 [[nodiscard]] Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime time);
 
 /// An edit in a file: "textures[0].wrapS=GL_CLAMP" or "preset:alpha-test"; nullopt for anything else.

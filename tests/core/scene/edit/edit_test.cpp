@@ -186,6 +186,17 @@ TEST(EditsAtATime, SetTheKeyOfTheElementThatWasMovedBefore) {
     EXPECT_EQ(scene, expected);
 }
 
+TEST(EditsAtATime, CopyAnElementAsItIsSeen) {
+    Scene scene = threeOfEach();
+    scene.timeline.keys = {{0, "textures[1].lodBias", "0"}, {10, "textures[1].lodBias", "10"}};
+    const Result<bool> keyed =
+        makeEditsAt(scene, std::vector<Edit>{edit::Insert{"textures", 3, 1}}, {.shown = 4, .key = 4});
+    ASSERT_TRUE(keyed) << describe(keyed.error());
+    EXPECT_EQ(scene.textures.at(3).lodBias, 4);
+    EXPECT_EQ(scene.textures[1], threeOfEach().textures[1]);
+    EXPECT_EQ(scene.timeline.keys.size(), 2U);
+}
+
 TEST(EditsAtATime, ReplaceTheSceneWithItsKeys) {
     Scene scene = moving();
     const auto from = std::make_shared<const Scene>(threeOfEach());
