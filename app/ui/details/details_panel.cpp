@@ -1,7 +1,6 @@
 #include "app/ui/details/details_panel.h"
 
 #include "app/ui/details/lesson_tab.h"
-#include "app/ui/details/level_edits.h"
 #include "app/ui/details/memory_tab.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/panel.h"
@@ -155,7 +154,6 @@ Rect dropZone(const Layout& layout, Dock dock) {
 
 void drawDock(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
               Dock dock) {
-    followForced(session);
     if (layout.of(dock).isEmpty())
         return;
     Workspace& workspace = session.window.settings.workspace;

@@ -4,7 +4,6 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/param_tips.h"

@@ -40,8 +40,6 @@ bool reads(const Texture& texture, int base, int max) {
 } // namespace
 
 void followForced(Session& session) {
-    if (!session.steps.empty())
-        return; // the texture may not have its levels yet
     std::optional<ForcedLevel>& forced = session.document.forced;
     const Texture* texture = boundTexture(session);
     if (forced && (!texture || selectedUnit(session).texture != forced->texture ||
@@ -113,7 +111,7 @@ bool limitsLevels(const Session& session) {
 void readAllLevels(Session& session) {
     const Selection& at = session.window.selection;
     submit(session, "Read all levels", [&at](Scene& scene) {
-        Unit& unit = scene.passes[static_cast<std::size_t>(at.pass)].units[static_cast<std::size_t>(at.unit)];
+        Unit& unit = selectedUnit(scene, at);
         unit.lodBias = 0;
         const Texture initial;
         Texture& texture = textureIn(scene, unit.texture);

@@ -12,8 +12,8 @@ inline constexpr float noMaxLod = 1000;
 
 /// Reads only this level; if it is the only one already, restores the previous range.
 void toggleForced(Session& session, int level);
-/// Call in every frame: forgets the previous range if the bound texture has changed, or if it reads other
-/// levels.
+/// Call once per frame, before the docks: forgets the previous range if the bound texture has changed, or if
+/// it reads other levels.
 void followForced(Session& session);
 
 void setBaseLevel(Session& session, int level);

@@ -6,7 +6,6 @@
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/scene/animation.h"
-#include "core/scene/params/keys.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,29 +18,18 @@ bool appliesPreset(const Step& step) {
         step.edits, [](const Edit& each) { return std::holds_alternative<edit::ApplyPreset>(each); });
 }
 
-/// Whether objects of the scene have other numbers afterwards, so that a texel may belong to another one.
-bool renumbers(const Edit& edit) {
-    return std::visit(
-        [](const auto& each) {
-            if constexpr (requires { each.list; })
-                return each.list == keyOf<&Scene::models>() || each.list == keyOf<&Scene::passes>();
-            else
-                return false;
-        },
-        edit);
-}
-
 void selectAfter(Session& session, const Step& step) {
     Selection& selection = session.window.selection;
+    bool renumbered = false;
     for (const Edit& each : step.edits)
-        follow(selection, each);
+        renumbered |= follow(selection, each);
     if (step.select)
         selection = *step.select;
     if (step.select || appliesPreset(step))
         leaveHiddenModel(session);
     bringSelectionBack(session);
-    if (std::ranges::any_of(step.edits, renumbers))
-        clearTexel(session);
+    if (renumbered)
+        clearTexel(session); // it may belong to another model or pass
 }
 
 void take(Session& session, const Step& step) {

@@ -31,8 +31,8 @@ void followOne(int& selected, const edit::Move& move) {
 
 } // namespace
 
-void follow(Selection& selection, const Edit& edit) {
-    std::visit(
+bool follow(Selection& selection, const Edit& edit) {
+    return std::visit(
         [&](const auto& each) {
             if constexpr (requires { each.list; }) {
                 int* const selected = selectedIn(selection, each.list);
@@ -40,6 +40,9 @@ void follow(Selection& selection, const Edit& edit) {
                     followOne(*selected, each);
                 if (selected == &selection.model)
                     selection.vertex.reset();
+                return selected != nullptr;
+            } else {
+                return false;
             }
         },
         edit);

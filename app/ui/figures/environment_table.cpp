@@ -185,8 +185,7 @@ std::string wordsOf(const CellPlace& cell) {
 }
 
 void take(Scene& scene, const Selection& selection, const TableSubject& subject, const CellPlace& cell) {
-    Unit& unit = scene.passes.at(static_cast<std::size_t>(selection.pass))
-                     .units.at(static_cast<std::size_t>(selection.unit));
+    Unit& unit = selectedUnit(scene, selection);
     unit.envMode = cell.mode();
     const auto texture = static_cast<std::size_t>(unit.texture);
     // RGBA4 has the base format RGBA: it is not changed.

@@ -1,6 +1,5 @@
 #include "app/ui/model/findings.h"
 
-#include "app/ui/model/scene_files.h"
 #include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>

@@ -66,6 +66,11 @@ void placeMark(Session& session, lesson::PictureSize picture) {
         explained = wanted->pixel = lesson::pixelOf(wanted->x, wanted->y, picture);
 }
 
+std::size_t lengthOf(Scene& scene, const std::string& list) {
+    const Result<ListAt> found = listAt(scene, list);
+    return found ? found->size() : 0;
+}
+
 } // namespace
 
 Session::Session(Services lent, Document start)
@@ -178,12 +183,18 @@ void submit(Session& session, Step step) {
 }
 
 void submit(Session& session, std::string name, const std::function<void(Scene&)>& change, std::string path) {
-    const Scene& scene = session.document.scene;
+    Scene& scene = session.document.scene;
     auto changed = std::make_shared<Scene>(scene);
     change(*changed);
     Step step{.name = std::move(name), .path = std::move(path)};
-    for (SceneChange& each : changesBetween(scene, *changed))
-        step.edits.emplace_back(edit::Replace{changed, std::move(each.path)});
+    for (SceneChange& each : changesBetween(scene, *changed)) {
+        const std::size_t before = each.isLength ? lengthOf(scene, each.path) : 0;
+        const std::size_t now = each.isLength ? lengthOf(*changed, each.path) : 0;
+        for (std::size_t i = before; i > now; --i) // with the key frames of what is removed
+            step.edits.emplace_back(edit::Remove{each.path, i - 1});
+        if (before <= now)
+            step.edits.emplace_back(edit::Replace{changed, std::move(each.path)});
+    }
     if (!step.edits.empty())
         submit(session, std::move(step));
 }
@@ -247,8 +258,13 @@ Pass& selectedPass(Session& session) {
     return session.document.scene.passes[static_cast<std::size_t>(session.window.selection.pass)];
 }
 
+Unit& selectedUnit(Scene& scene, const Selection& selection) {
+    return scene.passes[static_cast<std::size_t>(selection.pass)]
+        .units[static_cast<std::size_t>(selection.unit)];
+}
+
 Unit& selectedUnit(Session& session) {
-    return selectedPass(session).units[static_cast<std::size_t>(session.window.selection.unit)];
+    return selectedUnit(session.document.scene, session.window.selection);
 }
 
 std::string selectedUnitPath(const Session& session) {

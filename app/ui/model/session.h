@@ -86,7 +86,8 @@ void resetToSaved(Session& session);
 [[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty if no model is selected
 [[nodiscard]] Pass& selectedPass(Session& session);
 [[nodiscard]] Unit& selectedUnit(Session& session);
-[[nodiscard]] std::string selectedUnitPath(const Session& session); ///< "passes[0].units[1]"
+[[nodiscard]] Unit& selectedUnit(Scene& scene, const Selection& selection); ///< in a copy of the scene
+[[nodiscard]] std::string selectedUnitPath(const Session& session);         ///< "passes[0].units[1]"
 /// The texture bound to the selected unit, which is both used and edited as after glBindTexture. nullptr:
 /// none.
 [[nodiscard]] Texture* boundTexture(Session& session);

@@ -16,7 +16,6 @@
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
-#include "core/diagnosis/diagnosis.h"
 #include "core/emit/flavour.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/picking.h"

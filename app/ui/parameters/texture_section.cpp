@@ -6,6 +6,7 @@
 #include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_lists.h"
 #include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/parameters/unit_bar.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_tips.h"
@@ -20,22 +21,6 @@ namespace {
 std::string textureName(const Session& session, int index) {
     return fmt::format("{}  {}", index,
                        shownNameOfImage(session.document.scene.textures[static_cast<std::size_t>(index)]));
-}
-
-std::string boundPath(const Session& session) {
-    return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>());
-}
-
-void addTexture(Session& session) {
-    const std::size_t added = session.document.scene.textures.size();
-    const std::string texture = elementOf<&Scene::textures>(added) + ".";
-    submit(session, {.name = "Add texture",
-                     .edits = {edit::Insert{keyOf<&Scene::textures>(), added},
-                               edit::Set{texture + keyOf<&Texture::pattern>(),
-                                         std::string(rowOf(Pattern::UvTemplate).name)},
-                               edit::Set{texture + keyOf<&Texture::mipmaps>(),
-                                         std::string(rowOf(MipPolicy::Generated).name)},
-                               edit::Set{boundPath(session), std::to_string(added)}}});
 }
 
 void removeTexture(Session& session, int index) {
@@ -58,7 +43,8 @@ void textureChoice(Session& session) {
         for (int i = 0; i < static_cast<int>(session.document.scene.textures.size()); ++i) {
             const std::string name = textureName(session, i);
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
-                const std::string path = boundPath(session);
+                const std::string path =
+                    fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>());
                 submit(session, {.name = std::string(row ? row->label : "Texture"),
                                  .edits = {edit::Set{path, std::to_string(i)}},
                                  .path = path});
@@ -75,7 +61,7 @@ void textureChoice(Session& session) {
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
                      session.document.scene.textures.size() < maxTextures))
-        addTexture(session);
+        submit(session, {.name = "Add texture", .edits = addedTexture(session, Pattern::UvTemplate)});
     ImGui::SameLine(0, gap);
     if (squareButton("−", "remove texture", "Remove this texture", bound))
         removeTexture(session, unit.texture);

@@ -159,20 +159,23 @@ void switchUnit(Session& session, int unit, bool on) {
     if (wantsTexture && added >= maxTextures && !textureOf(scene, switched))
         return say(session, "The scene can have no more textures, and a unit needs one.");
     session.window.selection.unit = unit;
-    const std::string owner = selectedUnitPath(session) + ".";
     std::vector<Edit> edits;
-    if (wantsTexture && added < maxTextures) {
-        const std::string texture = elementOf<&Scene::textures>(added) + ".";
-        edits = {
-            edit::Insert{keyOf<&Scene::textures>(), added},
-            edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(freshPattern(scene)).name)},
-            edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
-            edit::Set{owner + keyOf<&Unit::texture>(), std::to_string(added)}};
-    }
-    const std::string path = owner + keyOf<&Unit::enabled>();
+    if (wantsTexture && added < maxTextures)
+        edits = addedTexture(session, freshPattern(scene));
+    const std::string path = fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::enabled>());
     edits.emplace_back(edit::Set{path, on ? "true" : "false"});
     submit(session,
            {.name = on ? "Switch unit on" : "Switch unit off", .edits = std::move(edits), .path = path});
+}
+
+std::vector<Edit> addedTexture(const Session& session, Pattern pattern) {
+    const std::size_t added = session.document.scene.textures.size();
+    const std::string texture = elementOf<&Scene::textures>(added) + ".";
+    return {edit::Insert{keyOf<&Scene::textures>(), added},
+            edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(pattern).name)},
+            edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
+            edit::Set{fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()),
+                      std::to_string(added)}};
 }
 
 std::string sharersText(const Session& session, int unit) {

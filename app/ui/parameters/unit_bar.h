@@ -4,6 +4,7 @@
 #include "app/ui/widgets/pictures.h"
 
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -14,6 +15,9 @@ void unitBar(Session& session, const Pictures& pictures);
 /// Enables or disables a unit of the selected pass. A unit that is enabled for the first time, or has no
 /// texture, gets its own texture with another pattern.
 void switchUnit(Session& session, int unit, bool on);
+
+/// The edits that add a texture with this pattern and bind it to the selected unit.
+[[nodiscard]] std::vector<Edit> addedTexture(const Session& session, Pattern pattern);
 
 /// "unit 0, unit 2 of pass 1": units that are on and show the texture of a unit of the selected pass.
 [[nodiscard]] std::string sharersText(const Session& session, int unit);

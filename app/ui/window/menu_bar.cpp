@@ -186,17 +186,16 @@ void editMenu(Session& session, const Layout& layout) {
     resetItem(session);
     caption("Reset to GL's initial values");
     const Selection& at = session.window.selection;
-    const auto unitIn = [&at](Scene& scene) -> Unit& {
-        return scene.passes[static_cast<std::size_t>(at.pass)].units[static_cast<std::size_t>(at.unit)];
-    };
     if (item("Texture parameters", {}, boundTexture(session) != nullptr))
         submit(session, "Reset texture", [&](Scene& scene) {
-            Texture& texture = scene.textures[static_cast<std::size_t>(unitIn(scene).texture)];
+            Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(scene, at).texture)];
             texture = withInitialParameters(texture);
         });
     if (item("Texture unit"))
-        submit(session, "Reset unit",
-               [&](Scene& scene) { unitIn(scene) = withInitialParameters(unitIn(scene)); });
+        submit(session, "Reset unit", [&](Scene& scene) {
+            Unit& unit = selectedUnit(scene, at);
+            unit = withInitialParameters(unit);
+        });
     if (item("Everything but models and view"))
         submit(session, "Reset everything", resetEverything);
 }

@@ -1,5 +1,6 @@
 #include "app/ui/window/workbench.h"
 
+#include "app/ui/details/level_edits.h"
 #include "app/ui/editor/editor.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/document_names.h"
@@ -168,6 +169,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     drawNotes(session, layout);
     if (!layout.texture.isEmpty())
         drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
+    followForced(session);
     for (const DockRow& row : dockRows)
         drawDock(session, states.details, pictures, layout, row.dock);
     endStanding(session);

@@ -123,11 +123,7 @@ Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_vi
             error.where = fmt::format("{}/{}{}{}", place, i, error.where.empty() ? "" : ": ", error.where);
         return made;
     }
-    // In place, not by assignment: what the edits don't touch stays where it is in memory.
-    for (const Edit& each : edits) {
-        if (Result<void> made = makeOne(scene, each); !made)
-            return made;
-    }
+    scene = std::move(tried);
     return {};
 }
 
@@ -155,7 +151,8 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
             return fail(done.error());
         const Result<bool> set = keyEdits(edited, shown, time.key);
         if (!set)
-            return set;
+            return fail(set.error().code,
+                        fmt::format("a key frame can't be added: {}", describe(set.error())));
         putUnkeyed(edited, made);
         made = std::move(edited);
         keyed |= *set;

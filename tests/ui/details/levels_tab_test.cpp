@@ -253,6 +253,19 @@ TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
     }
 }
 
+// The other dock is drawn after this one in the same frame.
+TEST_F(LevelsTab, RemembersTheRangeInTheRightDock) {
+    open();
+    moveTab(session->window.settings.workspace, Tab::Levels, Dock::Right);
+    texture().maxLevel = 5;
+    frames(3);
+    click("levels:level 3");
+    ASSERT_EQ(texture().maxLevel, 3);
+    click("levels:level 3");
+    EXPECT_EQ(texture().baseLevel, 0);
+    EXPECT_EQ(texture().maxLevel, 5);
+}
+
 // Another scene's texture may also use a single level: the earlier range belongs to the old scene.
 TEST_F(LevelsTab, AnotherSceneKnowsNothingOfTheLevelsFromBefore) {
     open();

@@ -75,6 +75,29 @@ TEST_F(Editor, SetsAKeyFrameAndStopsTheClock) {
     EXPECT_FALSE(session.window.playback.playing);
 }
 
+TEST_F(Editor, RemovesTheKeyFramesOfWhatAChangeRemoves) {
+    scene().passes[0].units[0].matrix.resize(2);
+    scene().timeline.keys = {{0, "passes[0].units[0].matrix[1].amount", "1,0,0"}, {0, "view.azimuth", "0"}};
+    submit(session, "Reset unit", [](Scene& changed) { changed.passes[0].units[0].matrix.clear(); });
+    takeSteps(session);
+    EXPECT_EQ(session.window.notice.text, "");
+    EXPECT_TRUE(scene().passes[0].units[0].matrix.empty());
+    ASSERT_EQ(scene().timeline.keys.size(), 1U);
+    EXPECT_EQ(scene().timeline.keys[0].path, "view.azimuth");
+}
+
+TEST_F(Editor, SaysThatAKeyFrameIsMissing) {
+    scene().timeline.keys.assign(maxKeyFrames, {0, "view.azimuth", "0"});
+    for (std::size_t i = 0; i < maxKeyFrames; ++i)
+        scene().timeline.keys[i].time = static_cast<float>(i) / 100;
+    session.window.playback = {.playing = false, .time = 100};
+    const Scene before = scene();
+    make(set("view.azimuth", "7"));
+    EXPECT_EQ(scene(), before);
+    EXPECT_THAT(session.window.notice.text,
+                testing::HasSubstr("a key frame can't be added: expected at most"));
+}
+
 TEST_F(Editor, SelectsWhatTheStepSaysAsFarAsItExists) {
     make({.name = "Select",
           .edits = {edit::Set{"view.azimuth", "10"}},

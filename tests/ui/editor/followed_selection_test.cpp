@@ -36,5 +36,13 @@ TEST(FollowedSelection, KeepsVerticesUnlessTheListOfModelsChanges) {
     EXPECT_EQ(after(edit::Set{"view.azimuth", "1"}).vertex, 4U);
 }
 
+TEST(FollowedSelection, TellsWhetherModelsOrPassesHaveOtherIndices) {
+    Selection selection;
+    EXPECT_TRUE(follow(selection, edit::Move{"models", 0, 1}));
+    EXPECT_TRUE(follow(selection, edit::Remove{"passes", 1}));
+    EXPECT_FALSE(follow(selection, edit::Remove{"textures", 1}));
+    EXPECT_FALSE(follow(selection, edit::Set{"view.azimuth", "1"}));
+}
+
 } // namespace
 } // namespace texplorer::ui::followed_selection_test
