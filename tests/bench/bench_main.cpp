@@ -4,6 +4,7 @@
 // each benchmark runs once, to check that all work and that peers draw the same pictures.
 
 #include "tests/bench/comparisons.h"
+#include "tests/bench/once.h"
 
 #include <benchmark/benchmark.h>
 
@@ -123,6 +124,7 @@ int main(int argc, char** argv) {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
     const bool once = argc > 1 && std::strcmp(argv[1], "--once") == 0;
+    texplorer::bench::onlyOnce = once;
     // Defaults first: the same flags on the command line come later and replace them.
     std::string defaults[] = {once ? "--benchmark_repetitions=1" : "--benchmark_repetitions=5",
                               once ? "--benchmark_min_time=0" : "--benchmark_min_time=0.1",

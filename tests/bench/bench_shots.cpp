@@ -6,6 +6,7 @@
 #include "core/files/file_io.h"
 #include "core/image/convert.h"
 #include "tests/bench/caller.h"
+#include "tests/bench/once.h"
 #include "tests/bench/shot_states.h"
 
 #include <benchmark/benchmark.h>
@@ -39,10 +40,14 @@ std::optional<double> inOneCall(Caller& caller) {
                        (caller.pictures() / "{number}.png").string()});
 }
 
+constexpr int shotsOnce = 4; ///< of a process each, where nothing is measured
+
 std::optional<double> oneByOne(Caller& caller) {
     std::optional<double> sum = 0;
     int number = 0;
     eachState([&](const EnumRow& filter, const EnumRow& mode) {
+        if (onlyOnce && number == shotsOnce)
+            return;
         const std::optional<double> seconds =
             caller.run({TEXSHOT, "shot", "--size", sizeText(), "--set", assignment(filterPath, filter),
                         "--set", assignment(modePath, mode), "-o",
@@ -80,8 +85,8 @@ bool drawTheSame(Caller& caller) {
 
 using Call = std::optional<double> (*)(Caller&);
 
-/// Whose cache has all that Mesa keeps: what it hasn't written when a program ends comes with a later call.
-/// nullptr: the program failed.
+/// Whose cache has all that Mesa keeps of what a call draws: what it hasn't written when a program ends comes
+/// with a later call. nullptr: the program failed.
 Caller* warmCaller(Call call) {
     static Caller caller(false);
     static std::set<Call> warmed;
@@ -94,9 +99,10 @@ Caller* warmCaller(Call call) {
     return &caller;
 }
 
-void timed(benchmark::State& state, Call call, bool cold, int pictures) {
+/// `warming` draws the same as `call`.
+void timed(benchmark::State& state, Call call, Call warming, bool cold, int pictures) {
     Caller own(cold);
-    Caller* caller = cold ? &own : warmCaller(call);
+    Caller* caller = cold ? &own : warmCaller(warming);
     if (caller == nullptr)
         return state.SkipWithError("the program failed");
     for (auto _ : state) {
@@ -108,14 +114,14 @@ void timed(benchmark::State& state, Call call, bool cold, int pictures) {
     state.counters["shots/s"] = benchmark::Counter(pictures, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void shots(benchmark::State& state, Call call, bool cold) {
+void shots(benchmark::State& state, Call call, Call warming, bool cold) {
     static const bool same = [] {
         Caller first(false);
         return drawTheSame(first);
     }();
     if (!same)
         return state.SkipWithError("the bare program draws other pictures");
-    timed(state, call, cold, 36);
+    timed(state, call, warming, cold, 36);
 }
 
 constexpr std::string_view sheetSize = "128x128";
@@ -142,7 +148,7 @@ std::optional<double> sheetInOneCall(Caller& caller) {
 
 std::optional<double> sheetOneByOne(Caller& caller) {
     std::optional<double> sum = 0;
-    for (int i = 0; i < sheetPictures && sum; ++i) {
+    for (int i = 0; i < (onlyOnce ? shotsOnce : sheetPictures) && sum; ++i) {
         const std::optional<double> seconds =
             caller.run({TEXSHOT, "shot", "--size", std::string(sheetSize), "--set",
                         fmt::format("{}={}", azimuthPath, i / 8 * azimuthStep), "--set",
@@ -153,22 +159,23 @@ std::optional<double> sheetOneByOne(Caller& caller) {
     return sum;
 }
 
-void sheet(benchmark::State& state, Call call, bool cold) {
-    timed(state, call, cold, sheetPictures);
+void sheet(benchmark::State& state, Call call, Call warming, bool cold) {
+    timed(state, call, warming, cold, sheetPictures);
 }
 
 struct Row {
     const char* name;
-    void (*work)(benchmark::State&, Call, bool cold);
+    void (*work)(benchmark::State&, Call, Call warming, bool cold);
     Call call;
+    Call warming;
 };
 
 constexpr std::array rows{
-    Row{"shots/inOneCall", shots, inOneCall},
-    Row{"shots/oneByOne", shots, oneByOne},
-    Row{"shots/bare", shots, bare},
-    Row{"sheet/inOneCall", sheet, sheetInOneCall},
-    Row{"sheet/oneByOne", sheet, sheetOneByOne},
+    Row{"shots/inOneCall", shots, inOneCall, inOneCall},
+    Row{"shots/oneByOne", shots, oneByOne, inOneCall},
+    Row{"shots/bare", shots, bare, bare},
+    Row{"sheet/inOneCall", sheet, sheetInOneCall, sheetInOneCall},
+    Row{"sheet/oneByOne", sheet, sheetOneByOne, sheetInOneCall},
 };
 
 const bool shotsRegistered = [] {
@@ -176,7 +183,7 @@ const bool shotsRegistered = [] {
         for (const bool cold : {true, false})
             benchmark::RegisterBenchmark(
                 fmt::format("{}/{}", row.name, cold ? "cold" : "warm").c_str(),
-                [&row, cold](benchmark::State& state) { row.work(state, row.call, cold); })
+                [&row, cold](benchmark::State& state) { row.work(state, row.call, row.warming, cold); })
                 ->UseManualTime()
                 ->Iterations(1)
                 ->Unit(benchmark::kMillisecond);
