@@ -1,5 +1,6 @@
 #include "app/stage/loop.h"
 
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"

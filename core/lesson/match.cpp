@@ -75,7 +75,7 @@ Result<std::optional<SceneChange>> hintFor(const Scene& scene, const Scene& targ
     std::optional<SceneChange> hint;
     for (std::size_t i = 0; i < std::min(changes.size(), maxHints); ++i) {
         Scene nearer = scene;
-        if (!takeOver(nearer, target, changes[i].path))
+        if (!takeOver(nearer, target, {&changes[i].path, 1}))
             continue;
         const Result<Image> picture = drawSmall({nearer, images}, stop);
         if (!picture)

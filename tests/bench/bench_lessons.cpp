@@ -5,6 +5,7 @@
 #include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/loads.h"
 #include "core/lesson/lesson_files.h"

@@ -3,6 +3,7 @@
 #include "app/ui/widgets/keys.h"
 #include "core/scene/params/json.h"
 #include "tests/random/random_scene.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/window_sizes.h"
 
 #include <array>
@@ -102,7 +103,7 @@ void MonkeyTrial::run() {
     }
     step("undo all");
     while (session->document.history.canUndo())
-        undo(*session);
+        take(*session, Undo{});
     initial_.view.distance = scene().view.distance; // follows the shape of the view, which is not an edit
     EXPECT_EQ(scene(), initial_);
 }

@@ -10,6 +10,7 @@
 #include "tests/stage/numbers_for_pictures.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 
 #include <gmock/gmock.h>
 

@@ -3,6 +3,7 @@
 #include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/view_frames.h"
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"

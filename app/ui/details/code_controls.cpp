@@ -62,7 +62,7 @@ void codeUnderline(ImU32 ink) {
 void codeTip(Session& session, const std::string& path, int component) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
         return;
-    const std::optional<ParamPlace> place = placeOf(session.document.scene, path);
+    const std::optional<ParamPlace> place = placeOf(presentScene(session), path);
     if (!place)
         return;
     ImGui::PushFont(nullptr); // words, not code
@@ -82,7 +82,7 @@ void codeTip(Session& session, const std::string& path, int component) {
 
 /// A number in code that can be dragged, and typed after a double click.
 float codeNumber(Session& session, const emit::Part& part, const CodeLook& look) {
-    const std::optional<ParamPlace> place = placeOf(session.document.scene, part.path);
+    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
     const float width = codeWidth(part);
     if (!place)
         return width;
@@ -177,7 +177,7 @@ bool codeButton(const emit::Part& part, const CodeLook& look) {
 }
 
 float codeChoice(Session& session, const emit::Part& part, const CodeLook& look) {
-    const std::optional<ParamPlace> place = placeOf(session.document.scene, part.path);
+    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
     const bool pressed = codeButton(part, look);
     codeUnderline(codeInk(part, look));
     if (place && place->row->kind == Kind::Enum && pressed)
@@ -188,7 +188,7 @@ float codeChoice(Session& session, const emit::Part& part, const CodeLook& look)
 void codeSwitch(Session& session, const emit::Part& part, const CodeLook& look) {
     const bool pressed = codeButton(part, look);
     codeUnderline(codeInk(part, look));
-    const std::optional<ParamPlace> place = placeOf(session.document.scene, part.path);
+    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
     if (!pressed || !place || place->row->kind != Kind::Bool)
         return;
     const bool on = std::get<bool>(place->row->read(place->owner.values));
@@ -224,7 +224,7 @@ float codePart(Session& session, const emit::Part& part, const CodeLook& look) {
     linkHover(session, part.path);
     codeTip(session, part.path, part.component);
     if (part.kind == Kind::Choice) {
-        if (const std::optional<ParamPlace> place = placeOf(session.document.scene, part.path))
+        if (const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path))
             codeChoices(session, *place, part.path);
     }
     for (int i = 0; i < 4; ++i)
@@ -236,7 +236,7 @@ float codeSwatch(Session& session, const emit::Line& line, const CodeLook& look)
     const auto number = std::ranges::find(line.parts, emit::Part::Kind::Number, &emit::Part::kind);
     if (number == line.parts.end())
         return 0;
-    const std::optional<ParamPlace> place = placeOf(session.document.scene, number->path);
+    const std::optional<ParamPlace> place = placeOf(presentScene(session), number->path);
     if (!place || place->row->kind != Kind::Color)
         return 0;
     constexpr ImGuiColorEditFlags flags =

@@ -83,8 +83,7 @@ void makeRows(CommandsTabState& state, bool showsAll) {
 /// Makes the lines again if the scene has changed. Until its program is ready, the previous lines stay.
 void renewLines(const Session& session, CommandsTabState& state) {
     const Document& document = session.document;
-    const std::optional<Scene> timeless = withoutTime(document);
-    const Scene& scene = timeless ? *timeless : document.scene;
+    const Scene& scene = document.scene;
     const bool isSame = state.scene && *state.scene == scene && state.images == document.images;
     if (isSame && !session.services.programs.isMaking()) // the running work is for another scene: cancel it
         return;

@@ -210,8 +210,8 @@ void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pi
         ImGui::PushTextWrapPos(0);
         std::string reason = session.window.view.offered.whyNot(RendererKind::Shader);
         if (reason.empty())
-            reason = session.document.scene.passes[pass].enabled ? "see the status bar"
-                                                                 : fmt::format("pass {} is not drawn", pass);
+            reason = presentScene(session).passes[pass].enabled ? "see the status bar"
+                                                                : fmt::format("pass {} is not drawn", pass);
         dimText(fmt::format("There is no shader: {}.", reason));
         ImGui::PopTextWrapPos();
         return;

@@ -117,7 +117,7 @@ void drawHistoryTab(Session& session, HistoryTabState& state, const Pictures& pi
     }
     ImGui::EndChild();
     if (wanted)
-        goToStep(session, *wanted);
+        session.requests.emplace_back(GoToStep{*wanted});
 }
 
 } // namespace texplorer::ui

@@ -98,7 +98,7 @@ void setUnitBias(Session& session, float bias) {
 float biasOf(const Session& session) {
     const Texture* texture = boundTexture(session);
     const Selection& at = session.window.selection;
-    const Pass& pass = session.document.scene.passes[static_cast<std::size_t>(at.pass)];
+    const Pass& pass = presentScene(session).passes[static_cast<std::size_t>(at.pass)];
     return (texture ? texture->lodBias : 0) + pass.units[static_cast<std::size_t>(at.unit)].lodBias;
 }
 

@@ -36,7 +36,7 @@ void besideOrBelow(float width) {
 
 /// Deselects a key that was removed, by undo or otherwise.
 void followChosen(const Session& session, TimelineTabState& state) {
-    const std::vector<KeyFrame>& keys = session.document.scene.timeline.keys;
+    const std::vector<KeyFrame>& keys = presentScene(session).timeline.keys;
     if (state.chosen &&
         (state.chosen->number >= keys.size() || keys[state.chosen->number].path != state.chosen->path))
         state.chosen.reset();
@@ -63,7 +63,7 @@ void gridChoice(TimelineTabState& state) {
 
 void timeControls(Session& session, TimelineTabState& state) {
     const float gap = ImGui::GetFontSize() * 0.8F;
-    const Timeline& timeline = session.document.scene.timeline;
+    const Timeline& timeline = presentScene(session).timeline;
     if (squareButton("◀", "timeline:previous", "Go to the previous key frame (,)", !timeline.keys.empty()))
         goToKey(session, -1);
     ImGui::SameLine(0, 1);
@@ -138,7 +138,7 @@ float valueWidth(const ParamRow& row) {
 
 /// Edits the value of the key at the present time with the parameter's own control.
 void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
-    std::optional<ParamPlace> place = placeOf(session.document.scene, key.path);
+    std::optional<ParamPlace> place = placeOf(presentScene(session), key.path);
     const bool isNow = key.time == presentKeyTime(session) && !session.window.playback.playing;
     if (!isNow || !place || place->vertex || isList(row.kind) || row.kind == Kind::Matrix) {
         ImGui::AlignTextToFramePadding();
@@ -153,8 +153,8 @@ void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
 void keyControls(Session& session, TimelineTabState& state) {
     const float em = ImGui::GetFontSize();
     const TimelineTabState::ChosenKey chosen = *state.chosen;
-    const KeyFrame key = session.document.scene.timeline.keys[chosen.number];
-    const auto row = rowAt(session.document.scene, key.path);
+    const KeyFrame key = presentScene(session).timeline.keys[chosen.number];
+    const auto row = rowAt(presentScene(session), key.path);
     if (!row)
         return;
     ImGui::AlignTextToFramePadding();
@@ -187,10 +187,10 @@ void takeKeys(Session& session, TimelineTabState& state) {
         removeKey(session, number);
         state.chosen.reset();
     } else if (way != 0) {
-        const float time = session.document.scene.timeline.keys[number].time;
+        const float time = presentScene(session).timeline.keys[number].time;
         const float step = state.grid > 0 ? state.grid : 0.01F;
         if (moveKey(session, number, snapped(std::max(0.0F, time + static_cast<float>(way) * step), 0)))
-            goToTime(session, static_cast<double>(session.document.scene.timeline.keys[number].time));
+            goToTime(session, static_cast<double>(presentScene(session).timeline.keys[number].time));
         sealEdit(session);
     } else {
         return;
@@ -203,7 +203,7 @@ void takeKeys(Session& session, TimelineTabState& state) {
 void drawTimelineTab(Session& session, TimelineTabState& state) {
     followChosen(session, state);
     timeControls(session, state);
-    if (session.document.scene.timeline.keys.empty()) {
+    if (presentScene(session).timeline.keys.empty()) {
         state.chosen.reset();
         return drawBeginning(session);
     }
@@ -217,7 +217,7 @@ void drawTimelineTab(Session& session, TimelineTabState& state) {
             helpTip(words);
     }
     followChosen(session, state);
-    if (!session.document.scene.timeline.keys.empty())
+    if (!presentScene(session).timeline.keys.empty())
         drawTracks(session, state);
     takeKeys(session, state);
     followChosen(session, state);

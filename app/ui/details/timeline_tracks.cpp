@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -45,7 +44,7 @@ TrackPlan planTracks(const Session& session, const TimelineTabState& state) {
     plan.names = std::floor(std::min(em * 18, room * 0.36F));
     plan.height = std::floor(em * 1.75F);
     plan.key = std::floor(em * 0.42F);
-    const Timeline& timeline = session.document.scene.timeline;
+    const Timeline& timeline = presentScene(session).timeline;
     plan.scale.left = ImGui::GetCursorScreenPos().x + plan.names + 2 * plan.key;
     plan.scale.width = std::max(em, room - plan.names - 4 * plan.key);
     plan.scale.seconds = state.seconds.value_or(secondsFor(lengthOf(timeline), session.window.playback.time));
@@ -94,10 +93,7 @@ std::size_t numberOf(const Scene& scene, const KeyFrame* key) {
     return static_cast<std::size_t>(key - scene.timeline.keys.data());
 }
 
-/// An action to run after the loop over the timeline.
-using Later = std::function<void()>;
-
-void keyMenu(Session& session, std::size_t number, const KeyFrame& key, Later& later) {
+void keyMenu(Session& session, std::size_t number, const KeyFrame& key) {
     if (!ImGui::BeginPopup("keymenu"))
         return;
     dimText(fmt::format("{:.2f} s", key.time));
@@ -105,21 +101,21 @@ void keyMenu(Session& session, std::size_t number, const KeyFrame& key, Later& l
     for (const EnumRow& row : EnumTable<Easing>::rows) {
         const auto easing = static_cast<Easing>(row.value);
         if (ImGui::MenuItem(label(row.label).c_str(), nullptr, key.easing == easing))
-            later = [&session, number, easing] { setEasing(session, number, easing); };
+            setEasing(session, number, easing);
         noteItem(fmt::format("key menu:{}", row.name));
         helpTip(row.help);
     }
     ImGui::Separator();
     if (ImGui::MenuItem(label("Remove this key frame"), tr("Delete")))
-        later = [&session, number] { removeKey(session, number); };
+        removeKey(session, number);
     noteItem("key menu:remove");
     ImGui::EndPopup();
 }
 
 /// Draws a key and handles the mouse on it; `room` is the space for its value on the right.
 void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, const ParamRow& row,
-             const KeyFrame& key, ImVec2 at, float room, Later& later) {
-    const Scene& scene = session.document.scene;
+             const KeyFrame& key, ImVec2 at, float room) {
+    const Scene& scene = presentScene(session);
     const std::size_t number = numberOf(scene, &key);
     ImGui::PushID(static_cast<int>(number));
     ImGui::SetCursorScreenPos({at.x - plan.key, at.y - plan.height / 2});
@@ -153,7 +149,7 @@ void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, c
         state.seconds.reset();
         ImGui::OpenPopup("keymenu");
     }
-    keyMenu(session, number, key, later);
+    keyMenu(session, number, key);
     ImGui::PopID();
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -190,7 +186,7 @@ void drawWay(ImDrawList& draw, const ParamRow& row, const KeyFrame& from, const 
 }
 
 void trackName(Session& session, const TrackPlan& plan, const std::string& path, const ParamRow& row,
-               const std::string& name, Later& later) {
+               const std::string& name) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = plan.names - em * 0.5F;
@@ -207,12 +203,12 @@ void trackName(Session& session, const TrackPlan& plan, const std::string& path,
         dimText(path);
         ImGui::Separator();
         if (ImGui::MenuItem(label("Remove its key frames")))
-            later = [&session, path] { removeKeys(session, path); };
+            removeKeys(session, path);
         noteItem("track menu:remove");
         helpTip("The parameter keeps its present value.");
         ImGui::EndPopup();
     }
-    const Result<std::string> now = getParam(session.document.scene, path);
+    const Result<std::string> now = getParam(presentScene(session), path);
     const std::string value =
         fitted(now ? wordsOfValue(session.window.settings, row, *now) : "", width * 0.45F);
     const float valueWidth = ImGui::CalcTextSize(value.c_str()).x;
@@ -225,15 +221,15 @@ void trackName(Session& session, const TrackPlan& plan, const std::string& path,
 }
 
 void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan, const Track& track,
-               const std::string& name, Later& later) {
-    const Scene& scene = session.document.scene;
+               const std::string& name) {
+    const Scene& scene = presentScene(session);
     const auto row = rowAt(scene, track.path);
     if (!row)
         return; // it was removed
     const std::string path(track.path);
     ImGui::PushID(path.c_str());
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    trackName(session, plan, path, **row, name, later);
+    trackName(session, plan, path, **row, name);
     const float left = low.x + plan.names;
     const float width = plan.scale.width + 4 * plan.key;
     overlappedItem([&] { return ImGui::InvisibleButton("times", {width, plan.height}); }); // for the keyboard
@@ -241,7 +237,7 @@ void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan,
     scrub(session, state, plan.scale);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         const float time = snapped(plan.scale.timeAt(ImGui::GetIO().MousePos.x), state.grid);
-        later = [&session, path, time] { addKey(session, path, time); };
+        addKey(session, path, time);
     }
     const float mouse = ImGui::GetIO().MousePos.x;
     const bool isOnKey = std::ranges::any_of(track.keys, [&](const KeyFrame* key) {
@@ -262,7 +258,7 @@ void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan,
         const ImVec2 at = placeOfKey(*track.keys[i]);
         const float next =
             i + 1 < track.keys.size() ? placeOfKey(*track.keys[i + 1]).x - plan.key : left + width;
-        drawKey(session, state, plan, **row, *track.keys[i], at, next - at.x - plan.key * 2.5F, later);
+        drawKey(session, state, plan, **row, *track.keys[i], at, next - at.x - plan.key * 2.5F);
     }
     ImGui::PopID();
     ImGui::SetCursorScreenPos({low.x, low.y + plan.height});
@@ -273,7 +269,7 @@ std::vector<std::string> namesOfTracks(const Session& session, const std::vector
     std::vector<std::string> names;
     std::map<std::string, int> count;
     for (const Track& track : tracks) {
-        const auto row = rowAt(session.document.scene, track.path);
+        const auto row = rowAt(presentScene(session), track.path);
         names.push_back(row ? tr(shownName(session.window.settings, **row)) : std::string(track.path));
         ++count[names.back()];
     }
@@ -312,7 +308,7 @@ std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::str
 }
 
 void chooseKey(Session& session, TimelineTabState& state, std::size_t key) {
-    const KeyFrame& chosen = session.document.scene.timeline.keys.at(key);
+    const KeyFrame& chosen = presentScene(session).timeline.keys.at(key);
     state.chosen = {key, chosen.path};
     goToTime(session, static_cast<double>(chosen.time));
 }
@@ -321,17 +317,14 @@ void drawTracks(Session& session, TimelineTabState& state) {
     const TrackPlan plan = planTracks(session, state);
     ruler(session, state, plan);
     ImGui::BeginChild("tracks");
-    const std::vector<Track> tracks = tracksOf(session.document.scene.timeline);
+    const std::vector<Track> tracks = tracksOf(presentScene(session).timeline);
     const std::vector<std::string> names = namesOfTracks(session, tracks);
     const float top = ImGui::GetCursorScreenPos().y;
-    Later later;
     for (std::size_t i = 0; i < tracks.size(); ++i)
-        drawTrack(session, state, plan, tracks[i], names[i], later);
+        drawTrack(session, state, plan, tracks[i], names[i]);
     drawPresent(*ImGui::GetWindowDrawList(), session, plan.scale, top, ImGui::GetCursorScreenPos().y);
     ImGui::Dummy({0, 0}); // lets the last row be scrolled into view
     ImGui::EndChild();
-    if (later)
-        later();
 }
 
 } // namespace texplorer::ui

@@ -9,11 +9,6 @@
 
 namespace texplorer::ui {
 
-std::string coordsPath(const Session& session) {
-    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
-                       session.window.selection.unit);
-}
-
 std::string meshPath(const Session& session, const std::string& key) {
     return fmt::format("{}.{}.{}",
                        elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),

@@ -29,8 +29,6 @@ struct VertexPartRow {
 
 [[nodiscard]] const VertexPartRow& rowOf(VertexPart part);
 
-/// The parameter that holds the selected model's coordinates for the selected unit.
-[[nodiscard]] std::string coordsPath(const Session& session);
 /// A list of the selected model's mesh.
 [[nodiscard]] std::string meshPath(const Session& session, const std::string& key);
 

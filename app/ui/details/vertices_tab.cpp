@@ -29,13 +29,6 @@ namespace {
 /// Longer lists draw only their visible rows.
 constexpr std::size_t longList = 100;
 
-/// Records an edit as a separate undo step.
-void recordStep(Session& session, std::string_view what, std::string_view path) {
-    sealEdit(session);
-    recordEdit(session, what, path);
-    sealEdit(session);
-}
-
 /// Buttons in a row that continue in the next line at the panel's edge.
 class ButtonLine {
 public:
@@ -77,14 +70,10 @@ private:
 };
 
 void editAll(Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
-    Model& model = *selectedModel(session);
-    const int unit = session.window.selection.unit;
-    TexCoords coords = effectiveTexCoords(model, selectedMesh(session), unit);
+    const Selection& selection = session.window.selection;
+    TexCoords coords = effectiveTexCoords(*selectedModel(session), selectedMesh(session), selection.unit);
     edit(coords);
-    for (glm::vec4& each : coords)
-        each = glm::clamp(each, coordRange.min, coordRange.max);
-    model.texCoords[static_cast<std::size_t>(unit)] = std::move(coords);
-    recordStep(session, what, coordsPath(session));
+    submitTexCoords(session, what, std::move(coords));
 }
 
 void coordButtons(Session& session, ButtonLine& line) {
@@ -101,65 +90,68 @@ void coordButtons(Session& session, ButtonLine& line) {
         editAll(session, "Flip t", flipT);
     if (button("90°", "Rotates all coordinates by 90° about (0.5, 0.5)"))
         editAll(session, "Rotate coordinates", rotateQuarter);
-    if (button("Reset", "Resets to the coordinates of the mesh")) {
-        selectedModel(session)->texCoords[static_cast<std::size_t>(session.window.selection.unit)].clear();
-        recordStep(session, "Reset coordinates", coordsPath(session));
-    }
+    if (button("Reset", "Resets to the coordinates of the mesh"))
+        submitTexCoords(session, "Reset coordinates", {});
 }
 
 /// Shows the positions of its vertices, which are edited most.
 void makeMesh(Session& session, VerticesTabState& state) {
-    Model& model = *selectedModel(session);
-    if (const Result<void> made = turnIntoMesh(model); !made)
+    const Selection& selection = session.window.selection;
+    Result<void> made;
+    submit(
+        session, "Make it a mesh",
+        [&](Scene& scene) { made = turnIntoMesh(selectedModel(scene, selection)); },
+        fmt::format("{}.{}", elementOf<&Scene::models>(static_cast<std::size_t>(selection.model)),
+                    keyOf<&Model::shape>()));
+    if (!made)
         return say(session, made.error());
     state.part = VertexPart::Position;
-    recordStep(
-        session, "Make it a mesh",
-        fmt::format("{}.{}",
-                    elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),
-                    keyOf<&Model::shape>()));
 }
 
 /// Adds and removes vertices, in all lists and in the order.
 void vertexButtons(Session& session, ButtonLine& line) {
-    Model& model = *selectedModel(session);
-    std::optional<std::size_t>& chosen = session.window.selection.vertex;
+    const Model& model = *selectedModel(session);
+    const std::optional<std::size_t> chosen = session.window.selection.vertex;
     const std::size_t count = model.mesh.positions.size();
     const bool isChosen = chosen && *chosen < count;
-    const auto changed = [&](const char* what, std::optional<std::size_t> next) {
-        chosen = next;
-        recordStep(session, what, meshPath(session, keyOf<&MeshData::positions>()));
+    const auto change = [&](const char* what, std::optional<std::size_t> next, auto&& edit) {
+        const Selection& selection = session.window.selection;
+        auto step = stepThat(
+            session, what, [&](Scene& scene) { edit(selectedModel(scene, selection)); },
+            meshPath(session, keyOf<&MeshData::positions>()));
+        step.select = selection;
+        step.select->vertex = next;
+        submit(session, std::move(step));
     };
     const bool room = count < maxMeshVertices && model.mesh.indices.size() < maxMeshIndices;
     if (line.button("Append", "add vertex", "Adds a copy of the selected vertex, or the last one, at the end",
-                    room) &&
-        appendVertex(model, isChosen ? *chosen : count - 1))
-        changed("Add vertex", count);
+                    room))
+        change("Add vertex", count,
+               [&](Model& edited) { appendVertex(edited, isChosen ? *chosen : count - 1); });
     if (line.button("Duplicate", "duplicate vertex",
                     "Adds a copy of the selected vertex right after it, a new point of a strip or polygon",
-                    room && isChosen) &&
-        duplicateVertex(model, *chosen))
-        changed("Duplicate vertex", *chosen + 1);
+                    room && isChosen))
+        change("Duplicate vertex", *chosen + 1, [&](Model& edited) { duplicateVertex(edited, *chosen); });
     if (line.button("Remove", "remove vertex",
-                    "Removes the selected vertex. With indices, also removes its triangles", isChosen)) {
-        removeVertex(model, *chosen);
-        changed("Remove vertex", count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)));
-    }
+                    "Removes the selected vertex. With indices, also removes its triangles", isChosen))
+        change("Remove vertex", count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)),
+               [&](Model& edited) { removeVertex(edited, *chosen); });
 }
 
 /// Removes an optional list of vertex values.
-void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, auto& list,
-                 const char* help) {
-    if (line.button("Clear", std::string("clear ") + part.label, help, !list.empty())) {
-        list.clear();
-        recordStep(session, fmt::format("Clear {}", part.label), part.path(session));
-    }
+template<auto List>
+void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, const char* help) {
+    const bool isEmpty = (selectedModel(session)->mesh.*List).empty();
+    if (line.button("Clear", std::string("clear ") + part.label, help, !isEmpty))
+        submit(
+            session, fmt::format("Clear {}", part.label),
+            [&](Scene& scene) { (selectedModel(scene, session.window.selection).mesh.*List).clear(); },
+            part.path(session));
 }
 
 void partButtons(Session& session, VerticesTabState& state) {
     ButtonLine line;
-    Model& model = *selectedModel(session);
-    if (model.shape != Shape::Mesh) {
+    if (selectedModel(session)->shape != Shape::Mesh) {
         coordButtons(session, line);
         if (line.button("Make it a mesh", "make mesh",
                         "Converts the model to a mesh with the same vertices, which can be edited"))
@@ -184,13 +176,13 @@ void partButtons(Session& session, VerticesTabState& state) {
         return;
     case VertexPart::Normal:
         vertexButtons(session, line);
-        clearButton(session, line, rowOf(state.part), model.mesh.normals,
-                    "Removes all normals: the surface faces +z");
+        clearButton<&MeshData::normals>(session, line, rowOf(state.part),
+                                        "Removes all normals: the surface faces +z");
         return;
     case VertexPart::Color:
         vertexButtons(session, line);
-        clearButton(session, line, rowOf(state.part), model.mesh.colors,
-                    "Removes all colours: the material's colour is used");
+        clearButton<&MeshData::colors>(session, line, rowOf(state.part),
+                                       "Removes all colours: the material's colour is used");
         return;
     }
 }
@@ -205,7 +197,7 @@ struct List {
 };
 
 glm::vec4 valueOf(Session& session, const List& list, std::size_t vertex) {
-    return list.part.read ? list.part.read(session.document.scene, *selectedModel(session), vertex)
+    return list.part.read ? list.part.read(presentScene(session), *selectedModel(session), vertex)
                           : list.coords[vertex];
 }
 
@@ -252,12 +244,17 @@ void vertexRow(Session& session, const List& list, std::size_t vertex) {
     ImGui::PopID();
     if (!changed)
         return;
-    Model& model = *selectedModel(session);
-    if (list.part.write)
-        list.part.write(session.document.scene, model, vertex, value, list.together);
-    else
-        setTexCoord(model, selectedMesh(session), session.window.selection.unit, vertex, value);
-    recordEdit(session, fmt::format("{} {}", list.part.edit, name), list.path);
+    const Selection& selection = session.window.selection;
+    submitDrag(
+        session, fmt::format("{} {}", list.part.edit, name),
+        [&](Scene& scene) {
+            Model& model = selectedModel(scene, selection);
+            if (list.part.write)
+                list.part.write(scene, model, vertex, value, list.together);
+            else
+                setTexCoord(model, selectedMesh(session), selection.unit, vertex, value);
+        },
+        list.path);
 }
 
 /// `reveal`: a row to scroll to.
@@ -366,7 +363,6 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     }
 
     const Mesh& mesh = selectedMesh(session);
-    const std::shared_ptr<const Mesh> kept = session.window.mesh; // used while rows edit its source
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
     const bool two = part.part == VertexPart::Coordinates && !session.window.showRq &&

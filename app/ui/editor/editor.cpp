@@ -13,6 +13,19 @@
 namespace texplorer::ui {
 namespace {
 
+/// Records the document's scene for undo.
+void record(Session& session, const Step& step) {
+    Document& document = session.document;
+    if (session.window.notice.isGood)
+        session.window.notice = {}; // messages about earlier actions are out of date
+    if (!step.continues)
+        document.history.seal();
+    document.history.record(document.scene, step.name);
+    if (!step.continues)
+        document.history.seal();
+    document.lastChanged = step.path;
+}
+
 bool appliesPreset(const Step& step) {
     return std::ranges::any_of(
         step.edits, [](const Edit& each) { return std::holds_alternative<edit::ApplyPreset>(each); });
@@ -32,8 +45,35 @@ void selectAfter(Session& session, const Step& step) {
         clearTexel(session); // it may belong to another model or pass
 }
 
+void showStep(Session& session, const Scene& scene) {
+    session.document.scene = scene;
+    showPresent(session);
+    leaveHiddenModel(session);
+    bringSelectionBack(session);
+    session.document.lastChanged.clear();
+}
+
+void take(Session& session, EndStep /*end*/) {
+    session.document.history.seal();
+}
+
+void take(Session& session, DropStep /*drop*/) {
+    showStep(session, session.document.history.takeBack());
+}
+
+void take(Session& session, Undo /*undo*/) {
+    showStep(session, session.document.history.undo());
+}
+
+void take(Session& session, Redo /*redo*/) {
+    showStep(session, session.document.history.redo());
+}
+
+void take(Session& session, GoToStep to) {
+    showStep(session, session.document.history.goTo(to.step));
+}
+
 void take(Session& session, const Step& step) {
-    endStanding(session);
     Scene& scene = session.document.scene;
     Playback& playback = session.window.playback;
     const bool moved = isAnimated(scene);
@@ -41,29 +81,22 @@ void take(Session& session, const Step& step) {
         makeEditsAt(scene, step.edits, {.shown = playback.time, .key = presentKeyTime(session)});
     if (!keyed)
         return say(session, keyed.error());
-    if (!step.continues)
-        sealEdit(session);
-    recordScene(session, step.name, step.path);
-    if (!step.continues)
-        sealEdit(session);
-    selectAfter(session, step);
+    record(session, step);
     if (*keyed)
         holdTime(session);
     else if (!moved && appliesPreset(step) && isAnimated(scene))
         playback.playing = true;
+    showPresent(session);
+    selectAfter(session, step);
     if (!step.says.empty())
         tell(session, step.says);
 }
 
 } // namespace
 
-void takeSteps(Session& session) {
-    for (const Step& step : std::exchange(session.steps, {})) {
-        if (step.edits.empty())
-            sealEdit(session);
-        else
-            take(session, step);
-    }
+void takeRequests(Session& session) {
+    for (const EditRequest& request : std::exchange(session.requests, {}))
+        std::visit([&](const auto& each) { take(session, each); }, request);
 }
 
 } // namespace texplorer::ui

@@ -4,8 +4,9 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// Makes the submitted steps, in their order: records them for undo, sets key frames, and keeps the selection
-/// on the same objects. A step that is not possible is reported and changes nothing.
-void takeSteps(Session& session);
+/// Does what was submitted, in this order: makes steps, which it records for undo, sets key frames, keeps the
+/// selection on the same objects; undoes and redoes. A step that is not possible is reported and changes
+/// nothing.
+void takeRequests(Session& session);
 
 } // namespace texplorer::ui

@@ -328,9 +328,9 @@ void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& /*pict
     const Texture* texture = boundTexture(session);
     const std::string path = fmt::format("textures[{}].", selectedUnit(session).texture);
     const std::optional<ParamPlace> wrapPlace =
-        placeOf(session.document.scene, path + keyOf<&Texture::wrapS>());
+        placeOf(presentScene(session), path + keyOf<&Texture::wrapS>());
     std::optional<ParamPlace> filterPlace =
-        placeOf(session.document.scene, path + keyOf<&Texture::magFilter>());
+        placeOf(presentScene(session), path + keyOf<&Texture::magFilter>());
     if (!texture || !wrapPlace || !filterPlace)
         return dimWrappedText("Bind a texture to this unit to draw its wrap mode and its filter.");
     static const Texture initial;

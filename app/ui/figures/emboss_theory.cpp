@@ -44,7 +44,7 @@ const HeightProfile& profileOf(EmbossTheoryState& state) {
 
 /// The depth of the scene's first embossing unit.
 std::optional<ParamPlace> embossDepth(Session& session) {
-    Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     for (std::size_t pass = 0; pass < scene.passes.size(); ++pass) {
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
             const Unit& each = scene.passes[pass].units.at(unit);
@@ -362,7 +362,7 @@ void drawEmbossTheory(Session& session, EmbossTheoryState& state, const Pictures
     const ImVec2 top = ImGui::GetCursorPos();
     const float light = glm::radians(state.angle);
     const EmbossFigure figure{profileOf(state), light, depth ? numberAt(*depth, 0) : state.depth,
-                              brightnessOf(session.document.scene, light)};
+                              brightnessOf(presentScene(session), light)};
     const ImVec2 size(beside ? room.x - right - gap : room.x,
                       beside ? std::max(room.y - ImGui::GetStyle().ItemSpacing.y, em * 10) : em * 12);
     drawEmbossDrawings(state, figure, size);

@@ -291,7 +291,8 @@ float headWidth(const Session& session) {
 void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap) {
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const EnvMode own = session.document.scene.passes[static_cast<std::size_t>(session.window.selection.pass)]
+    const EnvMode own = presentScene(session)
+                            .passes[static_cast<std::size_t>(session.window.selection.pass)]
                             .units[static_cast<std::size_t>(session.window.selection.unit)]
                             .envMode;
     for (std::size_t column = 0; column < tableModes.size(); ++column) {

@@ -34,7 +34,7 @@ struct NamedAxis {
 };
 
 NamedAxis namedAxis(const Session& session, SweepAxis axis) {
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     NamedAxis named{std::move(axis), nullptr, {}, 0};
     named.row = paramAt(scene, named.axis.path)->row;
     named.all = named.axis.values.size();
@@ -97,14 +97,14 @@ std::string wordsOf(const Session& session, const Axes& axes, std::size_t row, s
 
 /// The index of the scene's value on an axis; nothing if the axis does not have it.
 std::optional<std::size_t> ownValue(const Session& session, const SweepAxis& axis) {
-    const Result<std::string> now = getParam(session.document.scene, axis.path);
+    const Result<std::string> now = getParam(presentScene(session), axis.path);
     const auto found = now ? std::ranges::find(axis.values, *now) : axis.values.end();
     return found == axis.values.end() ? std::nullopt
                                       : std::optional(static_cast<std::size_t>(found - axis.values.begin()));
 }
 
 void take(Session& session, const Axes& axes, std::size_t row, std::size_t column) {
-    Result<Scene> made = sheetScene(session.document.scene, axes.rows.axis, row, axes.columns.axis, column);
+    Result<Scene> made = sheetScene(presentScene(session), axes.rows.axis, row, axes.columns.axis, column);
     if (!made) {
         session.window.notice = {describe(made.error()), {}};
         return;
@@ -237,8 +237,8 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
         return std::max(1, static_cast<int>(std::lround(length * scale)));
     };
     // The pictures do not depend on the scene's values on both axes.
-    Result<Scene> base = sheetScene(session.document.scene, axes.rows.axis, 0, axes.columns.axis, 0);
-    return {{base ? *std::move(base) : session.document.scene, session.document.images,
+    Result<Scene> base = sheetScene(presentScene(session), axes.rows.axis, 0, axes.columns.axis, 0);
+    return {{base ? *std::move(base) : presentScene(session), session.document.images,
              session.window.playback.time, pixels(plan.cell.x, density.x), pixels(plan.cell.y, density.y),
              session.window.view.anisotropy, session.window.view.rho},
             axes.rows.axis,

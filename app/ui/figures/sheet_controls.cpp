@@ -30,7 +30,7 @@ constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
 
 /// The label of the parameter at a path; the path if there is none.
 std::string labelAt(const Session& session, const std::string& path) {
-    const Result<ParamAt> at = paramAt(session.document.scene, path);
+    const Result<ParamAt> at = paramAt(presentScene(session), path);
     return at ? std::string(shownName(session.window.settings, *at->row)) : path;
 }
 
@@ -38,13 +38,13 @@ void findOffers(const Session& session, SheetState& state) {
     state.offers.clear();
     const Texture* bound = boundTexture(session);
     const std::string texture = bound ? elementOf<&Scene::textures>(static_cast<std::size_t>(
-                                            bound - session.document.scene.textures.data())) +
+                                            bound - presentScene(session).textures.data())) +
                                             "."
                                       : std::string();
     const std::string unit = selectedUnitPath(session) + ".";
     // Parameters of the selection come first.
     std::vector<std::pair<int, SheetState::Offer>> found;
-    forEachParam(session.document.scene, [&](const std::string& path, const ParamRow& row, const Value&) {
+    forEachParam(presentScene(session), [&](const std::string& path, const ParamRow& row, const Value&) {
         const int match = state.search.empty() ? 1 : matchOf(row, state.search);
         if (!canSweep(row) || match == 0)
             return;
@@ -143,7 +143,6 @@ void fileControls(Session& session) {
     helpTip("Writes the sheet with every value as a PNG file, with labels and the reference's pictures.");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(label(copyWords))) {
-        endStanding(session); // the command contains the scene without the effect of the present time
         if (const Result<std::string> command = sweepCommand(session); command) {
             ImGui::SetClipboardText(command->c_str());
             tell(session, "Copied a command that draws this sheet without a window.");

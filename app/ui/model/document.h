@@ -39,12 +39,6 @@ struct ForcedLevel {
     int maxLevel = 0;
 };
 
-/// Exists while panels are drawn: see timeline_edits.h.
-struct Standing {
-    Scene base;  ///< the document's own scene
-    Scene shown; ///< the scene when the panels began, or after the last edit
-};
-
 /// The scene that is shown and edited. Opening a scene creates another Document; the window stays.
 struct Document {
     /// A scene with loaded images. The default camera is fitted to the view when its shape is known, so that
@@ -74,8 +68,7 @@ struct Document {
     std::vector<Finding> findings; ///< about the scene, updated by `diagnoseSession`
     Diagnosis diagnosis;
 
-    std::optional<Standing>
-        standing; ///< `scene` is that of the present time; nothing: it is the document's own
+    std::optional<Scene> present; ///< see presentScene; nullopt: the same as `scene`
 };
 
 /// Whether closing would lose changes. Moving the camera in a scene that was never saved does not count.

@@ -30,7 +30,7 @@ reference::DrawRequest pictureNow(const Session& session, int width, int height)
 
 /// The image in which the unit that is asked about would look up the texel now.
 std::shared_ptr<const TextureImage> imageAsked(const Session& session) {
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     const reference::TexelQuestion& asked = *session.window.explaining.texel;
     const auto pass = static_cast<std::size_t>(asked.pass);
     if (pass >= scene.passes.size())

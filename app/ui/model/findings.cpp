@@ -60,9 +60,9 @@ void reveal(Session& session, const std::string& path) {
     // A texture is edited through a unit that it is bound to; one that is on comes first.
     if (const int texture = indexIn(path, "textures"); texture >= 0) {
         for (const bool on : {false, true}) {
-            for (std::size_t p = 0; p < session.document.scene.passes.size(); ++p) {
+            for (std::size_t p = 0; p < presentScene(session).passes.size(); ++p) {
                 for (std::size_t u = 0; u < maxUnits; ++u) {
-                    const Pass& pass = session.document.scene.passes[p];
+                    const Pass& pass = presentScene(session).passes[p];
                     const Unit& unit = pass.units[u];
                     if (unit.texture == texture && (pass.enabled && unit.enabled) == on) {
                         selection.pass = static_cast<int>(p);

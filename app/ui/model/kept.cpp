@@ -46,15 +46,18 @@ void selectAsInA(Selection& selection, const Selection& inA, std::string_view pa
 
 Scene keptFrom(const Session& session) {
     Scene scene = *session.document.kept.scene;
-    scene.view = lookedAtFrom(scene.view, session.document.scene.view);
+    scene.view = lookedAtFrom(scene.view, presentScene(session).view);
     return scene;
 }
 
 void take(Session& session, std::string name, const std::string& path) {
     Selection selection = session.window.selection;
     selectAsInA(selection, session.document.kept.selection, path);
+    edit::Replace replace{std::make_shared<const Scene>(keptFrom(session))};
+    if (!path.empty())
+        replace.paths.push_back(path);
     submit(session, {.name = std::move(name),
-                     .edits = {edit::Replace{std::make_shared<const Scene>(keptFrom(session)), path}},
+                     .edits = {std::move(replace)},
                      .path = path,
                      .select = std::move(selection)});
 }
@@ -70,7 +73,6 @@ bool isKeptBeside(const Session& session) {
 }
 
 void keepAsA(Session& session) {
-    endStanding(session);
     session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt,
                              session.window.selection};
     followKept(session);
@@ -85,7 +87,6 @@ void flipKept(Session& session) {
     if (isKeptBeside(session))
         session.window.view.arrangement = Arrangement::One;
     kept.flippedAt.reset();
-    endStanding(session);
     if (!shown)
         kept.flippedAt = session.document.scene;
     followKept(session);
@@ -121,7 +122,7 @@ void followKept(Session& session) {
 std::vector<SceneChange> changesSinceKept(const Session& session) {
     if (!session.document.kept.scene)
         return {};
-    return changesBetween(keptFrom(session), session.document.scene);
+    return changesBetween(keptFrom(session), presentScene(session));
 }
 
 void takeFromKept(Session& session, const SceneChange& change) {

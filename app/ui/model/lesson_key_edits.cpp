@@ -30,18 +30,20 @@ void pressLessonKey(Session& session, std::size_t key, float times) {
         return;
     const lesson::LessonKey& pressed = run->lesson.keys[key];
     const std::string words = fmt::format("Key {}", pressed.key);
-    Scene& scene = session.document.scene;
     if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
         // At the end of its range a number stays unchanged, without a message.
-        if (addTo(scene, *addition, times, session.window.playback.time))
-            recordEdit(session, words, addition->path);
-        return;
+        return submitDrag(
+            session, words,
+            [&](Scene& scene) {
+                static_cast<void>(addTo(scene, *addition, times, session.window.playback.time));
+            },
+            addition->path);
     }
-    sealEdit(session);
-    if (pressKey(scene, run->lesson.keys, run->chosen, key, session.window.textureUnits))
-        recordEdit(session, words);
-    run->keyed = scene;
-    sealEdit(session);
+    submit(session, words, [&](Scene& scene) {
+        lesson::ChosenChoices chosen = run->chosen;
+        if (pressKey(scene, run->lesson.keys, chosen, key, session.window.textureUnits))
+            run->pressed = PressedKey{scene, std::move(chosen)};
+    });
 }
 
 void releaseLessonKey(Session& session) {
@@ -51,7 +53,7 @@ void releaseLessonKey(Session& session) {
 std::string stateOfKey(const Session& session, const LessonRun& run, std::size_t key) {
     const lesson::LessonKey& which = run.lesson.keys[key];
     if (const auto* addition = std::get_if<lesson::Addition>(&which.effect)) {
-        const Result<float> number = numberOf(session.document.scene, *addition);
+        const Result<float> number = numberOf(presentScene(session), *addition);
         return number ? fmt::format("{:.2f}", *number) : std::string();
     }
     const auto& choices = std::get<lesson::Cycle>(which.effect).choices;

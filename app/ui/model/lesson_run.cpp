@@ -114,13 +114,16 @@ void readyKeys(LessonRun& run) {
         run.usable.push_back(checkKey(run.start.scene, key).has_value());
     run.chosen.clear();
     run.keyed.reset();
+    run.pressed.reset();
 }
 
 /// Finds the current choices of the keys, which undo and panels can change as well.
 void followKeys(Session& session, LessonRun& run) {
     if (run.lesson.keys.empty() || run.keyed == session.document.scene)
         return;
-    run.chosen = choicesOf(session.document.scene, run.lesson.keys, run.chosen);
+    run.chosen = run.pressed && run.pressed->scene == session.document.scene
+                     ? run.pressed->chosen
+                     : choicesOf(session.document.scene, run.lesson.keys, run.chosen);
     run.keyed = session.document.scene;
 }
 
@@ -359,15 +362,11 @@ void answerQuestion(Session& session, std::size_t answer) {
     if (!right)
         return;
     record.done = true;
+    if (predict->answers[answer].edits.empty())
+        return;
     const lesson::LessonScene scene =
         withEdits(run.start, predict->answers[answer].edits).value_or(run.start);
-    if (!predict->answers[answer].edits.empty()) {
-        endStanding(session);
-        session.document.scene = scene.scene;
-        sealEdit(session);
-        recordScene(session, "Answer");
-        sealEdit(session);
-    }
+    submit(session, {.name = "Answer", .edits = {edit::Replace{std::make_shared<const Scene>(scene.scene)}}});
 }
 
 void followLesson(Session& session, const LessonPlace& place) {

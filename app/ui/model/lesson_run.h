@@ -18,6 +18,12 @@ namespace texplorer::ui {
 
 struct Session;
 
+/// What a key of a lesson leads to.
+struct PressedKey {
+    Scene scene;
+    lesson::ChosenChoices chosen; ///< of that scene; several choices may fit it
+};
+
 /// An open lesson. The results of its steps are kept longer: see lesson_progress.h.
 struct LessonRun {
     LessonRun(lesson::LessonFolder from, lesson::Lesson what, std::size_t first, lesson::LessonScene scene)
@@ -54,6 +60,7 @@ struct LessonRun {
     lesson::ChosenChoices chosen;                         ///< the current choice of each of its keys
     std::vector<bool> usable;                             ///< which of its keys have an effect in this step
     std::optional<Scene> keyed;                           ///< the scene of `chosen`
+    std::optional<PressedKey> pressed;                    ///< the last one that selects a choice
     std::optional<std::size_t> heldKey;                   ///< the last pressed one of its keys
     bool holdsKey = false;                                ///< a key with a continuous effect is held
 

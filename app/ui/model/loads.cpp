@@ -30,10 +30,6 @@ std::set<std::string> missingFiles(const Session& session, const Load& load) {
     return files;
 }
 
-fs::path folderOf(const Session& session, const Load& load) {
-    return load.kind == Load::Kind::Scene ? load.images.directory() : session.document.images.directory();
-}
-
 /// The files that a load needs, each with all its notations.
 std::vector<std::vector<std::string>> missingBySpelling(const Session& session, const Load& load) {
     std::vector<std::vector<std::string>> missing;
@@ -52,226 +48,16 @@ std::vector<std::vector<std::string>> missingBySpelling(const Session& session, 
     return missing;
 }
 
-/// Adds the loaded files and their whole content to a source.
-void putAll(ImageSource& images, const Load& load) {
-    for (const auto& [file, texture] : load.arrived)
-        images.put(file, texture);
-}
+} // namespace
 
-/// Takes in a file that has arrived, if the images of its scene leave room for it.
-Result<void> arrive(const Session& session, Load& load, const std::vector<std::string>& spellings,
-                    const ImageLoader::Content& content) {
-    const auto& image = std::get<std::shared_ptr<const TextureImage>>(content);
-    const bool own = load.kind == Load::Kind::Scene;
-    ImageSource images = own ? load.images : session.document.images;
-    std::set<std::string> files = filesOf(own ? load.scene : session.document.scene);
-    putAll(images, load);
-    for (const auto& [file, texture] : load.arrived)
-        files.insert(file);
-    for (const std::string& file : spellings)
-        files.erase(file); // replaced files
-    const std::size_t used = images.bytesOf(files);
-    if (used + byteCount(*image) > sceneImageBytes) {
-        Error refused = beyondBudget(byteCount(*image), sceneImageBytes - std::min(sceneImageBytes, used));
-        refused.where = (folderOf(session, load) / spellings.front()).string();
-        return fail(std::move(refused));
-    }
-    for (const std::string& file : spellings)
-        load.arrived[file] = image;
-    return {};
-}
-
-void finishImport(Session& session, const Load& load) {
-    session.window.fileView.chosen.clear(); // the tab shows the new image
-    bindFile(session.document.scene, load.pass, load.unit, load.file);
-    sealEdit(session);
-    recordEdit(session, fmt::format("Open {}", load.path.filename().string()));
-    sealEdit(session);
-}
-
-/// Puts all of them into one undo step.
-void finishAdd(Session& session, Load& load) {
-    addImages(session.document.scene, session.document.images, load);
-    sealEdit(session);
-    recordEdit(session, fmt::format("Open {} images", load.added.size()));
-    sealEdit(session);
-}
-
-/// The user gets the message in the next frame that has room for it.
-void tellRefused(Session& session, std::vector<Error>& refused) {
-    session.window.refused.insert(session.window.refused.end(), refused.begin(), refused.end());
-    refused.clear();
-}
-
-void finishSetFile(Session& session, const Load& load) {
-    const std::string owner = load.param.substr(0, load.param.rfind('.') + 1);
-    const std::string source(rowOf(SourceKind::File).name);
-    if (!setParam(session.document.scene, load.param, load.file) ||
-        !setParam(session.document.scene, owner + keyOf<&Texture::source>(), source))
-        return; // it was removed in the meantime
-    sealEdit(session);
-    recordEdit(session, "File", load.param);
-    sealEdit(session);
-}
-
-void finishReload(Session& session, const Load& load) {
-    if (session.document.damaged.erase(load.file) > 0 &&
-        session.window.notice.file == session.document.images.directory() / load.file)
-        session.window.notice = {};
-}
-
-/// Whether it makes an undo step, or another scene.
-bool isEdit(const Load& load) {
-    return load.kind != Load::Kind::Reload && load.kind != Load::Kind::Used;
-}
-
-/// All files have arrived. Returns false if it has to wait for the user.
-bool finish(Session& session, Load& load) {
-    if (session.window.movesVertices && isEdit(load))
-        return false; // otherwise the move would be two undo steps with this one in between
-    switch (load.kind) {
-    case Load::Kind::Import:
-        putAll(session.document.images, load);
-        finishImport(session, load);
-        return true;
-    case Load::Kind::Add:
-        putAll(session.document.images, load);
-        finishAdd(session, load);
-        tellRefused(session, load.refused);
-        return true;
-    case Load::Kind::SetFile:
-        putAll(session.document.images, load);
-        finishSetFile(session, load);
-        return true;
-    case Load::Kind::Reload:
-        putAll(session.document.images, load);
-        finishReload(session, load);
-        return true;
-    case Load::Kind::Used:
-        putAll(session.document.images, load);
-        return true;
-    case Load::Kind::Scene:
-        if (session.window.dialog != Dialog::None)
-            return false;
-        putAll(load.images, load);
-        addImages(load.scene, load.images, load);
-        tellRefused(session, load.refused);
-        showLoadedScene(session, std::move(load));
-        return true;
-    }
-    return true;
-}
-
-/// Changes nothing and tells the user. A file that was valid before keeps its old picture, and is mentioned
-/// once.
-void giveUp(Session& session, const Load& load, const std::string& file, const Error& error) {
-    const fs::path path = folderOf(session, load) / file;
-    if (load.kind != Load::Kind::Reload)
-        return say(session, error, path);
-    if (session.document.damaged.insert(file).second)
-        say(session,
-            {error.code,
-             fmt::format("has changed and can't be read, so the old image stays: {}", error.message),
-             path.string()},
-            path);
-}
-
-void finishInOrder(Session& session) {
-    while (!session.document.loads.empty() && session.document.loads.front().waits.empty()) {
-        Load load = std::move(session.document.loads.front());
-        session.document.loads.erase(session.document.loads.begin());
-        if (!finish(session, load)) {
-            session.document.loads.insert(session.document.loads.begin(), std::move(load));
-            return;
-        }
-    }
+fs::path folderOf(const Session& session, const Load& load) {
+    return load.kind == Load::Kind::Scene ? load.images.directory() : session.document.images.directory();
 }
 
 void cancelWaiting(Session& session, const Load& load) {
     for (const auto& [ticket, spellings] : load.waits)
         session.services.files.cancel(ticket);
 }
-
-void receive(Session& session, ImageLoader::Loaded loaded) {
-    if (loaded.ticket == session.window.fileView.ticket)
-        return receiveInspected(session, std::move(loaded.content));
-    const auto load = std::ranges::find_if(
-        session.document.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
-    if (load == session.document.loads.end())
-        return;
-    const std::vector<std::string> spellings = load->waits.at(loaded.ticket);
-    load->waits.erase(loaded.ticket);
-    const Result<void> taken =
-        loaded.content ? arrive(session, *load, spellings, *loaded.content) : fail(loaded.content.error());
-    if (!taken && load->goesOn) {
-        load->refused.push_back(taken.error());
-    } else if (!taken) {
-        const Load failed = std::move(*load);
-        session.document.loads.erase(load);
-        cancelWaiting(session, failed);
-        giveUp(session, failed, spellings.front(), taken.error());
-    }
-}
-
-/// The images that are in a folder.
-std::vector<std::string> filesOnDisk(const ImageSource& images) {
-    std::vector<std::string> files = images.files();
-    std::erase_if(files, [&](const std::string& file) { return images.fileInMemory(file) != nullptr; });
-    return files;
-}
-
-/// Returns true if the open lesson has changed: it is read again in the next frame that has room for it.
-bool reloadChanged(Session& session) {
-    std::set<std::string> files;
-    for (const std::string& file : filesOnDisk(session.document.images))
-        files.insert(file);
-    for (const Load& load : session.document.loads) { // what is being read may have changed after it was read
-        if (!load.file.empty())
-            files.insert(load.file);
-    }
-    const std::shared_ptr<LessonRun> lesson = session.window.lesson;
-    bool lessonHasChanged = false;
-    for (const fs::path& changed : session.services.files.changed()) {
-        if (changed == session.window.fileView.shown)
-            refreshInspected(session);
-        if (lesson && std::ranges::find(lesson->files, changed) != lesson->files.end())
-            lesson->hasChanged = lessonHasChanged = true;
-        for (const std::string& file : files) {
-            if (session.document.images.directory() / file == changed)
-                start(session, {.kind = Load::Kind::Reload, .path = changed, .file = file});
-        }
-    }
-    return lessonHasChanged;
-}
-
-/// An edit may add a file that was never read: unused files of a scene are not read with it.
-void loadUsed(Session& session) {
-    std::set<std::string> used = filesOf(session.document.scene);
-    for (const std::string& file : used) {
-        if (!file.empty() && !session.document.used.contains(file) && !session.document.images.holds(file))
-            start(
-                session,
-                {.kind = Load::Kind::Used, .path = session.document.images.directory() / file, .file = file});
-    }
-    session.document.used = std::move(used);
-}
-
-void watchFiles(Session& session) {
-    std::vector<fs::path> paths;
-    for (const std::string& file : filesOnDisk(session.document.images))
-        paths.push_back(session.document.images.directory() / file);
-    for (const Load& load : session.document.loads) {
-        if (!load.file.empty())
-            paths.push_back(session.document.images.directory() / load.file);
-    }
-    if (!session.window.fileView.shown.empty() && !session.window.fileView.inMemory)
-        paths.push_back(session.window.fileView.shown);
-    if (session.window.lesson)
-        std::ranges::copy(session.window.lesson->files, std::back_inserter(paths));
-    session.services.files.watch(std::move(paths));
-}
-
-} // namespace
 
 void start(Session& session, Load load) {
     const fs::path folder = folderOf(session, load);
@@ -287,22 +73,6 @@ void start(Session& session, Load load) {
         });
     }
     session.document.loads.push_back(std::move(load));
-}
-
-bool receiveFiles(Session& session) {
-    Services& services = session.services;
-    loadUsed(session);
-    bool news = services.levels.receive();
-    news |= services.files.receiveThumbnails();
-    for (ImageLoader::Loaded& loaded : services.files.take()) {
-        receive(session, std::move(loaded));
-        news = true;
-    }
-    const std::size_t before = session.document.loads.size();
-    finishInOrder(session);
-    news |= reloadChanged(session);
-    watchFiles(session);
-    return news || session.document.loads.size() != before;
 }
 
 void cancelLoad(Session& session, Files::Ticket ticket) {
@@ -323,11 +93,6 @@ void cancelLoads(Session& session) {
     for (const Load& load : session.document.loads)
         cancelWaiting(session, load);
     session.document.loads.clear();
-}
-
-void waitForFiles(Session& session) {
-    session.services.files.wait();
-    (void)receiveFiles(session);
 }
 
 } // namespace texplorer::ui

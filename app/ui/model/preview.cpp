@@ -13,13 +13,12 @@ namespace texplorer::ui {
 void preview(Session& session, std::string_view choice, std::string_view text,
              const std::function<void(Scene&)>& edit) {
     std::optional<Preview>& shown = session.window.preview;
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     if (!shown || shown->choice != choice || shown->madeOf != scene) {
         Scene edited = scene;
         edit(edited);
         // As it would be recorded; a value that cannot be a key is not shown.
-        const Scene& before = session.document.standing ? session.document.standing->shown : scene;
-        static_cast<void>(keyEdits(edited, before, presentKeyTime(session)));
+        static_cast<void>(keyEdits(edited, scene, presentKeyTime(session)));
         const bool isLoaded = std::ranges::all_of(
             filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
         if (!isLoaded)

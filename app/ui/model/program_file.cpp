@@ -46,21 +46,11 @@ std::string programFileName(const Document& document, emit::Flavour flavour) {
     return stemOf(document) + std::string(emit::extensionOf(flavour));
 }
 
-std::optional<Scene> withoutTime(const Document& document) {
-    if (!document.standing)
-        return std::nullopt;
-    Scene scene = document.scene;
-    putUnkeyed(scene, document.standing->base);
-    return scene;
-}
-
 std::optional<emit::ProgramWorker::Program> programNow(const Session& session, emit::Flavour flavour) {
     const Document& document = session.document;
     const emit::ProgramOptions options{.title = "Texplorer",
                                        .fileName = [](const std::string& file) { return file; }};
-    const std::optional<Scene> timeless = withoutTime(document);
-    return session.services.programs.program(flavour, timeless ? *timeless : document.scene, document.images,
-                                             options);
+    return session.services.programs.program(flavour, document.scene, document.images, options);
 }
 
 FileOrder programOrder(const Session& session, std::filesystem::path file) {
@@ -98,7 +88,6 @@ void askSaveProgram(Session& session, emit::Flavour flavour) {
 
 Result<void> saveProgram(Session& session, const std::filesystem::path& file,
                          const std::optional<FileFingerprint>& replaces) {
-    endStanding(session);
     const std::string_view extension = emit::extensionOf(session.window.flavour);
     if (file.extension() != extension)
         return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",

@@ -13,9 +13,6 @@ namespace texplorer::ui {
 /// The file name of the scene's program: "scene.c".
 [[nodiscard]] std::string programFileName(const Document& document, emit::Flavour flavour);
 
-/// The scene without the effect of the present time, if there is any: a program has all key frames.
-[[nodiscard]] std::optional<Scene> withoutTime(const Document& document);
-
 /// The scene's program, to display; nothing: its texels are still being made in the background.
 [[nodiscard]] std::optional<emit::ProgramWorker::Program> programNow(const Session& session,
                                                                      emit::Flavour flavour);

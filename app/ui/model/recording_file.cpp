@@ -104,7 +104,6 @@ std::string recordingFileName(const Session& session) {
 
 Result<void> saveRecording(Session& session, const std::filesystem::path& file,
                            const std::optional<FileFingerprint>& replaces) {
-    endStanding(session);
     Result<Recording> recording = recordingOf(session);
     if (!recording)
         return fail(recording.error());

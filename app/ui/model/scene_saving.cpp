@@ -100,7 +100,6 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
                          const std::optional<FileFingerprint>& replaces) {
     const fs::path file = absolutePath(path);
     const fs::path folder = file.parent_path();
-    endStanding(session);
     Document& document = session.document;
     const Scene scene = rebased(document.scene, document.images, folder);
     const std::string text = writeScene(scene);
@@ -137,8 +136,9 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
     }
     if (scene != document.scene) {
         document.scene = scene;
-        sealEdit(session);
-        recordScene(session, "Save elsewhere");
+        document.history.seal();
+        document.history.record(scene, "Save elsewhere");
+        showPresent(session);
     }
     document.saved = scene;
     document.file = file;

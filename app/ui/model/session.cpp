@@ -9,10 +9,9 @@
 #include "core/lesson/numbers.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
-#include "core/scene/params/key_edits.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/params.h"
-#include "core/scene/params/scene_diff.h"
+#include "core/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 
@@ -47,14 +46,6 @@ void followShape(Document& document, double time, float aspect) {
         document.saved.view = document.scene.view;
 }
 
-void showStep(Session& session, const Scene& scene) {
-    session.document.standing.reset();
-    session.document.scene = scene;
-    leaveHiddenModel(session);
-    bringSelectionBack(session);
-    session.document.lastChanged.clear();
-}
-
 /// Places a lesson's mark in the picture of any size.
 void placeMark(Session& session, lesson::PictureSize picture) {
     std::optional<WantedProbe>& wanted = session.window.wantedProbe;
@@ -66,16 +57,12 @@ void placeMark(Session& session, lesson::PictureSize picture) {
         explained = wanted->pixel = lesson::pixelOf(wanted->x, wanted->y, picture);
 }
 
-std::size_t lengthOf(Scene& scene, const std::string& list) {
-    const Result<ListAt> found = listAt(scene, list);
-    return found ? found->size() : 0;
-}
-
 } // namespace
 
 Session::Session(Services lent, Document start)
     : services(lent)
     , document(std::move(start)) {
+    showPresent(*this);
     leaveHiddenModel(*this);
 }
 
@@ -104,9 +91,10 @@ void replaceDocument(Session& session, Document document) {
 
 void exchangeDocument(Session& session, Document document) {
     cancelLoads(session);
-    session.steps.clear(); // they are for the other document
+    session.requests.clear(); // they are for the other document
     session.document = std::move(document);
     ++session.documents;
+    showPresent(session);
     leaveHiddenModel(session);
     bringSelectionBack(session);
 }
@@ -150,93 +138,64 @@ void advance(Session& session, double seconds) {
         playback.time = std::fmod(playback.time, length);
 }
 
-void recordEdit(Session& session, std::string_view what, std::string_view path) {
-    Document& document = session.document;
-    const Scene& before = document.standing ? document.standing->shown : document.history.current();
-    const Result<bool> keyed = keyEdits(document.scene, before, presentKeyTime(session));
-    if (!keyed)
-        say(session, fmt::format("A key frame can't be added: {}.", describe(keyed.error())));
-    else if (*keyed)
-        holdTime(session);
-    recordScene(session, what, path);
-}
-
-void recordScene(Session& session, std::string_view what, std::string_view path) {
-    Document& document = session.document;
-    if (session.window.notice.isGood)
-        session.window.notice = {}; // messages about earlier actions are out of date
-    if (document.standing) {
-        Standing& standing = *document.standing;
-        standing.shown = document.scene;
-        Scene recorded = document.scene;
-        putUnkeyed(recorded, standing.base);
-        standing.base = std::move(recorded);
-        document.history.record(standing.base, what);
-    } else {
-        document.history.record(document.scene, what);
-    }
-    document.lastChanged = path;
+Step stepThat(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+              std::string path) {
+    Step step{.name = std::move(name), .path = std::move(path)};
+    if (std::optional<Edit> edit = editThat(presentScene(session), change))
+        step.edits.push_back(std::move(*edit));
+    return step;
 }
 
 void submit(Session& session, Step step) {
-    session.steps.push_back(std::move(step));
+    if (!step.edits.empty())
+        session.requests.emplace_back(std::move(step));
 }
 
 void submit(Session& session, std::string name, const std::function<void(Scene&)>& change, std::string path) {
-    Scene& scene = session.document.scene;
-    auto changed = std::make_shared<Scene>(scene);
-    change(*changed);
-    Step step{.name = std::move(name), .path = std::move(path)};
-    for (SceneChange& each : changesBetween(scene, *changed)) {
-        const std::size_t before = each.isLength ? lengthOf(scene, each.path) : 0;
-        const std::size_t now = each.isLength ? lengthOf(*changed, each.path) : 0;
-        for (std::size_t i = before; i > now; --i) // with the key frames of what is removed
-            step.edits.emplace_back(edit::Remove{each.path, i - 1});
-        if (before <= now)
-            step.edits.emplace_back(edit::Replace{changed, std::move(each.path)});
-    }
-    if (!step.edits.empty())
-        submit(session, std::move(step));
+    submit(session, stepThat(session, std::move(name), change, std::move(path)));
+}
+
+void submitDrag(Session& session, std::string name, const std::function<void(Scene&)>& change,
+                std::string path) {
+    Step step = stepThat(session, std::move(name), change, std::move(path));
+    step.continues = true;
+    submit(session, std::move(step));
 }
 
 void sealEdit(Session& session) {
-    if (session.steps.empty())
+    if (session.requests.empty())
         session.document.history.seal();
     else
-        submit(session, {}); // without edits: see takeSteps
-}
-
-void undo(Session& session) {
-    if (session.document.history.canUndo())
-        goToStep(session, session.document.history.position() - 1);
-}
-
-void redo(Session& session) {
-    if (session.document.history.canRedo())
-        goToStep(session, session.document.history.position() + 1);
-}
-
-void takeBackEdit(Session& session) {
-    showStep(session, session.document.history.takeBack());
-}
-
-void goToStep(Session& session, std::size_t step) {
-    showStep(session, session.document.history.goTo(step));
+        session.requests.emplace_back(EndStep{});
 }
 
 void resetToSaved(Session& session) {
-    endStanding(session);
-    session.document.scene = session.document.saved;
-    sealEdit(session);
-    recordScene(session, session.document.file.empty() ? "Reset to the start" : "Reset to the file");
-    sealEdit(session);
-    leaveHiddenModel(session);
-    bringSelectionBack(session);
+    submit(session, {.name = session.document.file.empty() ? "Reset to the start" : "Reset to the file",
+                     .edits = {edit::Replace{std::make_shared<const Scene>(session.document.saved)}},
+                     .select = session.window.selection});
 }
 
-Model* selectedModel(Session& session) {
+const Scene& presentScene(const Session& session) {
+    return session.document.present ? *session.document.present : session.document.scene;
+}
+
+void showPresent(Session& session) {
+    const Scene& scene = session.document.scene;
+    if (scene.timeline.keys.empty())
+        return session.document.present.reset();
+    Scene present = sceneAt(scene, session.window.playback.time);
+    present.timeline = scene.timeline;
+    session.document.present = std::move(present);
+}
+
+const Model* selectedModel(const Session& session) {
+    const std::vector<Model>& models = presentScene(session).models;
     const auto index = static_cast<std::size_t>(session.window.selection.model);
-    return index < session.document.scene.models.size() ? &session.document.scene.models[index] : nullptr;
+    return index < models.size() ? &models[index] : nullptr;
+}
+
+Model& selectedModel(Scene& scene, const Selection& selection) {
+    return scene.models[static_cast<std::size_t>(selection.model)];
 }
 
 const Mesh& selectedMesh(Session& session) {
@@ -254,8 +213,8 @@ const Mesh& selectedMesh(Session& session) {
     return *session.window.mesh;
 }
 
-Pass& selectedPass(Session& session) {
-    return session.document.scene.passes[static_cast<std::size_t>(session.window.selection.pass)];
+const Pass& selectedPass(const Session& session) {
+    return presentScene(session).passes[static_cast<std::size_t>(session.window.selection.pass)];
 }
 
 Unit& selectedUnit(Scene& scene, const Selection& selection) {
@@ -263,8 +222,8 @@ Unit& selectedUnit(Scene& scene, const Selection& selection) {
         .units[static_cast<std::size_t>(selection.unit)];
 }
 
-Unit& selectedUnit(Session& session) {
-    return selectedUnit(session.document.scene, session.window.selection);
+const Unit& selectedUnit(const Session& session) {
+    return selectedPass(session).units[static_cast<std::size_t>(session.window.selection.unit)];
 }
 
 std::string selectedUnitPath(const Session& session) {
@@ -272,7 +231,7 @@ std::string selectedUnitPath(const Session& session) {
 }
 
 const Texture* boundTexture(const Session& session) {
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     const auto pass = static_cast<std::size_t>(session.window.selection.pass);
     if (pass >= scene.passes.size())
         return nullptr;
@@ -280,10 +239,6 @@ const Texture* boundTexture(const Session& session) {
         scene.passes[pass].units[static_cast<std::size_t>(session.window.selection.unit)].texture;
     const bool exists = index >= 0 && static_cast<std::size_t>(index) < scene.textures.size();
     return exists ? &scene.textures[static_cast<std::size_t>(index)] : nullptr;
-}
-
-Texture* boundTexture(Session& session) {
-    return const_cast<Texture*>(boundTexture(std::as_const(session)));
 }
 
 } // namespace texplorer::ui

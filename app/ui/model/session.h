@@ -19,7 +19,7 @@ struct Session {
     Services services;
     Document document;
     WindowState window;
-    std::vector<Step> steps; ///< submitted in this frame
+    std::vector<EditRequest> requests; ///< submitted in this frame
     std::size_t documents =
         0; ///< the number of replaced documents, for panels to detect that their state is out of date
 };
@@ -48,49 +48,46 @@ void advance(Session& session, double seconds);
 /// Whether the next frame differs even without input.
 [[nodiscard]] bool isMoving(const Session& session);
 
-/// Call after an edit of the scene: records it for undo under the name `what`. `path` is the changed
-/// parameter, if it is one. An edit of a parameter with key frames becomes a key frame (timeline_edits.h).
-void recordEdit(Session& session, std::string_view what, std::string_view path = {});
+/// The scene at the present time, which panels show and edit: parameters with key frames have the values that
+/// are seen.
+[[nodiscard]] const Scene& presentScene(const Session& session);
 
-/// The same after the document's scene was replaced: its differences are not edits of parameters, which could
-/// set key frames.
-void recordScene(Session& session, std::string_view what, std::string_view path = {});
-
-/// Removes the edit in progress, before `sealEdit`, from undo and redo.
-void takeBackEdit(Session& session);
+/// Call before panels are drawn, and again after the scene has changed.
+void showPresent(Session& session);
 
 /// Call after the scene was replaced: selects existing and visible objects.
 void bringSelectionBack(Session& session);
 
-/// Has a step made at the end of the frame (app/ui/editor).
+/// A step with the changes that a function makes in a copy of the scene (editThat), or without edits.
+[[nodiscard]] Step stepThat(const Session& session, std::string name,
+                            const std::function<void(Scene&)>& change, std::string path = {});
+
+/// Has a step made at the end of the frame (app/ui/editor), unless it has no edits.
 void submit(Session& session, Step step);
 
-/// The same with the changes that a function makes in a copy of the scene. It may change the lengths of a
-/// unit's or a texture's lists, but not those of textures, models and passes, which other parts name by their
-/// index.
+/// Submits the step with the changes of a function.
 void submit(Session& session, std::string name, const std::function<void(Scene&)>& change,
             std::string path = {});
+/// The same for a part of a drag, which continues the undo step before it.
+void submitDrag(Session& session, std::string name, const std::function<void(Scene&)>& change,
+                std::string path = {});
 
-/// Ends an undo step, after the submitted ones: the next edit starts a new one even with the same name.
+/// Asks for an EndStep.
 void sealEdit(Session& session);
 
-void undo(Session& session);
-void redo(Session& session);
-/// Undoes or redoes until the step of the history.
-void goToStep(Session& session, std::size_t step);
 /// Resets the scene to its file, or to its initial state: an undo step.
 void resetToSaved(Session& session);
 
 // The objects that the panels show.
-[[nodiscard]] Model* selectedModel(Session& session);
+[[nodiscard]] const Model* selectedModel(const Session& session);
+[[nodiscard]] Model& selectedModel(Scene& scene, const Selection& selection); ///< in a copy of the scene
 [[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty if no model is selected
-[[nodiscard]] Pass& selectedPass(Session& session);
-[[nodiscard]] Unit& selectedUnit(Session& session);
+[[nodiscard]] const Pass& selectedPass(const Session& session);
+[[nodiscard]] const Unit& selectedUnit(const Session& session);
 [[nodiscard]] Unit& selectedUnit(Scene& scene, const Selection& selection); ///< in a copy of the scene
 [[nodiscard]] std::string selectedUnitPath(const Session& session);         ///< "passes[0].units[1]"
 /// The texture bound to the selected unit, which is both used and edited as after glBindTexture. nullptr:
 /// none.
-[[nodiscard]] Texture* boundTexture(Session& session);
 [[nodiscard]] const Texture* boundTexture(const Session& session);
 
 } // namespace texplorer::ui

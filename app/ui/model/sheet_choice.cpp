@@ -12,7 +12,8 @@ namespace {
 
 std::string boundTexturePath(const Session& session, const std::string& key) {
     const Selection& selection = session.window.selection;
-    const int bound = session.document.scene.passes.at(static_cast<std::size_t>(selection.pass))
+    const int bound = presentScene(session)
+                          .passes.at(static_cast<std::size_t>(selection.pass))
                           .units.at(static_cast<std::size_t>(selection.unit))
                           .texture;
     return elementOf<&Scene::textures>(static_cast<std::size_t>(std::max(0, bound))) + "." + key;
@@ -74,7 +75,7 @@ Result<std::array<SweepAxis, 2>> sweptAxes(const Session& session) {
     std::array<SweepAxis, 2> swept;
     const SheetAxes axes = axesOf(session);
     for (std::size_t side = 0; side < swept.size(); ++side) {
-        Result<SweepAxis> axis = sweepAxis(session.document.scene, axes[side].path, axes[side].values);
+        Result<SweepAxis> axis = sweepAxis(presentScene(session), axes[side].path, axes[side].values);
         if (!axis)
             return fail(axis.error());
         swept[side] = *std::move(axis);

@@ -150,7 +150,6 @@ Result<glm::ivec2> sheetExtent(const Session& session) {
 
 Result<void> saveSheet(Session& session, const std::filesystem::path& file,
                        const std::optional<FileFingerprint>& replaces) {
-    endStanding(session);
     Result<SheetOrder> order = sheetOrder(session);
     if (!order)
         return fail(order.error());

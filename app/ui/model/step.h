@@ -3,8 +3,10 @@
 #include "app/ui/model/selection.h"
 #include "core/scene/edit/edit.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace texplorer::ui {
@@ -19,5 +21,17 @@ struct Step {
     std::optional<Selection> select{}; ///< what is selected afterwards, as far as it exists
     std::string says{};                ///< in the status bar afterwards
 };
+
+struct EndStep {};  ///< ends the undo step of a drag: the next edit starts a new one even with the same name
+struct DropStep {}; ///< removes the undo step of a drag that has not ended
+struct Undo {};
+struct Redo {};
+/// Undoes or redoes until the step of the history.
+struct GoToStep {
+    std::size_t step = 0;
+};
+
+/// What panels ask the editor for.
+using EditRequest = std::variant<Step, EndStep, DropStep, Undo, Redo, GoToStep>;
 
 } // namespace texplorer::ui

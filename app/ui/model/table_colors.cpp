@@ -43,7 +43,7 @@ std::optional<reference::EnvironmentInputs> probedInputs(Session& session, view:
         session.services.plainProbe.rest();
         return std::nullopt;
     }
-    Scene scene = session.document.scene;
+    Scene scene = presentScene(session);
     Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(session).texture)];
     texture.internalFormat = wholeFormat(texture.internalFormat);
     const auto answer = session.services.plainProbe.answer(
@@ -69,7 +69,7 @@ BaseFormat baseFormatOf(const Texture& texture, const LevelsSummary* summary) {
 
 TableSubject tableSubject(Session& session, view::Size picture) {
     TableSubject subject;
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     const Unit& unit = selectedUnit(session);
     if (const Texture* texture = boundTexture(session)) {
         const auto summary = session.services.levels.summary(

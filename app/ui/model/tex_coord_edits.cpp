@@ -1,6 +1,50 @@
 #include "app/ui/model/tex_coord_edits.h"
 
+#include "app/ui/model/session.h"
+
+#include <fmt/core.h>
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
 namespace texplorer::ui {
+namespace {
+
+Step coordsStep(const Session& session, std::string name, TexCoords coords) {
+    const Selection& selection = session.window.selection;
+    auto changed = std::make_shared<Scene>(presentScene(session));
+    selectedModel(*changed, selection).texCoords[static_cast<std::size_t>(selection.unit)] =
+        std::move(coords);
+    std::string path = coordsPath(session);
+    return {.name = std::move(name), .edits = {edit::Replace{std::move(changed), {path}}}, .path = path};
+}
+
+} // namespace
+
+glm::vec4 withinCoordRange(glm::vec4 coord) {
+    for (int i = 0; i < 4; ++i)
+        coord[i] = std::isnan(coord[i]) ? 0.0F : coord[i]; // for vertices without a position
+    return glm::clamp(coord, coordRange.min, coordRange.max);
+}
+
+std::string coordsPath(const Session& session) {
+    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
+                       session.window.selection.unit);
+}
+
+void submitTexCoords(Session& session, std::string name, TexCoords coords) {
+    std::ranges::transform(coords, coords.begin(), withinCoordRange);
+    submit(session, coordsStep(session, std::move(name), std::move(coords)));
+}
+
+void dragTexCoords(Session& session, std::string name, TexCoords coords) {
+    Step step = coordsStep(session, std::move(name), std::move(coords));
+    step.continues = true;
+    submit(session, std::move(step));
+}
 
 void scaleCoords(TexCoords& coords, float factor) {
     for (glm::vec4& each : coords) {

@@ -2,10 +2,25 @@
 
 #include "core/scene/params/params.h"
 
+#include <string>
+
 namespace texplorer::ui {
+
+struct Session;
 
 /// The range of dragged coordinates; `step` is a drag of one pixel in the list.
 inline constexpr Range coordRange{-1000, 1000, 0.005F, {}};
+
+[[nodiscard]] glm::vec4 withinCoordRange(glm::vec4 coord); ///< 0 for what is not a number
+
+/// "models[0].texCoords1" of the selected model and unit.
+[[nodiscard]] std::string coordsPath(const Session& session);
+
+/// Submits a step that sets the coordinates of the selected model and unit, within the range; empty: those of
+/// the mesh.
+void submitTexCoords(Session& session, std::string name, TexCoords coords);
+/// A part of a drag, with any coordinates.
+void dragTexCoords(Session& session, std::string name, TexCoords coords);
 
 // The actions of the buttons above the vertex list, on all coordinates of a model. r and q stay unchanged.
 

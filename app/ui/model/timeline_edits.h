@@ -10,15 +10,8 @@ namespace texplorer::ui {
 
 struct Session; // see session.h
 
-// The key frames of a parameter replace its value. While the panels are drawn, the document's scene is the
-// scene at the present time, so that panels show it and edits start from it. An edit of a parameter with key
-// frames, in any panel, sets a key at that time and stops the clock.
-
-/// Until endStanding the document's scene is that of the present time, with its timeline.
-void beginStanding(Session& session);
-/// Restores the values of parameters with keys. Does nothing if they are restored already. Call it before the
-/// document's scene is replaced or written.
-void endStanding(Session& session);
+// The key frames of a parameter replace its value. Panels show the scene at the present time, and edits start
+// from it. An edit of a parameter with key frames, in any panel, sets a key at that time and stops the clock.
 
 /// The time of a key that is set now: the present time, rounded to hundredths of a second.
 [[nodiscard]] float presentKeyTime(const Session& session);

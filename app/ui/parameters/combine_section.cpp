@@ -157,7 +157,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
 } // namespace
 
 void combineSection(Session& session) {
-    Combine& combine = selectedUnit(session).combine;
+    const Combine& combine = selectedUnit(session).combine;
     static const Combine initial;
     const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {
         const bool isNone =

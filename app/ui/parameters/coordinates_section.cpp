@@ -33,14 +33,13 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &U
 void lightButtons(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    const Selection& selection = session.window.selection;
     const auto button = [&](const char* words, const char* tip, auto&& edit) {
         if (ImGui::Button(label(words), {width, 0})) {
-            sealEdit(session);
-            if (edit())
-                recordEdit(session, words);
-            else
+            bool hasRoom = false;
+            submit(session, words, [&](Scene& scene) { hasRoom = edit(scene); });
+            if (!hasRoom)
                 say(session, "Not possible: no more textures or matrix steps can be added.");
-            sealEdit(session);
         }
         noteItem(words);
         helpTip(tip);
@@ -48,22 +47,21 @@ void lightButtons(Session& session) {
     button("Slide projector",
            "Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
            "projector to the texture matrix.",
-           [&] { return projectFromLight(selectedUnit(session)); });
+           [&](Scene& scene) { return projectFromLight(selectedUnit(scene, selection)); });
     ImGui::SameLine(0, gap);
     button("Shadow map",
            "Multiplies by the light's shadows: adds a depth texture of the light's view, which r is "
            "compared with.",
-           [&] {
-               return castShadows(session.document.scene,
-                                  static_cast<std::size_t>(session.window.selection.pass),
-                                  static_cast<std::size_t>(session.window.selection.unit));
+           [&](Scene& scene) {
+               return castShadows(scene, static_cast<std::size_t>(selection.pass),
+                                  static_cast<std::size_t>(selection.unit));
            });
 }
 
 } // namespace
 
 void coordinatesSection(Session& session) {
-    Unit& unit = selectedUnit(session);
+    const Unit& unit = selectedUnit(session);
     static const Unit initial;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {

@@ -41,11 +41,10 @@ void stepVertex(Session& session, bool forwards) {
 
 /// s and t of the selected vertex as draggable numbers.
 void vertexNumbers(Session& session, float width) {
-    Model& model = *selectedModel(session);
-    const int unit = session.window.selection.unit;
-    const std::size_t vertex = *session.window.selection.vertex;
-    const std::shared_ptr<const Mesh> kept = session.window.mesh; // used while it is edited
-    glm::vec4 value = effectiveTexCoord(model, *kept, unit, vertex);
+    const Selection& selection = session.window.selection;
+    const std::size_t vertex = *selection.vertex;
+    const Mesh& mesh = selectedMesh(session);
+    glm::vec4 value = effectiveTexCoord(*selectedModel(session), mesh, selection.unit, vertex);
     constexpr std::array names{"vertex s", "vertex t"};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     for (int i = 0; i < 2; ++i) {
@@ -56,9 +55,12 @@ void vertexNumbers(Session& session, float width) {
         ImGui::SameLine(0, gap / 2);
         ImGui::SetNextItemWidth(std::max(1.0F, width - ImGui::GetFontSize() * 0.6F - gap / 2));
         if (dragNumber("##coordinate", value[i], coordRange, i)) {
-            setTexCoord(model, *kept, unit, vertex, value);
-            recordEdit(session, fmt::format("Move vertex {}", vertex),
-                       fmt::format("models[{}].texCoords{}", session.window.selection.model, unit));
+            submitDrag(
+                session, fmt::format("Move vertex {}", vertex),
+                [&](Scene& scene) {
+                    setTexCoord(selectedModel(scene, selection), mesh, selection.unit, vertex, value);
+                },
+                fmt::format("models[{}].texCoords{}", selection.model, selection.unit));
         }
         noteItem(names.at(static_cast<std::size_t>(i)));
         sealAfterItem(session);

@@ -20,7 +20,7 @@ namespace {
 /// What adds a copy of the selected model next to it; the first model is a cube. Passes that name the
 /// selected model draw the new one as well.
 std::vector<Edit> addedModel(const Session& session) {
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     const std::string list = keyOf<&Scene::models>();
     const auto chosen = static_cast<std::size_t>(session.window.selection.model);
     if (chosen >= scene.models.size())
@@ -84,19 +84,19 @@ void editModels(Session& session, std::size_t count) {
 } // namespace
 
 void modelSection(Session& session) {
-    const std::size_t count = session.document.scene.models.size();
+    const std::size_t count = presentScene(session).models.size();
     ImGui::AlignTextToFramePadding();
     if (count == 0)
         dimText("No model");
     else
         dimText(fmt::format("Model {}", session.window.selection.model));
     editModels(session, count);
-    if (session.document.scene.models.empty())
+    if (presentScene(session).models.empty())
         return;
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     modelChoice(session, width, width);
     static const Model initial;
-    Model& model = *selectedModel(session);
+    const Model& model = *selectedModel(session);
     const std::string path =
         elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model));
     if (model.shape == Shape::Mesh)

@@ -135,7 +135,7 @@ void coordinatesTab(Session& session) {
 
 void lightTab(Session& session) {
     static const Light initial;
-    Light& light = session.document.scene.light;
+    const Light& light = presentScene(session).light;
     if (section(session, Section::Light)) {
         paramRows(session, {&light, &initial, keyOf<&Scene::light>()}, lightTable());
         caption("Projector");
@@ -151,7 +151,7 @@ void viewTab(Session& session) {
     if (section(session, Section::Model))
         modelSection(session);
     if (section(session, Section::View))
-        paramRows(session, {&session.document.scene.view, &start, keyOf<&Scene::view>()}, viewTable());
+        paramRows(session, {&presentScene(session).view, &start, keyOf<&Scene::view>()}, viewTable());
 }
 
 void drawTab(Session& session, ParameterTab tab, const Pictures& pictures) {

@@ -26,7 +26,7 @@ void editPasses(Session& session) {
     constexpr ListWords words{"pass", "Add a copy of this pass after it", "Draw this pass earlier",
                               "Draw this pass later", "Remove this pass"};
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
-    const auto pressed = listButtons(words, chosen, session.document.scene.passes.size(), 1, maxPasses);
+    const auto pressed = listButtons(words, chosen, presentScene(session).passes.size(), 1, maxPasses);
     if (!pressed)
         return;
     const bool adds = pressed == ListEdit::Add;
@@ -82,7 +82,7 @@ bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const st
 
 /// All models, or the ticked ones.
 void modelsOfPass(Session& session) {
-    const std::vector<Model>& models = session.document.scene.models;
+    const std::vector<Model>& models = presentScene(session).models;
     const std::vector<int>& named = selectedPass(session).models;
     std::vector<int> order = named; // followed by those that it leaves out
     for (int i = 0; i < static_cast<int>(models.size()); ++i) {
@@ -110,7 +110,7 @@ void modelsOfPass(Session& session) {
 } // namespace
 
 void passChoice(Session& session) {
-    const std::vector<Pass>& passes = session.document.scene.passes;
+    const std::vector<Pass>& passes = presentScene(session).passes;
     if (passes.size() < 2)
         return;
     std::vector<NumberChoice> choices;
@@ -140,7 +140,7 @@ void passSection(Session& session) {
         paramWidget(session, owner, *row);
     modelsOfPass(session);
     paramRows(session, owner, {table.name, {rest, table.params.end()}, table.children});
-    Fog& fog = selectedPass(session).fog;
+    const Fog& fog = selectedPass(session).fog;
     const Owner fogOwner{&fog, &initial.fog, fmt::format("{}.{}", owner.path, keyOf<&Pass::fog>())};
     RowOptions options;
     options.folds = [&](const ParamRow& row) {

@@ -15,8 +15,8 @@ class Places {
 public:
     /// `initial` must outlive the result.
     template<class Struct>
-    void add(Section section, std::string title, Struct& values, const Struct& initial, std::string path,
-             const StructTable& table) {
+    void add(Section section, std::string title, const Struct& values, const Struct& initial,
+             std::string path, const StructTable& table) {
         add(section, std::move(title), Owner{&values, &initial, std::move(path)}, table);
     }
     void add(Section section, std::string title, Owner owner, const StructTable& table) {
@@ -31,7 +31,7 @@ private:
 void addUnitPlaces(Places& places, Session& session) {
     static const Unit initial;
     static const MatrixStep initialStep;
-    Unit& unit = selectedUnit(session);
+    const Unit& unit = selectedUnit(session);
     const std::string path = selectedUnitPath(session) + ".";
     places.add(Section::Unit, "", unitOwner(session), unitTable());
     places.add(Section::Combine, "Combine", unit.combine, initial.combine, path + keyOf<&Unit::combine>(),
@@ -53,7 +53,7 @@ void addUnitPlaces(Places& places, Session& session) {
 
 void addModelPlaces(Places& places, Session& session) {
     static const Model initial;
-    Model* model = selectedModel(session);
+    const Model* model = selectedModel(session);
     if (!model)
         return;
     const std::string path =
@@ -68,7 +68,7 @@ void addModelPlaces(Places& places, Session& session) {
 
 Owner textureOwner(Session& session) {
     static const Texture initial;
-    Texture* texture = boundTexture(session);
+    const Texture* texture = boundTexture(session);
     const std::string path =
         elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture));
     return {texture, &initial, path, [&session, path, texture](const ParamRow& row, const Value& value) {
@@ -89,14 +89,14 @@ Owner unitOwner(Session& session) {
 
 Owner materialOwner(Session& session) {
     static const Material initial;
-    return {&session.document.scene.material, &initial, keyOf<&Scene::material>()};
+    return {&presentScene(session).material, &initial, keyOf<&Scene::material>()};
 }
 
 std::vector<ShownStruct> shownStructs(Session& session) {
     static const Scene initial;
     static const Pass initialPass;
     static const View start = defaultScene().view;
-    Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     Places places;
     if (boundTexture(session))
         places.add(Section::Texture, "", textureOwner(session), textureTable());

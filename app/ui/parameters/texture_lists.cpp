@@ -151,7 +151,7 @@ std::size_t levelsWanted(const LevelPlan& plan) {
 
 /// Adds levels with the pattern of the smallest one until there are `count`.
 void addLevels(Session& session, std::size_t index, std::size_t count) {
-    const Texture& texture = session.document.scene.textures[index];
+    const Texture& texture = presentScene(session).textures[index];
     const Pattern pattern = texture.levels.empty() ? texture.pattern : texture.levels.back().pattern;
     const std::string list =
         fmt::format("{}.{}", elementOf<&Scene::textures>(index), keyOf<&Texture::levels>());
@@ -175,7 +175,7 @@ void idleNote(const Session& session, const std::string& path) {
 
 void preparationList(Session& session, std::size_t texture, const LevelsSummary* summary,
                      const Pictures& pictures) {
-    const std::vector<ImageStep>& steps = session.document.scene.textures[texture].preparation;
+    const std::vector<ImageStep>& steps = presentScene(session).textures[texture].preparation;
     const std::string owner = elementOf<&Scene::textures>(texture) + ".";
     caption("Preparation");
     idleNote(session, owner + keyOf<&Texture::preparation>());
@@ -219,7 +219,7 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
 }
 
 void levelList(Session& session, std::size_t index, const LevelsSummary* summary, const Pictures& pictures) {
-    const Texture& texture = session.document.scene.textures[index];
+    const Texture& texture = presentScene(session).textures[index];
     const bool given = texture.mipmaps == MipPolicy::Given;
     if (!given && texture.levels.empty())
         return;

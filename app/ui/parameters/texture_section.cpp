@@ -20,7 +20,7 @@ namespace {
 
 std::string textureName(const Session& session, int index) {
     return fmt::format("{}  {}", index,
-                       shownNameOfImage(session.document.scene.textures[static_cast<std::size_t>(index)]));
+                       shownNameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)]));
 }
 
 void removeTexture(Session& session, int index) {
@@ -40,7 +40,7 @@ void textureChoice(Session& session) {
     const std::string shown = fitted(current, listRoom(width));
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##bound", shown.c_str())) {
-        for (int i = 0; i < static_cast<int>(session.document.scene.textures.size()); ++i) {
+        for (int i = 0; i < static_cast<int>(presentScene(session).textures.size()); ++i) {
             const std::string name = textureName(session, i);
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
                 const std::string path =
@@ -60,7 +60,7 @@ void textureChoice(Session& session) {
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
-                     session.document.scene.textures.size() < maxTextures))
+                     presentScene(session).textures.size() < maxTextures))
         submit(session, {.name = "Add texture", .edits = addedTexture(session, Pattern::UvTemplate)});
     ImGui::SameLine(0, gap);
     if (squareButton("−", "remove texture", "Remove this texture", bound))

@@ -34,7 +34,7 @@ Pattern freshPattern(const Scene& scene) {
 
 /// Copies the settings to a texture for this unit alone.
 void ownTexture(Session& session) {
-    const std::size_t added = session.document.scene.textures.size();
+    const std::size_t added = presentScene(session).textures.size();
     const auto copied = static_cast<std::size_t>(selectedUnit(session).texture);
     submit(session,
            {.name = "Own texture",
@@ -48,7 +48,7 @@ void drawThumbnail(Session& session, const Pictures& pictures, const Unit& unit,
     const ImVec2 high(low.x + extent, low.y + extent);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(low, high, color::ground);
-    const Texture* texture = textureOf(session.document.scene, unit);
+    const Texture* texture = textureOf(presentScene(session), unit);
     const std::shared_ptr<const Image> image =
         texture ? thumbnailOf(session, *texture, unit.target) : nullptr;
     if (!image || image->empty())
@@ -63,10 +63,11 @@ void drawThumbnail(Session& session, const Pictures& pictures, const Unit& unit,
 }
 
 std::string unitTip(const Session& session, int number) {
-    const Unit& unit = session.document.scene.passes[static_cast<std::size_t>(session.window.selection.pass)]
+    const Unit& unit = presentScene(session)
+                           .passes[static_cast<std::size_t>(session.window.selection.pass)]
                            .units[static_cast<std::size_t>(number)];
     const std::string sharers = sharersText(session, number);
-    if (!textureOf(session.document.scene, unit))
+    if (!textureOf(presentScene(session), unit))
         return fmt::format("Texture unit {} has no texture and gets one when switched on.", number);
     if (!sharers.empty() && unit == Unit{})
         return fmt::format("Texture unit {} is off and gets its own texture when switched on.", number);
@@ -81,7 +82,7 @@ std::string unitTip(const Session& session, int number) {
 }
 
 void drawUnit(Session& session, const Pictures& pictures, int number, float width, float height) {
-    Unit& unit = selectedPass(session).units[static_cast<std::size_t>(number)];
+    const Unit& unit = selectedPass(session).units[static_cast<std::size_t>(number)];
     const bool isChosen = session.window.selection.unit == number;
     const float em = ImGui::GetFontSize();
     const float pad = std::floor(em * 0.2F);
@@ -140,7 +141,7 @@ void reachLine(Session& session) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(give) <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();
-    ImGui::BeginDisabled(session.document.scene.textures.size() >= maxTextures);
+    ImGui::BeginDisabled(presentScene(session).textures.size() >= maxTextures);
     if (ImGui::SmallButton(label(give)))
         ownTexture(session);
     noteItem("own texture");
@@ -151,7 +152,7 @@ void reachLine(Session& session) {
 } // namespace
 
 void switchUnit(Session& session, int unit, bool on) {
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     const Unit& switched = selectedPass(session).units[static_cast<std::size_t>(unit)];
     const bool neverOn = switched == Unit{} && !sharersText(session, unit).empty();
     const bool wantsTexture = on && (neverOn || !textureOf(scene, switched));
@@ -169,7 +170,7 @@ void switchUnit(Session& session, int unit, bool on) {
 }
 
 std::vector<Edit> addedTexture(const Session& session, Pattern pattern) {
-    const std::size_t added = session.document.scene.textures.size();
+    const std::size_t added = presentScene(session).textures.size();
     const std::string texture = elementOf<&Scene::textures>(added) + ".";
     return {edit::Insert{keyOf<&Scene::textures>(), added},
             edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(pattern).name)},
@@ -179,7 +180,7 @@ std::vector<Edit> addedTexture(const Session& session, Pattern pattern) {
 }
 
 std::string sharersText(const Session& session, int unit) {
-    const Scene& scene = session.document.scene;
+    const Scene& scene = presentScene(session);
     const auto selected = static_cast<std::size_t>(session.window.selection.pass);
     const auto asked = static_cast<std::size_t>(unit);
     const int texture = scene.passes[selected].units[asked].texture;

@@ -3,7 +3,6 @@
 #include "core/reference/shading/coordinates.h"
 #include "core/scene/animation.h"
 #include "core/scene/emboss.h"
-#include "core/scene/params/scene_at.h"
 #include "core/scene/tex_coords.h"
 #include "core/texture/late_flip.h"
 
@@ -30,16 +29,13 @@ LateFlip flipOfBound(const Session& session, const Unit& unit) {
 
 void PlaneCoords::follow(Session& session) {
     const double time = session.window.playback.time;
-    const StandingScene standing(session.document.scene, time);
-    const Scene& scene = *standing;
-    const Selection& selection = session.window.selection;
-    const Unit& unit = scene.passes[static_cast<std::size_t>(selection.pass)]
-                           .units[static_cast<std::size_t>(selection.unit)];
-    if (unit.target == Target::CubeMap || !selectedModel(session)) {
+    const Scene& scene = presentScene(session);
+    const Unit& unit = selectedUnit(session);
+    const Model* model = selectedModel(session);
+    if (unit.target == Target::CubeMap || !model) {
         *this = {};
         return;
     }
-    const Model* model = &scene.models[static_cast<std::size_t>(selection.model)];
     const Mesh& mesh = selectedMesh(session);
     Key key{session.window.mesh, effectiveTexCoords(*model, mesh, session.window.selection.unit), unit,
             flipOfBound(session, unit)};

@@ -87,13 +87,11 @@ void followWithMove(Session& session, TextureSpaceState& state, const Canvas& ca
     followMouse(session, state.coords, *state.move, canvas.toCoord(ImGui::GetIO().MousePos),
                 snappingNow(state), texelsOf(session, state),
                 ImGui::GetFontSize() * 0.6F / canvas.pixelsPerUnit);
-    state.coords.follow(session);
 }
 
 void finishMove(Session& session, TextureSpaceState& state, bool keep) {
     endMove(session, *state.move, keep);
     state.move.reset();
-    state.coords.follow(session);
 }
 
 /// The vertices no longer exist: another model or unit was selected, or a mesh became smaller.
@@ -197,16 +195,18 @@ void handleShortKeys(Session& session, TextureSpaceState& state, const Canvas& c
             taken = true;
         }
     }
+    glm::vec2 way{0};
     for (const ArrowKey& each : arrowKeys) {
         if (!isPressed(each.code, true))
             continue;
         if (isPressed(each.code)) // while held, it continues its undo step
             sealEdit(session);
-        const glm::vec2 step = io.KeyShift ? glm::vec2(0.25F) : 1.0F / texelsOf(session, state);
-        nudge(session, state.coords, each.way * step);
-        state.coords.follow(session);
+        way += each.way;
         taken = true;
     }
+    if (way != glm::vec2{0})
+        nudge(session, state.coords,
+              way * (io.KeyShift ? glm::vec2(0.25F) : 1.0F / texelsOf(session, state)));
 }
 
 void pressOn(Session& session, TextureSpaceState& state, const Canvas& canvas, const PlaneMouse& mouse) {

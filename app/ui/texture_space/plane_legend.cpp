@@ -94,9 +94,7 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std
 } // namespace
 
 PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, float room) {
-    const Selection& selection = session.window.selection;
-    const Unit& unit = session.document.scene.passes[static_cast<std::size_t>(selection.pass)]
-                           .units[static_cast<std::size_t>(selection.unit)];
+    const Unit& unit = selectedUnit(session);
     const Texture* texture = boundTexture(session);
     const auto image = texture ? session.document.images.find(*texture) : nullptr;
     PlaneLegend legend;

@@ -9,10 +9,8 @@ std::optional<LevelsRequest> requestOf(const Session& session) {
     const Texture* texture = boundTexture(session);
     if (!texture)
         return std::nullopt;
-    const Selection& selection = session.window.selection;
-    const Pass& pass = session.document.scene.passes[static_cast<std::size_t>(selection.pass)];
     LevelsRequest request{session.document.images.picturesOf(*texture), imageSettings(*texture),
-                          pass.units[static_cast<std::size_t>(selection.unit)].target};
+                          selectedUnit(session).target};
     return request.pictures.base ? std::optional(std::move(request)) : std::nullopt;
 }
 

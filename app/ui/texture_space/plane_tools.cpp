@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/coord_text.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/texture_space/plane_histogram.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/panel_menus.h"
@@ -180,10 +181,9 @@ void snapChoice(TextureSpaceState& state) {
 }
 
 void project(Session& session, const TextureSpaceState& state, CoordProjection projection) {
-    replaceCoords(
-        session,
-        projectedTexCoords(selectedMesh(session), projection, editedVertices(session), state.coords.given()),
-        fmt::format("{} projection", rowOf(projection).label));
+    submitTexCoords(
+        session, fmt::format("{} projection", rowOf(projection).label),
+        projectedTexCoords(selectedMesh(session), projection, editedVertices(session), state.coords.given()));
 }
 
 void vertexMenu(Session& session, TextureSpaceState& state) {
@@ -273,7 +273,7 @@ void pasteCoords(Session& session, const PlaneCoords& coords) {
     } else {
         list = *pasted;
     }
-    replaceCoords(session, std::move(list), "Paste coordinates");
+    submitTexCoords(session, "Paste coordinates", std::move(list));
 }
 
 void drawPlaneTools(Session& session, TextureSpaceState& state) {

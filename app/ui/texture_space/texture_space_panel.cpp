@@ -163,7 +163,6 @@ void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pic
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     state.coords.follow(session);
     drawPlaneTools(session, state);
-    state.coords.follow(session); // a tool may have changed them
     drawCanvas(session, state, pictures);
     ImGui::End();
 }

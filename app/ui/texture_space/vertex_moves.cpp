@@ -36,11 +36,6 @@ std::string nameOfMove(MoveKind kind, std::span<const std::size_t> vertices) {
                                 : fmt::format(fmt::runtime(row.many), vertices.size());
 }
 
-std::string coordsKey(const Session& session) {
-    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
-                       session.window.selection.unit);
-}
-
 /// The middle of their bounding rectangle.
 glm::vec2 middleOf(std::span<const glm::vec2> places) {
     glm::vec2 low = places.front();
@@ -117,12 +112,6 @@ private:
     glm::vec2 factors_{1};
 };
 
-glm::vec4 withinRange(glm::vec4 coord) {
-    for (int i = 0; i < 4; ++i)
-        coord[i] = std::isnan(coord[i]) ? 0.0F : coord[i]; // for vertices without a position
-    return glm::clamp(coord, coordRange.min, coordRange.max);
-}
-
 /// The list with new positions of some vertices, given or final ones. The error says why that is not
 /// possible.
 Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<const std::size_t> vertices,
@@ -135,9 +124,9 @@ Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<cons
             const Result<glm::vec4> given = coords.givenFor(vertex, place);
             if (!given)
                 return fail(given.error());
-            list[vertex] = withinRange(*given);
+            list[vertex] = withinCoordRange(*given);
         } else {
-            list[vertex] = withinRange({place.x, place.y, list[vertex].z, list[vertex].w});
+            list[vertex] = withinCoordRange({place.x, place.y, list[vertex].z, list[vertex].w});
         }
     }
     return list;
@@ -192,7 +181,7 @@ std::optional<VertexMove> beginMove(const Session& session, const PlaneCoords& c
 
 void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, glm::vec2 mouse,
                  const Snapping& snapping, TexelCounts texels, float magnet) {
-    if (mouse == move.from && !move.recorded)
+    if (mouse == move.from && !move.submitted)
         return;
     const Motion motion(move, mouse, snapping.on ? std::optional(snapping.to) : std::nullopt, texels, magnet);
     Result<TexCoords> list =
@@ -200,15 +189,13 @@ void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, 
     move.refusal = list ? std::string() : list.error().message;
     if (!list || *list == coords.given())
         return;
-    Model& model = *selectedModel(session);
-    model.texCoords[static_cast<std::size_t>(move.unit)] = std::move(*list);
-    recordEdit(session, nameOfMove(move.kind, move.vertices), coordsKey(session));
-    move.recorded = true;
+    dragTexCoords(session, nameOfMove(move.kind, move.vertices), std::move(*list));
+    move.submitted = true;
 }
 
 void endMove(Session& session, const VertexMove& move, bool keep) {
-    if (!keep && move.recorded)
-        takeBackEdit(session);
+    if (!keep && move.submitted)
+        session.requests.emplace_back(DropStep{});
     sealEdit(session);
 }
 
@@ -227,9 +214,7 @@ void nudge(Session& session, const PlaneCoords& coords, glm::vec2 way) {
         return;
     const auto shifted = [&](std::size_t i) { return coords.givenPlaces()[vertices[i]] + way; };
     Result<TexCoords> list = placed(coords, false, vertices, shifted);
-    Model& model = *selectedModel(session);
-    model.texCoords[static_cast<std::size_t>(session.window.selection.unit)] = std::move(*list);
-    recordEdit(session, nameOfMove(MoveKind::Move, vertices), coordsKey(session));
+    dragTexCoords(session, nameOfMove(MoveKind::Move, vertices), std::move(*list));
 }
 
 void mirrorVertices(Session& session, const PlaneCoords& coords, int axis) {
@@ -245,17 +230,7 @@ void mirrorVertices(Session& session, const PlaneCoords& coords, int axis) {
         place[axis] = 2 * middle[axis] - place[axis];
         return place;
     });
-    replaceCoords(session, std::move(*list), axis == 0 ? "Mirror s" : "Mirror t");
-}
-
-void replaceCoords(Session& session, TexCoords coords, std::string_view what) {
-    for (glm::vec4& each : coords)
-        each = withinRange(each);
-    sealEdit(session);
-    selectedModel(session)->texCoords[static_cast<std::size_t>(session.window.selection.unit)] =
-        std::move(coords);
-    recordEdit(session, what, coordsKey(session));
-    sealEdit(session);
+    submitTexCoords(session, axis == 0 ? "Mirror s" : "Mirror t", std::move(*list));
 }
 
 } // namespace texplorer::ui

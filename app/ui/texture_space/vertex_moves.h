@@ -49,8 +49,8 @@ struct VertexMove {
     std::optional<int> axis{};           ///< 0: only s changes, 1: only t
     int model = 0;
     int unit = 0;
-    bool recorded = false; ///< there is an undo step to remove
-    std::string refusal{}; ///< why nothing moves; empty: it does
+    bool submitted = false; ///< there is an undo step to drop
+    std::string refusal{};  ///< why nothing moves; empty: it does
 };
 
 /// The number of texels along each axis of the plane's picture.
@@ -80,8 +80,5 @@ void nudge(Session& session, const PlaneCoords& coords, glm::vec2 way);
 /// Mirrors the edited vertices about their middle: `axis` 0 exchanges left and right in s, 1 turns t upside
 /// down.
 void mirrorVertices(Session& session, const PlaneCoords& coords, int axis);
-
-/// Sets the coordinates of vertices, as one undo step.
-void replaceCoords(Session& session, TexCoords coords, std::string_view what);
 
 } // namespace texplorer::ui

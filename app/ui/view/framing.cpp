@@ -9,27 +9,31 @@
 namespace texplorer::ui {
 
 void resetCamera(Session& session, const Layout& layout) {
-    session.document.scene.view = defaultScene().view;
-    fitDistance(session.document.scene, session.window.playback.time, aspectOf(layout));
-    session.document.fit = {session.document.scene.view, aspectOf(layout)};
-    recordEdit(session, "Reset camera");
+    submitDrag(session, "Reset camera", [&](Scene& scene) {
+        scene.view = defaultScene().view;
+        fitDistance(scene, session.window.playback.time, aspectOf(layout));
+        session.document.fit = {scene.view, aspectOf(layout)};
+    });
 }
 
 void frameAll(Session& session, const Layout& layout) {
-    frameModels(session.document.scene, session.window.playback.time, aspectOf(layout));
-    session.document.fit = {session.document.scene.view, aspectOf(layout)};
-    recordEdit(session, "Frame the models");
+    submitDrag(session, "Frame the models", [&](Scene& scene) {
+        frameModels(scene, session.window.playback.time, aspectOf(layout));
+        session.document.fit = {scene.view, aspectOf(layout)};
+    });
 }
 
 void show(Session& session, const ShowRow& row, const Layout& layout) {
-    showOnly(session.document.scene, row.show, session.window.playback.time, aspectOf(layout));
-    session.document.fit = {session.document.scene.view, aspectOf(layout)};
-    sealEdit(session);
-    recordEdit(session, fmt::format("Show {}", row.label));
-    sealEdit(session);
-    const auto shown = std::ranges::find(session.document.scene.models, true, &Model::visible);
-    session.window.selection.model = static_cast<int>(shown - session.document.scene.models.begin());
-    session.window.selection.vertex.reset();
+    Selection selection = session.window.selection;
+    selection.vertex.reset();
+    Step step = stepThat(session, fmt::format("Show {}", row.label), [&](Scene& scene) {
+        showOnly(scene, row.show, session.window.playback.time, aspectOf(layout));
+        session.document.fit = {scene.view, aspectOf(layout)};
+        const auto shown = std::ranges::find(scene.models, true, &Model::visible);
+        selection.model = static_cast<int>(shown - scene.models.begin());
+    });
+    step.select = std::move(selection);
+    submit(session, std::move(step));
 }
 
 } // namespace texplorer::ui

@@ -17,7 +17,6 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/params/scene_at.h"
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
@@ -40,7 +39,7 @@ constexpr const char* moreLabel = "…";
 void moreMenu(Session& session, const Layout& layout, std::size_t first) {
     if (!ImGui::BeginPopup("more"))
         return;
-    const auto shown = shownNow(session.document.scene);
+    const auto shown = shownNow(presentScene(session));
     for (std::size_t i = first; i < showRows.size(); ++i) {
         const ShowRow& row = showRows[i];
         const bool chosen = shown == row.show;
@@ -77,7 +76,7 @@ void toolRow(Session& session, const Layout& layout) {
             break;
         x += gap;
     }
-    const auto shown = shownNow(session.document.scene);
+    const auto shown = shownNow(presentScene(session));
     for (std::size_t i = 0; i < count; ++i) {
         const ShowRow& row = showRows[i];
         const bool chosen = shown == row.show;
@@ -117,8 +116,7 @@ void moveView(Session& session, bool hovered, bool active, const Layout& layout)
             zoomPictures(session.window.view, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
         return;
     }
-    View& view = session.document.scene.view;
-    const View before = view;
+    View view = presentScene(session).view;
     if (moved) {
         const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
         const bool sideways = ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
@@ -130,8 +128,8 @@ void moveView(Session& session, bool hovered, bool active, const Layout& layout)
     }
     if (hovered && io.MouseWheel != 0)
         zoom(view, io.MouseWheel);
-    if (view != before)
-        recordEdit(session, cameraEdit);
+    if (view != presentScene(session).view)
+        submitDrag(session, cameraEdit, [&view](Scene& scene) { scene.view = view; });
 }
 
 /// Converts a fraction of the picture from its upper left, as in projectVertex and pickVertex, to pixels.
@@ -143,8 +141,7 @@ glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
 /// Like projectVertex, but without making the mesh again.
 std::optional<glm::vec2> placeOf(Session& session, const PickedVertex& picked, float aspect) {
     const double time = session.window.playback.time;
-    const StandingScene standing(session.document.scene, time);
-    const Scene& scene = *standing;
+    const Scene& scene = presentScene(session);
     if (!std::cmp_equal(picked.model, session.window.selection.model))
         return projectVertex(scene, picked.model, picked.vertex, time, aspect);
     return projectVertices(scene, scene.models[picked.model], selectedMesh(session), {&picked.vertex, 1},
@@ -197,10 +194,8 @@ void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, 
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const double time = session.window.playback.time;
-    const StandingScene standing(session.document.scene, time);
-    const Model& moved = standing->models[static_cast<std::size_t>(session.window.selection.model)];
-    for (const auto& place :
-         projectVertices(*standing, moved, selectedMesh(session), chosen, time, aspectOf(layout))) {
+    for (const auto& place : projectVertices(presentScene(session), *model, selectedMesh(session), chosen,
+                                             time, aspectOf(layout))) {
         if (!place)
             continue;
         const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
@@ -214,7 +209,7 @@ void drawHoverRing(Session& session, const Layout& layout, const Panes& panes, c
                    view::Size picture) {
     const std::optional<PickedVertex>& hovered =
         session.window.hoveredInView ? session.window.hoveredInView : session.window.hoveredInPlane;
-    const std::vector<Model>& models = session.document.scene.models;
+    const std::vector<Model>& models = presentScene(session).models;
     if (!hovered || hovered->model >= models.size() || !models[hovered->model].visible)
         return;
     const auto place = placeOf(session, *hovered, aspectOf(layout));
@@ -238,9 +233,8 @@ std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layou
     const glm::vec2 at =
         panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
                                                   static_cast<float>(std::max(1, picture.height)));
-    const double time = session.window.playback.time;
-    const StandingScene standing(session.document.scene, time);
-    return pickVertex(*standing, time, aspectOf(layout), {at.x, 1 - at.y});
+    return pickVertex(presentScene(session), session.window.playback.time, aspectOf(layout),
+                      {at.x, 1 - at.y});
 }
 
 /// Selects it; with Shift it is added to the selection or removed from it.

@@ -17,7 +17,7 @@ std::string shownNameOf(const Model& model) {
 }
 
 void modelChoice(Session& session, float minWidth, float maxWidth) {
-    const std::vector<Model>& models = session.document.scene.models;
+    const std::vector<Model>& models = presentScene(session).models;
     const auto name = [&](int index) {
         return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
     };

@@ -65,9 +65,9 @@ void assignCoord(Session& session, const ParamPlace& place, int component, float
 
 } // namespace
 
-std::optional<ParamPlace> placeOf(Scene& scene, std::string_view path) {
+std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
     const StructTable* table = &sceneTable();
-    void* values = &scene;
+    void* values = const_cast<Scene*>(&scene); // the tables' functions could write; a place can not
     ParamPlace place{{nullptr, nullptr, {}}};
     while (true) {
         const std::size_t dot = path.find('.');

@@ -15,7 +15,7 @@ struct ParamPlace {
 };
 
 /// Nothing if there is no such parameter.
-[[nodiscard]] std::optional<ParamPlace> placeOf(Scene& scene, std::string_view path);
+[[nodiscard]] std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path);
 
 /// One of the numbers of an Int, a Float, a vector, a matrix or a vertex's coordinates. `component` is used
 /// for those with several numbers.

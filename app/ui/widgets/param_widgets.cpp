@@ -212,7 +212,7 @@ std::string backTo(const ParamRow& row, const Line& line) {
 
 /// Menu items for the key frames of a row.
 void keyItems(Session& session, const Line& line) {
-    const Timeline& timeline = session.document.scene.timeline;
+    const Timeline& timeline = presentScene(session).timeline;
     const float time = presentKeyTime(session);
     ImGui::Separator();
     if (const std::optional<std::size_t> here = keyAt(timeline, line.path, time)) {
@@ -238,7 +238,7 @@ void keyItems(Session& session, const Line& line) {
 
 /// A diamond after the label of a parameter with key frames: filled if there is one at the present time.
 void keySign(Session& session, const Line& line) {
-    const Timeline& timeline = session.document.scene.timeline;
+    const Timeline& timeline = presentScene(session).timeline;
     if (!hasKeys(timeline, line.path))
         return;
     const float em = ImGui::GetFontSize();
@@ -413,7 +413,7 @@ void paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     const std::string_view name = shownName(session.window.settings, row);
     // A label that is slightly wider than its column takes some of the control's width.
     const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) +
-                         (hasKeys(session.document.scene.timeline, line.path) ? em * 1.1F : 0) + em * 0.4F;
+                         (hasKeys(presentScene(session).timeline, line.path) ? em * 1.1F : 0) + em * 0.4F;
     const float labelWidth = std::floor(std::max((indent + full) * labelShare - indent, needed));
     const float minWidth = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * minControlWidth;
     const float beside = full - labelWidth - resetWidth;

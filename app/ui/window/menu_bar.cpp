@@ -174,10 +174,10 @@ void editMenu(Session& session, const Layout& layout) {
     const std::string_view redone = history.redoName();
     if (item(undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone), keysOf(session, "undo"),
              history.canUndo()))
-        undo(session);
+        session.requests.emplace_back(Undo{});
     if (item(redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone), keysOf(session, "redo"),
              history.canRedo()))
-        redo(session);
+        session.requests.emplace_back(Redo{});
     ImGui::Separator();
     if (item("Copy as texshot command"))
         copyTexshotCommand(session, layout);

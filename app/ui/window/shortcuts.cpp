@@ -42,12 +42,12 @@ void letGo(Session& session, const Layout& /*layout*/) {
 }
 
 constexpr std::array shortcutRows{
-    Shortcut{"undo", 'Z', true, false, "undo the last edit", [](Session& s, const Layout&) { undo(s); },
-             true},
-    Shortcut{"redo", 'Z', true, true, "redo the last undone edit", [](Session& s, const Layout&) { redo(s); },
-             true},
-    Shortcut{"", 'Y', true, false, "redo the last undone edit", [](Session& s, const Layout&) { redo(s); },
-             true},
+    Shortcut{"undo", 'Z', true, false, "undo the last edit",
+             [](Session& s, const Layout&) { s.requests.emplace_back(Undo{}); }, true},
+    Shortcut{"redo", 'Z', true, true, "redo the last undone edit",
+             [](Session& s, const Layout&) { s.requests.emplace_back(Redo{}); }, true},
+    Shortcut{"", 'Y', true, false, "redo the last undone edit",
+             [](Session& s, const Layout&) { s.requests.emplace_back(Redo{}); }, true},
     Shortcut{"open scene", 'O', true, false, "open a scene",
              [](Session& s, const Layout&) { askOpenScene(s); }},
     Shortcut{"open image", 'I', true, false, "open an image",

@@ -121,10 +121,10 @@ DriverFacts factsFor(const Session& session, const view::Capabilities& capabilit
     return asksGl || shown.empty() ? view::driverFacts(capabilities) : DriverFacts{};
 }
 
-} // namespace
-
-Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
-                       const view::Capabilities& capabilities, const Layout& layout) {
+/// What the panels of the last frame have noted is from now on of this one. Returns whether a menu or list is
+/// open.
+bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
+    showPresent(session);
     forgetPlaces();
     if (catalogueInUse())
         keepNames(namesIn(session.document));
@@ -138,7 +138,11 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     turnHover(session.window);
     const bool helpsBelow = session.window.settings.helpBelow && session.window.dialog == Dialog::None;
     beginHints(helpsBelow ? hintRoom(layout) : 0);
-    drawMenuBar(session, layout);
+    return popup;
+}
+
+/// Opens the tab or the settings that were asked for.
+void showWanted(Session& session) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         session.window.shownParam.clear();
     Workspace& workspace = session.window.settings.workspace;
@@ -149,21 +153,25 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         if (workspace.maximised == Maximised::View)
             workspace.maximised = Maximised::None;
     }
-    followLesson(session, {{layout.picture.width, layout.picture.height}, capabilities.textureUnits});
+}
+
+/// Updates what is known of the scene: findings, the explained pixel, level pictures.
+void followDocument(Session& session, PanelStates& states, const Pictures& pictures,
+                    const view::Capabilities& capabilities, const Layout& layout) {
     if (std::exchange(states.documents, session.documents) != session.documents)
         forgetDocument(states);
-    session.window.explaining.isOpen = isShown(workspace, Tab::Explain);
+    session.window.explaining.isOpen = isShown(session.window.settings.workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
-    settle(session, layout); // an edit may have removed the selected object
+    settle(session, layout); // a menu or the lesson may have replaced the document
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
     restUnseen(session);
-    beginStanding(session);
+    showPresent(session);
+}
+
+void drawPanels(Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout) {
     if (!layout.parameters.isEmpty())
         drawParametersPanel(session, states.parameters, pictures, layout);
-    endStanding(session);
-    settle(session, layout);
-    beginStanding(session);
     if (!layout.view.isEmpty())
         drawViewPanel(session, pictures, layout);
     drawNotes(session, layout);
@@ -172,40 +180,64 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     followForced(session);
     for (const DockRow& row : dockRows)
         drawDock(session, states.details, pictures, layout, row.dock);
-    endStanding(session);
-    takeSteps(session);           // before a shortcut that undoes them
-    const Hint said = endHints(); // later texts, of the bar itself, are tooltips
-    drawStatusBar(session, pictures, capabilities, layout, said);
+}
+
+void drawSeams(Session& session, PanelStates& states, const Layout& layout) {
     for (const SeamRow& row : seamRows)
-        drawSeam(workspace, row, layout);
+        drawSeam(session.window.settings.workspace, row, layout);
     drawDraggedTab(session, states.details, layout);
+}
+
+/// After the panels: a key may arrive together with a mouse release.
+void handleKeys(Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout,
+                bool popup) {
     movePixelWithKeys(session, layout, pictures.frames.front().frame.size);
     drawTour(session, layout, !popup);
-    if (!popup)
-        handleShortcuts(session, layout); // after the panels: a key may arrive together with a mouse release
-    if (!popup)
-        resizeTextByWheel(session, states.textWheel, layout);
-    drawDialogs(session, states.dialogs, pictures);
-    drawSpotlight(session, layout);
-    takeSteps(session);
-    followEdits(session);
-    endPreview(session);
-    const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
-    const bool fading = dimmed > 0 && dimmed < 1;
-    Requests requests{session.window.quitConfirmed, fading, false, windowTitle(session.document)};
-    session.window.quitConfirmed = false;
-    // Arrows, Enter and Escape work in an open menu or list, and in a panel reached by F6. Elsewhere Space
-    // plays, and dialogs have their own keys.
+    if (popup)
+        return;
+    handleShortcuts(session, layout);
+    resizeTextByWheel(session, states.textWheel, layout);
+}
+
+/// Arrows, Enter and Escape work in an open menu or list, and in a panel reached by F6. Elsewhere Space
+/// plays, Tab maximises the view, and dialogs have their own keys.
+void chooseKeyboard(const Session& session, PanelStates& states) {
     ImGuiIO& io = ImGui::GetIO();
+    const bool dialog = session.window.dialog != Dialog::None;
     states.hadPopup = isPopupOpen();
-    const bool navigates =
-        session.window.dialog == Dialog::None && (states.hadPopup || states.keyboard.walks);
+    const bool navigates = !dialog && (states.hadPopup || states.keyboard.walks);
     io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
-    // Elsewhere Tab maximises the view.
-    const bool fields = navigates || io.WantTextInput || session.window.dialog != Dialog::None;
-    letTabMove(fields);
+    letTabMove(navigates || io.WantTextInput || dialog);
+}
+
+Requests endFrame(Session& session, PanelStates& states) {
+    const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
+    Requests requests{std::exchange(session.window.quitConfirmed, false), dimmed > 0 && dimmed < 1, false,
+                      windowTitle(session.document)};
+    chooseKeyboard(session, states);
     return requests;
+}
+
+} // namespace
+
+Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
+                       const view::Capabilities& capabilities, const Layout& layout) {
+    const bool popup = beginFrame(session, states, layout);
+    drawMenuBar(session, layout);
+    showWanted(session);
+    followLesson(session, {{layout.picture.width, layout.picture.height}, capabilities.textureUnits});
+    followDocument(session, states, pictures, capabilities, layout);
+    drawPanels(session, states, pictures, layout);
+    drawStatusBar(session, pictures, capabilities, layout, endHints()); // later help is a tooltip
+    drawSeams(session, states, layout);
+    handleKeys(session, states, pictures, layout, popup);
+    drawDialogs(session, states.dialogs, pictures);
+    drawSpotlight(session, layout);
+    takeRequests(session);
+    endPreview(session);
+    followEdits(session);
+    return endFrame(session, states);
 }
 
 } // namespace texplorer::ui

@@ -1,6 +1,7 @@
 #include "core/scene/edit/edit.h"
 
 #include "core/scene/params/key_edits.h"
+#include "core/scene/params/keys.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_at.h"
 #include "core/scene/params/scene_diff.h"
@@ -8,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace texplorer {
@@ -92,18 +94,51 @@ Result<void> make(Scene& scene, const edit::ApplyPreset& apply) {
     return applyPreset(*preset, scene, apply.place);
 }
 
+/// Removes the elements of a list that it does not have in `from`, with their key frames. Returns false if the
+/// path is of something else, the list is not longer, or others name its elements (textures, models, passes).
+Result<bool> shorten(Scene& scene, Scene& from, const std::string& path) {
+    const Result<ListAt> list = listAt(scene, path);
+    const Result<ListAt> wanted = listAt(from, path);
+    const bool isInside = path.find('.') != std::string::npos;
+    if (!isInside || !list || !wanted || !list->row->insert || list->size() <= wanted->size())
+        return false;
+    for (std::size_t last = list->size(); last > wanted->size(); --last) {
+        if (Result<void> removed = make(scene, edit::Remove{path, last - 1}); !removed)
+            return fail(removed.error());
+    }
+    return true;
+}
+
 Result<void> make(Scene& scene, const edit::Replace& replace) {
-    if (!replace.path.empty())
-        return takeOver(scene, *replace.from, replace.path);
-    scene = *replace.from;
-    return {};
+    if (replace.paths.empty()) {
+        scene = *replace.from;
+        return {};
+    }
+    Scene from = *replace.from; // listAt takes what may be written
+    std::vector<std::string> rest;
+    for (const std::string& path : replace.paths) {
+        const Result<bool> shortened = shorten(scene, from, path);
+        if (!shortened)
+            return fail(shortened.error());
+        if (!*shortened)
+            rest.push_back(path);
+    }
+    return takeOver(scene, from, rest);
 }
 
 /// Whether it may set parameters that have key frames.
 bool setsValues(const Edit& edit) {
     const auto* replace = std::get_if<edit::Replace>(&edit);
     return std::holds_alternative<edit::Set>(edit) || std::holds_alternative<edit::ApplyPreset>(edit) ||
-           (replace && !replace->path.empty());
+           (replace && !replace->paths.empty());
+}
+
+/// Whether it copies values, but no key frames.
+bool leavesTimeline(const Edit& edit) {
+    const auto* replace = std::get_if<edit::Replace>(&edit);
+    return replace && std::ranges::none_of(replace->paths, [](const std::string& path) {
+               return path.starts_with(keyOf<&Scene::timeline>());
+           });
 }
 
 Result<void> makeOne(Scene& scene, const Edit& edit) {
@@ -131,16 +166,15 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
     Scene made = scene;
     bool keyed = false;
     for (const Edit& each : edits) {
-        const bool hasKeys = !made.timeline.keys.empty();
         const auto* insert = std::get_if<edit::Insert>(&each);
-        const bool copiesShown = hasKeys && insert && insert->copyOf;
-        if (!copiesShown && !(hasKeys && setsValues(each))) {
+        const bool copies = insert && insert->copyOf;
+        if (made.timeline.keys.empty() || !(copies || setsValues(each))) {
             if (Result<void> done = makeOne(made, each); !done)
                 return fail(done.error());
             continue;
         }
         Scene shown = sceneAt(made, time.shown);
-        if (copiesShown) {
+        if (copies) {
             if (Result<void> done = make(made, *insert, shown); !done)
                 return fail(done.error());
             continue;
@@ -149,6 +183,8 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
         Scene edited = shown;
         if (Result<void> done = makeOne(edited, each); !done)
             return fail(done.error());
+        if (leavesTimeline(each))
+            shown.timeline = edited.timeline; // without the keys of removed elements
         const Result<bool> set = keyEdits(edited, shown, time.key);
         if (!set)
             return fail(set.error().code,
@@ -159,6 +195,15 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
     }
     scene = std::move(made);
     return keyed;
+}
+
+std::optional<Edit> editThat(const Scene& scene, const std::function<void(Scene&)>& change) {
+    auto changed = std::make_shared<Scene>(scene);
+    change(*changed);
+    edit::Replace replace{changed};
+    for (SceneChange& each : changesBetween(scene, *changed))
+        replace.paths.push_back(std::move(each.path));
+    return replace.paths.empty() ? std::nullopt : std::optional<Edit>(std::move(replace));
 }
 
 std::optional<Edit> parseEdit(std::string_view text) {
@@ -182,7 +227,8 @@ std::string_view pathOf(const Edit& edit) {
     if (const auto* set = std::get_if<edit::Set>(&edit))
         return set->path;
     const auto* replace = std::get_if<edit::Replace>(&edit);
-    return replace ? std::string_view(replace->path) : std::string_view();
+    return replace && replace->paths.size() == 1 ? std::string_view(replace->paths.front())
+                                                 : std::string_view();
 }
 
 } // namespace texplorer

@@ -7,12 +7,14 @@
 #include "core/scene/scene.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace texplorer {
 
@@ -58,10 +60,10 @@ struct ApplyPreset {
     bool operator==(const ApplyPreset&) const = default;
 };
 
-/// Copies the value at a path from another scene, as takeOver, or the whole scene.
+/// Copies the values at some paths from another scene, as takeOver, or the whole scene.
 struct Replace {
     std::shared_ptr<const Scene> from;
-    std::string path{}; ///< empty: the whole scene
+    std::vector<std::string> paths{}; ///< empty: the whole scene
 
     bool operator==(const Replace&) const = default;
 };
@@ -70,6 +72,11 @@ struct Replace {
 
 using Edit =
     std::variant<edit::Set, edit::Insert, edit::Remove, edit::Move, edit::ApplyPreset, edit::Replace>;
+
+/// The edit that makes the changes of a function; nullopt if it changes nothing. The function gets a copy of
+/// the scene. It may add to lists; of textures, models and passes, which others name by their index, it may
+/// remove none.
+[[nodiscard]] std::optional<Edit> editThat(const Scene& scene, const std::function<void(Scene&)>& change);
 
 /// Makes all edits, or, if one is not possible, none. After Insert, Remove and Move everything that names an
 /// element of the list by its index names the same element (references.h). The error's `where` begins with
@@ -95,7 +102,7 @@ struct EditTime {
 /// The inverse; empty for edits that files cannot contain.
 [[nodiscard]] std::string textOf(const Edit& edit);
 
-/// The path that an edit sets or replaces; empty for other edits.
+/// The only path that an edit sets or replaces; empty for other edits.
 [[nodiscard]] std::string_view pathOf(const Edit& edit);
 
 } // namespace texplorer

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <ranges>
 #include <utility>
 
 namespace texplorer {
@@ -106,24 +107,28 @@ std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to) {
     return changes;
 }
 
-Result<void> takeOver(Scene& scene, const Scene& from, std::string_view path) {
+Result<void> takeOver(Scene& scene, const Scene& from, std::span<const std::string> paths) {
     Scene edited = scene;
-    std::function<void()> copyIt; // after the walk, during which no list may be resized
+    std::vector<std::function<void()>> copies; // made after the walk, during which no list may be resized
+    std::vector<std::string> missing(paths.begin(), paths.end());
+    const auto isWanted = [&](const std::string& path) { return std::erase(missing, path) > 0; };
     walkPair(sceneTable(), &edited, ownerOf(from), {},
              {[&](const std::string& at, const ParamRow& row, void* a, void* b) {
-                  if (at == path)
-                      copyIt = [&row, a, b] { row.write(a, row.read(b)); };
+                  if (isWanted(at))
+                      copies.emplace_back([&row, a, b] { row.write(a, row.read(b)); });
               },
               [&](const std::string& at, const ChildRow& child, void* a, void* b) {
-                  if (at == path)
-                      copyIt = [&child, a, b] { copyLength(child, a, b); };
+                  if (isWanted(at))
+                      copies.emplace_back([&child, a, b] { copyLength(child, a, b); });
               }});
-    if (!copyIt)
+    if (!missing.empty())
         return fail(ErrorCode::NotFound, "expected a parameter or a list that both scenes have",
-                    std::string(path));
-    copyIt();
+                    std::move(missing.front()));
+    for (const auto& copy : copies | std::views::reverse) // a list moves its elements: the innermost first
+        copy();
     if (const Result<void> fits = checkTogether(edited); !fits && checkTogether(scene))
-        return fail(ErrorCode::OutOfRange, fits.error().message, std::string(path));
+        return fail(ErrorCode::OutOfRange, fits.error().message,
+                    paths.empty() ? std::string() : paths.front());
     scene = std::move(edited);
     return {};
 }

@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/scene/scene.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,9 +25,9 @@ struct SceneChange {
 /// Returns the changes from one scene to the other, in the order of the tables; empty if they are equal.
 [[nodiscard]] std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to);
 
-/// Copies the value at the path of a change from another scene; for a list, its length and its additional
-/// elements. Errors, without changes: NotFound if not both have that path; OutOfRange if members would not
-/// fit each other (a unit without its texture).
-[[nodiscard]] Result<void> takeOver(Scene& scene, const Scene& from, std::string_view path);
+/// Copies the values at the paths of changes from another scene; for a list, its length and its additional
+/// elements. Errors, without changes: NotFound if not both have one of the paths; OutOfRange if members would
+/// not fit each other (a unit without its texture).
+[[nodiscard]] Result<void> takeOver(Scene& scene, const Scene& from, std::span<const std::string> paths);
 
 } // namespace texplorer

@@ -4,6 +4,7 @@
 #include "core/emit/program.h"
 #include "core/scene/tex_coords.h"
 #include "tests/support/paused_encoding.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::commands_tab_test {
@@ -255,8 +256,7 @@ TEST_F(CommandsTab, SaysThatItWasCopiedUntilTheNextEdit) {
     const std::string text = copied();
     EXPECT_EQ(session->window.notice.text,
               "Copied: " + std::to_string(std::ranges::count(text, '\n')) + " lines");
-    scene().textures[0].wrapS = Wrap::Clamp;
-    recordEdit(*session, "Wrap s", "textures[0].wrapS");
+    take(*session, Step{.name = "Wrap s", .edits = {edit::Set{"textures[0].wrapS", "GL_CLAMP"}}});
     EXPECT_EQ(session->window.notice.text, "");
 }
 

@@ -2,6 +2,7 @@
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::file_tab_test {
@@ -78,7 +79,7 @@ TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     EXPECT_FALSE(has("file:problem"));
     ASSERT_NE(session->window.fileView.content, nullptr);
     EXPECT_EQ(session->window.fileView.content->fileBytes, 58U);
-    undo(*session);
+    take(*session, Undo{});
     frames(2);
     EXPECT_TRUE(has("file:none"));
 }

@@ -1,4 +1,5 @@
 #include "app/ui/details/history_tab.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
@@ -76,7 +77,7 @@ TEST_F(HistoryTab, ShowsTheStepThatIsPresentHoweverManyThereAre) {
     frames(3);
     EXPECT_TRUE(places.items.at("history:150").visible);
     EXPECT_FALSE(places.items.at("history:0").visible);
-    goToStep(*session, 0);
+    take(*session, GoToStep{0});
     frames(3);
     EXPECT_TRUE(places.items.at("history:0").visible);
 }

@@ -1,6 +1,7 @@
 // Lessons by mouse: from the menu through their steps.
 
 #include "app/ui/model/lesson_run.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::lesson_tab_test {

@@ -3,6 +3,7 @@
 
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/keys.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <fmt/core.h>

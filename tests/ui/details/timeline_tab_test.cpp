@@ -2,6 +2,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/keys.h"
 #include "core/scene/params/scene_at.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::timeline_tab_test {
@@ -23,7 +24,7 @@ protected:
     [[nodiscard]] std::vector<KeyFrame>& keys() { return scene().timeline.keys; }
     void turn() {
         keys() = {{0, "view.azimuth", "0"}, {4, "view.azimuth", "40"}};
-        recordScene(*session, "Turn");
+        recordEdit(*session, "Turn");
         sealEdit(*session);
         frames(2);
     }
@@ -96,9 +97,9 @@ TEST_F(TimelineTab, AParametersMenuAddsAKeyAtThisTime) {
     click("textures[0].lodBias#key");
     frames(2);
     EXPECT_EQ(keys().size(), 1U) << "the one of this time";
-    undo(*session);
-    undo(*session);
-    undo(*session);
+    take(*session, Undo{});
+    take(*session, Undo{});
+    take(*session, Undo{});
     EXPECT_TRUE(keys().empty());
 }
 
@@ -111,7 +112,7 @@ TEST_F(TimelineTab, AKeyIsDraggedInTimeInOneStep) {
     EXPECT_EQ(keys()[1].time, 2) << "it comes to the grid";
     EXPECT_EQ(session->window.playback.time, 2);
     EXPECT_EQ(session->document.history.position(), step + 1);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(keys()[1].time, 4);
 }
 
@@ -152,7 +153,7 @@ TEST_F(TimelineTab, KeysOfTheKeyboardMoveAndRemove) {
     key(key::del);
     frames(2);
     EXPECT_EQ(keys().size(), 1U);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(keys().size(), 2U);
 }
 

@@ -3,6 +3,7 @@
 #include "app/ui/editor/editor.h"
 #include "app/ui/model/services.h"
 #include "app/ui/model/session.h"
+#include "tests/ui/edits.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ class Editor : public testing::Test {
 protected:
     void make(Step step) {
         submit(session, std::move(step));
-        takeSteps(session);
+        takeRequests(session);
     }
     [[nodiscard]] Scene& scene() { return session.document.scene; }
     [[nodiscard]] const History& history() const { return session.document.history; }
@@ -35,11 +36,11 @@ TEST_F(Editor, MakesStepsInTheirOrderAsStepsOfUndo) {
     submit(session, set("view.azimuth", "10"));
     submit(session, set("view.azimuth", "20"));
     EXPECT_NE(scene().view.azimuth, 10) << "not before the end of the frame";
-    takeSteps(session);
+    takeRequests(session);
     EXPECT_EQ(scene().view.azimuth, 20);
     EXPECT_EQ(history().size(), steps + 2);
     EXPECT_EQ(session.document.lastChanged, "view.azimuth");
-    undo(session);
+    take(session, Undo{});
     EXPECT_EQ(scene().view.azimuth, 10);
 }
 
@@ -51,9 +52,9 @@ TEST_F(Editor, JoinsTheStepsOfADragUntilItEnds) {
     submit(session, set("view.azimuth", "30", true));
     sealEdit(session);
     submit(session, set("view.azimuth", "40", true));
-    takeSteps(session);
+    takeRequests(session);
     EXPECT_EQ(history().size(), steps + 2);
-    undo(session);
+    take(session, Undo{});
     EXPECT_EQ(scene().view.azimuth, 30);
 }
 
@@ -64,26 +65,6 @@ TEST_F(Editor, RefusesAStepThatIsNotPossibleAndSaysWhy) {
     EXPECT_EQ(scene(), before);
     EXPECT_EQ(history().size(), steps);
     EXPECT_THAT(session.window.notice.text, testing::HasSubstr("found 99"));
-}
-
-TEST_F(Editor, SetsAKeyFrameAndStopsTheClock) {
-    scene().timeline.keys = {{0, "view.azimuth", "0"}, {10, "view.azimuth", "10"}};
-    session.window.playback = {.playing = true, .time = 4};
-    make(set("view.azimuth", "7"));
-    ASSERT_EQ(scene().timeline.keys.size(), 3U);
-    EXPECT_EQ(scene().timeline.keys[2].value, "7");
-    EXPECT_FALSE(session.window.playback.playing);
-}
-
-TEST_F(Editor, RemovesTheKeyFramesOfWhatAChangeRemoves) {
-    scene().passes[0].units[0].matrix.resize(2);
-    scene().timeline.keys = {{0, "passes[0].units[0].matrix[1].amount", "1,0,0"}, {0, "view.azimuth", "0"}};
-    submit(session, "Reset unit", [](Scene& changed) { changed.passes[0].units[0].matrix.clear(); });
-    takeSteps(session);
-    EXPECT_EQ(session.window.notice.text, "");
-    EXPECT_TRUE(scene().passes[0].units[0].matrix.empty());
-    ASSERT_EQ(scene().timeline.keys.size(), 1U);
-    EXPECT_EQ(scene().timeline.keys[0].path, "view.azimuth");
 }
 
 TEST_F(Editor, SaysThatAKeyFrameIsMissing) {
@@ -109,7 +90,7 @@ TEST_F(Editor, SelectsWhatTheStepSaysAsFarAsItExists) {
 TEST_F(Editor, ForgetsTheStepsOfAnotherDocument) {
     submit(session, set("view.azimuth", "10"));
     replaceDocument(session, Document(defaultScene(), ImageSource{}));
-    takeSteps(session);
+    takeRequests(session);
     EXPECT_NE(scene().view.azimuth, 10);
 }
 
@@ -131,18 +112,18 @@ TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {
         if (scene() != before)
             scenes.push_back(scene());
         if (number(4) == 0 && scenes.size() > 2) {
-            undo(session);
+            take(session, Undo{});
             EXPECT_EQ(scene(), scenes[scenes.size() - 2]);
-            redo(session);
+            take(session, Redo{});
             EXPECT_EQ(scene(), scenes.back());
         }
     }
     for (std::size_t i = scenes.size() - 1; i-- > 0;) {
-        undo(session);
+        take(session, Undo{});
         ASSERT_EQ(scene(), scenes[i]) << i;
     }
     for (std::size_t i = 1; i < scenes.size(); ++i) {
-        redo(session);
+        take(session, Redo{});
         ASSERT_EQ(scene(), scenes[i]) << i;
     }
 }

@@ -1,5 +1,6 @@
 #include "app/ui/model/preview.h"
 #include "core/reference/shading/environment_table.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <fmt/core.h>
@@ -36,7 +37,7 @@ TEST_F(EnvironmentTable, AClickTakesModeAndFormatInOneStep) {
     EXPECT_EQ(unit().envMode, EnvMode::Add);
     EXPECT_EQ(texture().internalFormat, InternalFormat::Luminance);
     EXPECT_EQ(steps(), step + 1);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(scene(), before);
 }
 

@@ -2,6 +2,7 @@
 #include "app/ui/model/texshot_command.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <fmt/core.h>
@@ -57,7 +58,7 @@ TEST_F(Sheet, AClickTakesBothValuesInOneStep) {
     EXPECT_EQ(texture().minFilter, MinFilter::Nearest);
     EXPECT_EQ(texture().maxAnisotropy, 2);
     EXPECT_EQ(steps(), step + 1);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(scene(), before);
 }
 

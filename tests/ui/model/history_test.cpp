@@ -1,6 +1,7 @@
 // Undo and redo as the window offers them, with the names of the edits; the history itself is core's.
 
 #include "app/ui/widgets/keys.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::history_test {

@@ -1,6 +1,7 @@
 // A and B: what was kept, and what is now. By the menu, the row and the keys.
 
 #include "app/ui/model/preview.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>

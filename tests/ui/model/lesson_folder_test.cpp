@@ -1,5 +1,6 @@
 // A lesson of a folder in the window: opened, edited meanwhile, dropped, and its answers saved.
 
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/loads.h"

@@ -12,6 +12,7 @@
 #include "core/scene/params/json.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <fmt/core.h>
@@ -132,6 +133,7 @@ TEST_F(LessonRuns, CountAnswersUntilTheRightOne) {
     EXPECT_EQ(scene(), start) << "a wrong answer shows nothing";
     answerQuestion(*session, 7); // there is none
     answerQuestion(*session, 1);
+    takeRequests(*session);
     EXPECT_EQ(records()[1], (StepRecord{true, 2, 1}));
     EXPECT_EQ(run().reason(), "It is (0, 1, 0, 1).");
     EXPECT_EQ(scene().material.color, glm::vec4(0, 1, 0, 1)) << "what was right is shown";

@@ -1,3 +1,4 @@
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/scene_files.h"
@@ -6,6 +7,7 @@
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
@@ -81,7 +83,7 @@ TEST_F(Loads, AnImageComesLaterInOneStepOfUndo) {
     waitForFiles(*session);
     EXPECT_EQ(red(), 50);
     EXPECT_EQ(session->document.history.undoName(), "Open red.bmp");
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canUndo());
 }
@@ -124,7 +126,7 @@ TEST_F(Loads, EditsInBetweenStay) {
     waitForFiles(*session);
     EXPECT_EQ(red(), 50);
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(texture().source, SourceKind::Pattern);
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
 }
@@ -137,7 +139,7 @@ TEST_F(Loads, TheLastOneThatWasOpenedIsShown) {
     EXPECT_EQ(red(), 10);
     waitForFiles(*session);
     EXPECT_EQ(red(), 10);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(red(), 20);
 }
 
@@ -397,7 +399,7 @@ TEST_F(Loads, SeveralDroppedImagesAreOneStepOfUndo) {
     EXPECT_EQ(scene().textures[1].file, (folder / "b.bmp").string());
     EXPECT_EQ(session->window.dialog, Dialog::Refused);
     key(key::escape);
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(scene(), before);
     requestOpen(*session, {folder / "gone.bmp", folder / "away.bmp"});
     frames(3);
@@ -465,11 +467,11 @@ TEST_F(Loads, AFileThatUndoBringsIntoUseIsRead) {
     frames(1); // the camera is fitted in it: what is undone is the edit alone
     scene().textures[0].source = SourceKind::File;
     recordEdit(*session, "Source");
-    undo(*session); // before it was read
+    take(*session, Undo{}); // before it was read
     frames(1);
     EXPECT_TRUE(session->document.loads.empty());
     ASSERT_TRUE(session->document.history.canRedo());
-    redo(*session);
+    take(*session, Redo{});
     framesUntil([this] { return session->document.images.holds("red.bmp"); });
 }
 

@@ -8,6 +8,7 @@
 #include "tests/support/no_threads.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/scene_files.h"
@@ -5,6 +6,7 @@
 #include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 
 #include <gmock/gmock.h>
 
@@ -45,7 +47,7 @@ TEST_F(SceneFiles, AnImageBecomesTheBoundTexture) {
     ASSERT_NE(image, nullptr);
     EXPECT_EQ(widthOf(image->surfaces.front()), 1);
     EXPECT_EQ(session.document.history.undoName(), "Open red.bmp");
-    undo(session);
+    take(session, Undo{});
     EXPECT_EQ(session.document.scene.textures[0].source, SourceKind::Pattern);
 }
 
@@ -163,7 +165,7 @@ TEST_F(SceneFiles, ADroppedSceneAsksBeforeItReplacesChanges) {
     receiveFiles(session);
     EXPECT_EQ(session.window.dialog, Dialog::Discard);
     EXPECT_EQ(session.document.scene.textures[0].wrapT, Wrap::Repeat);
-    undo(session);
+    take(session, Undo{});
     session.window.dialog = Dialog::None;
     requestOpen(session, {folder / "scene.json"});
     receiveFiles(session);

@@ -1,3 +1,4 @@
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/scene_files.h"
@@ -5,6 +6,7 @@
 #include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 
 #include <gmock/gmock.h>
 
@@ -125,7 +127,7 @@ TEST_F(SavedScene, OfAnotherProgramIsTakenAsAStepOfUndo) {
     EXPECT_EQ(session.document.scene, parseScene(clamped).value());
     EXPECT_EQ(text(), clamped);
     EXPECT_FALSE(isDirty(session.document));
-    undo(session);
+    take(session, Undo{});
     EXPECT_EQ(session.document.scene, mine);
     EXPECT_TRUE(isDirty(session.document));
     save(session); // mine, after all: what the file has is known

@@ -6,6 +6,7 @@
 #include "app/ui/model/scene_saving.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::session_test {
@@ -237,13 +238,13 @@ TEST_F(OpeningAScene, UndoAndRedoSelectNoPassThatThereIsNotAtAnyTime) {
     };
     havePasses(3);
     havePasses(1);
-    undo(*session);
+    take(*session, Undo{});
     session->window.selection.pass = 2;
-    undo(*session);
+    take(*session, Undo{});
     EXPECT_EQ(session->window.selection.pass, 0);
-    redo(*session);
+    take(*session, Redo{});
     session->window.selection.pass = 2;
-    redo(*session);
+    take(*session, Redo{});
     ASSERT_EQ(scene().passes.size(), 1U);
     EXPECT_EQ(session->window.selection.pass, 0);
 }

@@ -30,13 +30,13 @@ TEST_F(UnitBar, AUnitGetsATextureOfItsOwnTheFirstTime) {
     click("unit:1 on");
     EXPECT_EQ(session->window.selection.unit, 1);
     ASSERT_EQ(scene().textures.size(), 2U);
-    const Unit& second = scene().passes[0].units[1];
-    EXPECT_TRUE(second.enabled);
-    EXPECT_EQ(second.texture, 1);
+    const auto second = [&]() -> const Unit& { return scene().passes[0].units[1]; };
+    EXPECT_TRUE(second().enabled);
+    EXPECT_EQ(second().texture, 1);
     EXPECT_NE(scene().textures[1].pattern, scene().textures[0].pattern);
     EXPECT_EQ(scene().textures[1].mipmaps, MipPolicy::Generated) << "it is complete";
     click("unit:1 on");
-    EXPECT_FALSE(second.enabled);
+    EXPECT_FALSE(second().enabled);
     click("unit:1 on");
     EXPECT_EQ(scene().textures.size(), 2U) << "now it has one";
     click("unit:2 on");

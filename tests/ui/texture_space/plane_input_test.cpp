@@ -7,6 +7,7 @@
 #include "core/files/file_io.h"
 #include "core/image/patterns/pattern.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/texture_space/plane_bench.h"
 
 #include <glm/glm.hpp>
@@ -236,9 +237,9 @@ TEST_F(PlaneInput, AnImageThatArrivesWaitsForTheEndOfAMove) {
     frames(3);
     EXPECT_EQ(texture().source, SourceKind::File);
     EXPECT_EQ(undoSteps(), 2U);
-    undo(*session);
+    take(*session, Undo{});
     expectCoord(2, 1.2F, 1.2F, 0.01F);
-    undo(*session);
+    take(*session, Undo{});
     expectCoord(2, 1, 1);
 }
 

@@ -1,6 +1,7 @@
 // A fitted camera follows the shape of its view until the user moves it.
 
 #include "app/ui/model/camera.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::framing_test {
@@ -50,7 +51,7 @@ TEST_F(Framing, UndoGoesBackToACameraOfTheShapeThatTheViewHasNow) {
     scene().textures[0].wrapS = Wrap::Clamp;
     recordEdit(*session, "Wrap s", "textures[0].wrapS");
     narrowTheView();
-    undo(*session);
+    take(*session, Undo{});
     frames();
     EXPECT_EQ(scene().textures[0].wrapS, Wrap::Repeat);
     EXPECT_FLOAT_EQ(scene().view.distance, filling());

@@ -6,6 +6,7 @@
 #include "core/files/file_io.h"
 #include "core/scene/storage/scene_link.h"
 #include "tests/support/temp_dir.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::comfort_test {

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
+#include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::translated_window_test {

@@ -132,13 +132,48 @@ TEST(Edits, ReplaceAValueOrTheScene) {
     other.view.azimuth = 12;
     const auto from = std::make_shared<const Scene>(other);
     const Scene start = threeOfEach();
-    const Scene one = after(start, {edit::Replace{from, "textures[1].wrapS"}});
+    const Scene one = after(start, {edit::Replace{from, {"textures[1].wrapS"}}});
     EXPECT_EQ(one.textures[1].wrapS, Wrap::Clamp);
     EXPECT_EQ(one.view, start.view);
     EXPECT_EQ(after(start, {edit::Replace{from}}), other);
     Scene refused = start;
-    EXPECT_FALSE(makeEdits(refused, std::vector<Edit>{edit::Replace{from, "textures[9].wrapS"}}));
+    EXPECT_FALSE(makeEdits(refused, std::vector<Edit>{edit::Replace{from, {"textures[9].wrapS"}}}));
     EXPECT_EQ(refused, start);
+}
+
+TEST(Edits, MakeTheChangesOfAFunctionAtOnce) {
+    const Scene start = threeOfEach();
+    const auto change = [](Scene& scene) {
+        scene.textures.resize(4); // a unit names it before the list has it
+        scene.textures[3].wrapS = Wrap::Clamp;
+        scene.passes[0].units[0].texture = 3;
+        scene.models[0].texCoords[0].clear();
+        scene.passes[0].units[0].matrix.resize(2);
+        scene.passes[0].units[0].matrix[1].amount = {1, 2, 3};
+    };
+    Scene expected = start;
+    change(expected);
+    const std::optional<Edit> edit = editThat(start, change);
+    ASSERT_TRUE(edit);
+    EXPECT_EQ(after(start, {*edit}), expected);
+    EXPECT_FALSE(editThat(start, [](Scene&) {}));
+}
+
+TEST(Edits, OfAFunctionRemoveTheKeysOfElementsThatItRemoves) {
+    Scene scene = threeOfEach();
+    scene.passes[0].units[0].matrix.resize(2);
+    scene.timeline.keys = {{1, "passes[0].units[0].matrix[1].amount", "1,0,0"},
+                           {1, "passes[0].units[0].matrix[0].amount", "2,0,0"},
+                           {1, "view.azimuth", "10"}};
+    const std::optional<Edit> edit = editThat(scene, [](Scene& changed) {
+        changed.passes[0].units[0].matrix.resize(1);
+        changed.view.azimuth = 20;
+    });
+    ASSERT_TRUE(edit);
+    ASSERT_TRUE(makeEditsAt(scene, std::vector{*edit}, {.shown = 1, .key = 1}));
+    ASSERT_EQ(scene.timeline.keys.size(), 2U);
+    EXPECT_EQ(scene.timeline.keys[0].path, "passes[0].units[0].matrix[0].amount");
+    EXPECT_EQ(scene.timeline.keys[1].value, "20");
 }
 
 // Edits of a scene whose key frames are shown at a time.
@@ -205,6 +240,17 @@ TEST(EditsAtATime, ReplaceTheSceneWithItsKeys) {
     ASSERT_TRUE(keyed) << describe(keyed.error());
     EXPECT_FALSE(*keyed);
     EXPECT_EQ(scene, threeOfEach());
+}
+
+TEST(EditsAtATime, KeepTheShownValueOfAParameterThatHasNoKeyAnyMore) {
+    Scene scene = moving();
+    const std::optional<Edit> edit = editThat(scene, [](Scene& changed) { changed.timeline.keys.clear(); });
+    ASSERT_TRUE(edit);
+    const Result<bool> keyed = makeEditsAt(scene, std::vector{*edit}, {.shown = 4, .key = 4});
+    ASSERT_TRUE(keyed) << describe(keyed.error());
+    EXPECT_FALSE(*keyed);
+    EXPECT_EQ(scene.timeline, Timeline{});
+    EXPECT_EQ(scene.material.shininess, 4);
 }
 
 TEST(EditsAtATime, AreAllMadeOrNone) {

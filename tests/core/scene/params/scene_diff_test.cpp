@@ -3,6 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace texplorer::scene_diff_test {
 namespace {
 
@@ -54,12 +58,16 @@ TEST(ChangesBetween, OfALongListSayTheFirstThatDiffers) {
                                            Field(&SceneChange::to, "0 elements"))));
 }
 
-/// Applying every difference makes the scenes equal; values that do not fit yet are applied later.
+Result<void> takeOverOne(Scene& scene, const Scene& from, const std::string& path) {
+    return takeOver(scene, from, std::array{path});
+}
+
+/// All differences at once make the scenes equal.
 void expectTakenOver(const Scene& from, Scene scene) {
-    for (int round = 0; round < 2; ++round) {
-        for (const SceneChange& each : changesBetween(from, scene))
-            static_cast<void>(takeOver(scene, from, each.path));
-    }
+    std::vector<std::string> paths;
+    for (const SceneChange& each : changesBetween(from, scene))
+        paths.push_back(each.path);
+    ASSERT_TRUE(takeOver(scene, from, paths));
     EXPECT_THAT(changesBetween(from, scene), IsEmpty());
     EXPECT_EQ(scene, from);
 }
@@ -89,7 +97,7 @@ TEST(TakeOver, OfALongerListCopiesWhatIsNew) {
     from.textures[1].preparation.resize(1);
     from.textures[1].preparation[0].amount = 4;
     Scene scene = defaultScene();
-    ASSERT_TRUE(takeOver(scene, from, "textures"));
+    ASSERT_TRUE(takeOverOne(scene, from, "textures"));
     EXPECT_EQ(scene.textures, from.textures);
 }
 
@@ -99,7 +107,7 @@ TEST(TakeOver, IsRefusedWhereTheSceneWouldNotFitTogether) {
     scene.textures.resize(2);
     scene.passes[0].units[0].texture = 1;
     const Scene before = scene;
-    const Result<void> taken = takeOver(scene, from, "textures");
+    const Result<void> taken = takeOverOne(scene, from, "textures");
     ASSERT_FALSE(taken);
     EXPECT_EQ(taken.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(taken.error().where, "textures");
@@ -110,14 +118,14 @@ TEST(TakeOver, IsNotHeldUpByWhatDidNotFitBefore) {
     Scene scene = defaultScene();
     scene.models[0].texCoords[0].assign(5, glm::vec4(0, 0, 0, 1)); // of an earlier shape
     scene.view.azimuth = 77;
-    ASSERT_TRUE(takeOver(scene, defaultScene(), "view.azimuth"));
+    ASSERT_TRUE(takeOverOne(scene, defaultScene(), "view.azimuth"));
     EXPECT_EQ(scene.view, defaultScene().view);
 }
 
 TEST(TakeOver, IsRefusedWhereThereIsNothingAtThePath) {
     Scene scene = defaultScene();
     for (const char* path : {"", "textures[7].wrapS", "nothing", "view"}) {
-        const Result<void> taken = takeOver(scene, Scene{}, path);
+        const Result<void> taken = takeOverOne(scene, Scene{}, path);
         ASSERT_FALSE(taken) << path;
         EXPECT_EQ(taken.error().code, ErrorCode::NotFound) << path;
     }
