@@ -1,0 +1,23 @@
+"""The calls of a frame are those of the table in docs/develop/panel.md, in its order, and few."""
+
+import pathlib
+import re
+import unittest
+
+ROOT = pathlib.Path(__file__).parents[2]
+MAX_CALLS = 15
+
+
+class Frame(unittest.TestCase):
+    def test_its_calls_are_those_of_the_table(self):
+        source = (ROOT / "app/ui/window/workbench.cpp").read_text()
+        body = re.search(r"^Requests drawWorkbench\(.*?\{\n(.*?)^\}", source, re.S | re.M)[1]
+        calls = re.findall(r"^    (?:const bool popup = |return )?(\w+)\(", body, re.M)
+        self.assertEqual(len(calls), body.count(";"), "a statement is a call")
+        table = (ROOT / "docs/develop/panel.md").read_text().split("## A frame")[1].split("\n## ")[0]
+        self.assertEqual(calls, re.findall(r"^\| `(\w+)` \|", table, re.M))
+        self.assertLessEqual(len(calls), MAX_CALLS)
+
+
+if __name__ == "__main__":
+    unittest.main()
