@@ -94,8 +94,9 @@ Result<void> make(Scene& scene, const edit::ApplyPreset& apply) {
     return applyPreset(*preset, scene, apply.place);
 }
 
-/// Removes the elements of a list that it does not have in `from`, with their key frames. Returns false if the
-/// path is of something else, the list is not longer, or others name its elements (textures, models, passes).
+/// Removes the elements of a list that it does not have in `from`, with their key frames. Returns false if
+/// the path is of something else, the list is not longer, or others name its elements (textures, models,
+/// passes).
 Result<bool> shorten(Scene& scene, Scene& from, const std::string& path) {
     const Result<ListAt> list = listAt(scene, path);
     const Result<ListAt> wanted = listAt(from, path);
