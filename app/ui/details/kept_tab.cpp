@@ -20,10 +20,10 @@ namespace {
 
 void followScene(const Session& session, KeptTabState& state) {
     const Document& document = session.document;
-    if (state.kept == document.kept.scene && state.now == document.scene)
+    if (state.kept == document.kept.scene && state.now == presentScene(session))
         return;
     state.kept = document.kept.scene;
-    state.now = document.scene;
+    state.now = presentScene(session);
     state.changes = changesSinceKept(session);
 }
 

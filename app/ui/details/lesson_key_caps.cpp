@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ void keyCap(Session& session, const LessonRun& run, std::size_t number) {
     ImGui::BeginDisabled(!usable);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("cap", size))
-        pressLessonKey(session, number, 1);
+        pressLessonKeys(session, std::array{KeyPress{number}});
     noteItem("lesson key:" + each.key);
     if (ImGui::IsItemDeactivated())
         releaseLessonKey(session);

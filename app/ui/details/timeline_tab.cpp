@@ -189,8 +189,9 @@ void takeKeys(Session& session, TimelineTabState& state) {
     } else if (way != 0) {
         const float time = presentScene(session).timeline.keys[number].time;
         const float step = state.grid > 0 ? state.grid : 0.01F;
-        if (moveKey(session, number, snapped(std::max(0.0F, time + static_cast<float>(way) * step), 0)))
-            goToTime(session, static_cast<double>(presentScene(session).timeline.keys[number].time));
+        const float wanted = std::clamp(snapped(time + static_cast<float>(way) * step, 0), 0.0F, maxKeyTime);
+        if (moveKey(session, number, wanted))
+            goToTime(session, double{wanted});
         sealEdit(session);
     } else {
         return;

@@ -36,9 +36,8 @@ void selectAfter(Session& session, const Step& step) {
     bool renumbered = false;
     for (const Edit& each : step.edits)
         renumbered |= follow(selection, each);
-    if (step.select)
-        selection = *step.select;
-    if (step.select || appliesPreset(step))
+    const int model = step.select ? std::exchange(selection, *step.select).model : selection.model;
+    if (selection.model != model || appliesPreset(step))
         leaveHiddenModel(session);
     bringSelectionBack(session);
     if (renumbered)
@@ -62,11 +61,13 @@ void take(Session& session, DropStep /*drop*/) {
 }
 
 void take(Session& session, Undo /*undo*/) {
-    showStep(session, session.document.history.undo());
+    if (session.document.history.canUndo())
+        showStep(session, session.document.history.undo());
 }
 
 void take(Session& session, Redo /*redo*/) {
-    showStep(session, session.document.history.redo());
+    if (session.document.history.canRedo())
+        showStep(session, session.document.history.redo());
 }
 
 void take(Session& session, GoToStep to) {

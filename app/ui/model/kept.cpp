@@ -115,7 +115,7 @@ void followKept(Session& session) {
         kept.flippedAt.reset();
     if (!kept.flippedAt && view.arrangement != Arrangement::Kept)
         kept.seen.reset();
-    else if (!kept.seen || kept.seen->view != lookedAtFrom(kept.seen->view, session.document.scene.view))
+    else if (!kept.seen || kept.seen->view != lookedAtFrom(kept.seen->view, presentScene(session).view))
         kept.seen = std::make_shared<const Scene>(keptFrom(session));
 }
 

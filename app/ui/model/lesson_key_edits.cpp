@@ -24,26 +24,33 @@ bool isTakenByLesson(const Session& session, std::string_view key) {
     return found != keys.end() && isUsable(*run, static_cast<std::size_t>(found - keys.begin()));
 }
 
-void pressLessonKey(Session& session, std::size_t key, float times) {
+void pressLessonKeys(Session& session, std::span<const KeyPress> presses) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
-    if (!run || !isUsable(*run, key))
+    if (!run || presses.empty())
         return;
-    const lesson::LessonKey& pressed = run->lesson.keys[key];
-    const std::string words = fmt::format("Key {}", pressed.key);
-    if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
-        // At the end of its range a number stays unchanged, without a message.
-        return submitDrag(
-            session, words,
-            [&](Scene& scene) {
-                static_cast<void>(addTo(scene, *addition, times, session.window.playback.time));
-            },
-            addition->path);
+    std::string words;
+    Scene sum = presentScene(session); // of the additions
+    for (const KeyPress& press : presses) {
+        if (!isUsable(*run, press.key))
+            continue;
+        const lesson::LessonKey& pressed = run->lesson.keys[press.key];
+        if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
+            // At the end of its range a number stays unchanged, without a message.
+            static_cast<void>(addTo(sum, *addition, press.times, session.window.playback.time));
+            words = fmt::format("Key {}", pressed.key);
+            continue;
+        }
+        submit(session, fmt::format("Key {}", pressed.key), [&](Scene& scene) {
+            lesson::ChosenChoices chosen = run->chosen;
+            if (!pressKey(scene, run->lesson.keys, chosen, press.key, session.window.textureUnits))
+                return;
+            if (scene == presentScene(session)) // another key's choice overrides it
+                run->chosen = std::move(chosen);
+            else
+                run->pressed = PressedKey{scene, std::move(chosen)};
+        });
     }
-    submit(session, words, [&](Scene& scene) {
-        lesson::ChosenChoices chosen = run->chosen;
-        if (pressKey(scene, run->lesson.keys, chosen, key, session.window.textureUnits))
-            run->pressed = PressedKey{scene, std::move(chosen)};
-    });
+    submitDrag(session, words, [&](Scene& scene) { scene = std::move(sum); });
 }
 
 void releaseLessonKey(Session& session) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,9 +16,14 @@ struct LessonRun;
 /// Whether the open lesson uses a key, by its name in lessons, instead of a window's shortcut.
 [[nodiscard]] bool isTakenByLesson(const Session& session, std::string_view key);
 
-/// Applies a key's action: a choice is one undo step; an addition continues the same step until
-/// releaseLessonKey. `times`: how often it adds.
-void pressLessonKey(Session& session, std::size_t key, float times);
+struct KeyPress {
+    std::size_t key = 0; ///< its index
+    float times = 1;     ///< how often it adds
+};
+
+/// Applies the actions of keys: a choice is one undo step; additions continue the same step until
+/// releaseLessonKey.
+void pressLessonKeys(Session& session, std::span<const KeyPress> presses);
 void releaseLessonKey(Session& session);
 
 /// The current effect of a key: the choice in the window's language, or the number.

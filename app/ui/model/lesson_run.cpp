@@ -119,12 +119,12 @@ void readyKeys(LessonRun& run) {
 
 /// Finds the current choices of the keys, which undo and panels can change as well.
 void followKeys(Session& session, LessonRun& run) {
-    if (run.lesson.keys.empty() || run.keyed == session.document.scene)
+    const Scene& scene = presentScene(session);
+    if (run.lesson.keys.empty() || run.keyed == scene)
         return;
-    run.chosen = run.pressed && run.pressed->scene == session.document.scene
-                     ? run.pressed->chosen
-                     : choicesOf(session.document.scene, run.lesson.keys, run.chosen);
-    run.keyed = session.document.scene;
+    run.chosen = run.pressed && run.pressed->scene == scene ? run.pressed->chosen
+                                                            : choicesOf(scene, run.lesson.keys, run.chosen);
+    run.keyed = scene;
 }
 
 void askPictures(Session& session, const LessonRun& run) {

@@ -18,7 +18,7 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// What a key of a lesson leads to.
+/// The scene and the choices after a key was pressed, until the step is made.
 struct PressedKey {
     Scene scene;
     lesson::ChosenChoices chosen; ///< of that scene; several choices may fit it
@@ -60,7 +60,7 @@ struct LessonRun {
     lesson::ChosenChoices chosen;                         ///< the current choice of each of its keys
     std::vector<bool> usable;                             ///< which of its keys have an effect in this step
     std::optional<Scene> keyed;                           ///< the scene of `chosen`
-    std::optional<PressedKey> pressed;                    ///< the last one that selects a choice
+    std::optional<PressedKey> pressed;                    ///< the last one that has selected another choice
     std::optional<std::size_t> heldKey;                   ///< the last pressed one of its keys
     bool holdsKey = false;                                ///< a key with a continuous effect is held
 

@@ -67,7 +67,7 @@ Session::Session(Services lent, Document start)
 }
 
 void leaveHiddenModel(Session& session) {
-    const std::vector<Model>& models = session.document.scene.models;
+    const std::vector<Model>& models = presentScene(session).models;
     const Model* selected = selectedModel(session);
     const auto visible = std::ranges::find(models, true, &Model::visible);
     if (visible == models.end() || (selected && selected->visible))
@@ -119,6 +119,7 @@ void bringSelectionBack(Session& session) {
 
 void settle(Session& session, const Layout& layout) {
     followShape(session.document, session.window.playback.time, aspectOf(layout));
+    showPresent(session);
     bringSelectionBack(session);
     followKept(session);
     placeMark(session, {layout.picture.width, layout.picture.height});
@@ -147,7 +148,7 @@ Step stepThat(const Session& session, std::string name, const std::function<void
 }
 
 void submit(Session& session, Step step) {
-    if (!step.edits.empty())
+    if (!step.edits.empty() || step.select)
         session.requests.emplace_back(std::move(step));
 }
 

@@ -62,7 +62,7 @@ void bringSelectionBack(Session& session);
 [[nodiscard]] Step stepThat(const Session& session, std::string name,
                             const std::function<void(Scene&)>& change, std::string path = {});
 
-/// Has a step made at the end of the frame (app/ui/editor), unless it has no edits.
+/// Has a step made at the end of the frame (app/ui/editor), unless it has no edits and selects nothing.
 void submit(Session& session, Step step);
 
 /// Submits the step with the changes of a function.

@@ -120,7 +120,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     if (!ended)
         handlePlaneMouse(session, state, canvas, mouse);
     session.window.movesVertices = state.move.has_value();
-    const Mesh& mesh = selectedMesh(session); // an undo may have selected another model
+    const Mesh& mesh = selectedMesh(session);
     if (mouse.grip && mouse.grip->vertex >= state.coords.given().size())
         mouse.grip.reset();
     if (mouse.grip)

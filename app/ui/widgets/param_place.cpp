@@ -67,7 +67,8 @@ void assignCoord(Session& session, const ParamPlace& place, int component, float
 
 std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
     const StructTable* table = &sceneTable();
-    void* values = const_cast<Scene*>(&scene); // the tables' functions could write; a place can not
+    void* values = const_cast<Scene*>(
+        &scene); // the tables' functions take a pointer they may write to; here it is only read
     ParamPlace place{{nullptr, nullptr, {}}};
     while (true) {
         const std::size_t dot = path.find('.');

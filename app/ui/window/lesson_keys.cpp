@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -49,6 +50,7 @@ void takeLessonKeys(Session& session, bool popup) {
     const bool held = run->holdsKey;
     run->holdsKey = false;
     run->heldKey.reset();
+    std::vector<KeyPress> presses;
     if (areKeysFree(session, popup)) {
         for (std::size_t i = 0; i < run->lesson.keys.size(); ++i) {
             const lesson::LessonKey& each = run->lesson.keys[i];
@@ -61,11 +63,12 @@ void takeLessonKeys(Session& session, bool popup) {
             const bool goesOn = std::holds_alternative<lesson::Addition>(each.effect);
             run->holdsKey |= goesOn;
             if (pressed)
-                pressLessonKey(session, i, 1);
+                presses.push_back({i});
             else if (goesOn && held)
-                pressLessonKey(session, i, ImGui::GetIO().DeltaTime * framesASecond);
+                presses.push_back({i, ImGui::GetIO().DeltaTime * framesASecond});
         }
     }
+    pressLessonKeys(session, presses);
     if (held && !run->holdsKey)
         releaseLessonKey(session);
 }

@@ -124,7 +124,6 @@ DriverFacts factsFor(const Session& session, const view::Capabilities& capabilit
 /// What the panels of the last frame have noted is from now on of this one. Returns whether a menu or list is
 /// open.
 bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
-    showPresent(session);
     forgetPlaces();
     if (catalogueInUse())
         keepNames(namesIn(session.document));
@@ -157,16 +156,14 @@ void showWanted(Session& session) {
 
 /// Updates what is known of the scene: findings, the explained pixel, level pictures.
 void followDocument(Session& session, PanelStates& states, const Pictures& pictures,
-                    const view::Capabilities& capabilities, const Layout& layout) {
+                    const view::Capabilities& capabilities) {
     if (std::exchange(states.documents, session.documents) != session.documents)
         forgetDocument(states);
     session.window.explaining.isOpen = isShown(session.window.settings.workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
-    settle(session, layout); // a menu or the lesson may have replaced the document
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
     restUnseen(session);
-    showPresent(session);
 }
 
 void drawPanels(Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout) {
@@ -227,7 +224,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     drawMenuBar(session, layout);
     showWanted(session);
     followLesson(session, {{layout.picture.width, layout.picture.height}, capabilities.textureUnits});
-    followDocument(session, states, pictures, capabilities, layout);
+    followDocument(session, states, pictures, capabilities);
     drawPanels(session, states, pictures, layout);
     drawStatusBar(session, pictures, capabilities, layout, endHints()); // later help is a tooltip
     drawSeams(session, states, layout);

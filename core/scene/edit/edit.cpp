@@ -201,9 +201,7 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
 std::optional<Edit> editThat(const Scene& scene, const std::function<void(Scene&)>& change) {
     auto changed = std::make_shared<Scene>(scene);
     change(*changed);
-    edit::Replace replace{changed};
-    for (SceneChange& each : changesBetween(scene, *changed))
-        replace.paths.push_back(std::move(each.path));
+    edit::Replace replace{changed, changedPaths(scene, *changed)};
     return replace.paths.empty() ? std::nullopt : std::optional<Edit>(std::move(replace));
 }
 

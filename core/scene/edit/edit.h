@@ -74,8 +74,8 @@ using Edit =
     std::variant<edit::Set, edit::Insert, edit::Remove, edit::Move, edit::ApplyPreset, edit::Replace>;
 
 /// The edit that makes the changes of a function; nullopt if it changes nothing. The function gets a copy of
-/// the scene. It may add to lists; of textures, models and passes, which others name by their index, it may
-/// remove none.
+/// the scene. It must not remove textures, models or passes, which others name by their index. The key frames
+/// of other removed elements are removed.
 [[nodiscard]] std::optional<Edit> editThat(const Scene& scene, const std::function<void(Scene&)>& change);
 
 /// Makes all edits, or, if one is not possible, none. After Insert, Remove and Move everything that names an

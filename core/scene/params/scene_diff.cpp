@@ -54,18 +54,26 @@ Value elementAt(const ParamRow& row, const Value& list, std::size_t index) {
     return listOf(row.kind, {elementsOf(list).at(index)});
 }
 
+std::size_t firstDifference(const Value& a, const Value& b) {
+    const auto indexIn = [](const auto& one, const auto& other) {
+        return static_cast<std::size_t>(std::ranges::mismatch(one, other).in1 - one.begin());
+    };
+    if (const auto* numbers = std::get_if<std::vector<int>>(&a))
+        return indexIn(*numbers, std::get<std::vector<int>>(b));
+    const std::vector<glm::vec4> elements = elementsOf(a);
+    return indexIn(elements, elementsOf(b));
+}
+
 /// A value as text, of a long list the first element that the other one hasn't.
 std::string textBeside(const ParamRow& row, const Value& value, const Value& other) {
     const std::size_t count = listSize(value);
     if (!isList(row.kind) || std::max(count, listSize(other)) <= shortList)
         return formatValue(row, value);
-    const std::size_t common = std::min(count, listSize(other));
-    for (std::size_t i = 0; i < common; ++i) {
-        const Value element = elementAt(row, value, i);
-        if (element != elementAt(row, other, i))
-            return fmt::format("[{}] {} of {}", i, formatValue(row, element), countOf(count, "element"));
-    }
-    return countOf(count, "element");
+    const std::size_t first = firstDifference(value, other);
+    if (first >= std::min(count, listSize(other)))
+        return countOf(count, "element");
+    return fmt::format("[{}] {} of {}", first, formatValue(row, elementAt(row, value, first)),
+                       countOf(count, "element"));
 }
 
 void copyStruct(const StructTable& table, void* to, void* from) {
@@ -105,6 +113,17 @@ std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to) {
                                      countOf(child.size(b), "element"), true});
               }});
     return changes;
+}
+
+std::vector<std::string> changedPaths(const Scene& from, const Scene& to) {
+    std::vector<std::string> paths;
+    walkPair(sceneTable(), ownerOf(from), ownerOf(to), {},
+             {[&](const std::string& path, const ParamRow& row, void* a, void* b) {
+                  if (row.read(a) != row.read(b))
+                      paths.push_back(path);
+              },
+              [&](const std::string& path, const ChildRow&, void*, void*) { paths.push_back(path); }});
+    return paths;
 }
 
 Result<void> takeOver(Scene& scene, const Scene& from, std::span<const std::string> paths) {

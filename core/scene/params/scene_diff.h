@@ -25,6 +25,9 @@ struct SceneChange {
 /// Returns the changes from one scene to the other, in the order of the tables; empty if they are equal.
 [[nodiscard]] std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to);
 
+/// The same without texts: only the paths.
+[[nodiscard]] std::vector<std::string> changedPaths(const Scene& from, const Scene& to);
+
 /// Copies the values at the paths of changes from another scene; for a list, its length and its additional
 /// elements. Errors, without changes: NotFound if not both have one of the paths; OutOfRange if members would
 /// not fit each other (a unit without its texture).

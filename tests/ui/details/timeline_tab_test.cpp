@@ -144,6 +144,7 @@ TEST_F(TimelineTab, KeysOfTheKeyboardMoveAndRemove) {
     frames(2);
     key(key::left);
     EXPECT_EQ(keys()[1].time, 3.9F);
+    EXPECT_EQ(session->window.playback.time, double{3.9F}) << "the clock follows";
     key(key::right);
     EXPECT_EQ(keys()[1].time, 4);
     key(',');

@@ -56,6 +56,26 @@ TEST_F(LessonKeys, AreThoseOfTheProgram) {
     EXPECT_EQ(scene(), session->window.lesson->start.scene);
 }
 
+TEST_F(LessonKeys, AChoiceThatAnotherOverridesIsKept) {
+    open();
+    key('B');
+    const Scene without = scene();
+    key('E');
+    EXPECT_EQ(scene(), without);
+    key('B');
+    EXPECT_THAT(passes(), ElementsAre(true, false, false, false, false, true, true));
+}
+
+TEST_F(LessonKeys, TwoArrowsAreAdded) {
+    open();
+    const glm::vec3 before = scene().models[0].spin;
+    setHeld(key::right, true);
+    hold(key::up, 3);
+    setHeld(key::right, false);
+    EXPECT_NE(scene().models[0].spin.x, before.x);
+    EXPECT_NE(scene().models[0].spin.y, before.y);
+}
+
 TEST_F(LessonKeys, FTakesTheNextFilterInTheCameraAsItIs) {
     open();
     scene().view.azimuth = 33;
