@@ -45,9 +45,8 @@ void windowDrag(benchmark::State& state) {
     ui::Session session(services.lend());
     Scene& scene = session.document.scene;
     scene.models.erase(scene.models.begin());
-    Model& sphere = scene.models.front();
-    sphere.slices = 128;
-    sphere.stacks = 64;
+    scene.models.front().slices = 128;
+    scene.models.front().stacks = 64;
     constexpr std::size_t vertex = 4000;
     session.window.selection.vertex = vertex;
     const auto draw = [&](ImVec2 mouse, bool pressed) {
@@ -72,7 +71,7 @@ void windowDrag(benchmark::State& state) {
         const int way = frame++ % (2 * there);
         draw({mouse.x + static_cast<float>(10 + (way < there ? way : 2 * there - way)), mouse.y}, true);
     }
-    if (sphere.texCoords[0].empty())
+    if (session.document.scene.models.front().texCoords[0].empty())
         state.SkipWithError("the mouse moved no vertex");
 }
 
