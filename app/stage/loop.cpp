@@ -2,7 +2,6 @@
 
 #include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
-#include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/unsaved_work.h"
 #include "core/text/printable.h"

@@ -5,7 +5,6 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/sheet_file.h"
 #include "app/ui/model/texshot_command.h"
-#include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"

@@ -2,7 +2,6 @@
 
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/timeline_edits.h"
 
 #include <fmt/core.h>
 

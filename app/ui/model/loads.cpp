@@ -1,6 +1,5 @@
 #include "app/ui/model/loads.h"
 
-#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "core/files/file_fingerprint.h"

@@ -1,9 +1,7 @@
 #include "app/ui/model/program_file.h"
 
-#include "app/ui/model/timeline_edits.h"
 #include "core/emit/program.h"
 #include "core/files/file_io.h"
-#include "core/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,6 @@
 
 #include "app/animation/make_encoder.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/timeline_edits.h"
 #include "app/view/picture_texts.h"
 #include "core/animation/frame_times.h"
 

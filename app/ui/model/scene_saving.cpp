@@ -4,7 +4,6 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/scene_paths.h"
 #include "app/ui/model/settings_file.h"
-#include "app/ui/model/timeline_edits.h"
 #include "core/files/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/storage/scene_file.h"

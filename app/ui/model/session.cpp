@@ -5,7 +5,6 @@
 #include "app/ui/model/loads.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/scene_files.h"
-#include "app/ui/model/timeline_edits.h"
 #include "core/lesson/numbers.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"

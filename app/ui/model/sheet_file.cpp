@@ -2,7 +2,6 @@
 
 #include "app/lettering/font_lettering.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/timeline_edits.h"
 #include "app/view/picture_texts.h"
 #include "core/base/count.h"
 #include "core/codec/png/png.h"
