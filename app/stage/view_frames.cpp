@@ -127,7 +127,7 @@ void ViewFrames::keepStepPicture(ui::Session& session) {
     History& history = session.document.history;
     const ui::ViewFrame& view = frames_.front();
     if (history.pictureOf(history.position()) || session.window.preview || ui::isKeptShown(session) ||
-        !view.whole || view.frame.unfinished || ImGui::IsAnyMouseDown() || session.window.keyTaken ||
+        !view.whole || view.frame.unfinished || ImGui::IsAnyMouseDown() || session.out.keyTaken ||
         session.document.scene != history.current())
         return;
     std::shared_ptr<const Image> seen = view.image;

@@ -1,4 +1,4 @@
-"""The calls of a frame are those of the table in docs/develop/panel.md, in its order, and few."""
+"""The calls of a frame are those of the table in docs/develop/panel.md, in its order, and few; panels change nothing."""
 
 import pathlib
 import re
@@ -17,6 +17,17 @@ class Frame(unittest.TestCase):
         table = (ROOT / "docs/develop/panel.md").read_text().split("## A frame")[1].split("\n## ")[0]
         self.assertEqual(calls, re.findall(r"^\| `(\w+)` \|", table, re.M))
         self.assertLessEqual(len(calls), MAX_CALLS)
+
+    def test_panels_only_read_the_session(self):
+        """They request what they want changed."""
+        acting = {"workbench.h", "shortcuts.h", "comfort.h", "notes.h", "lesson_keys.h"}  # the frame, and actions
+        for folder in "details figures language parameters texture_space view widgets window".split():
+            for header in sorted((ROOT / "app/ui" / folder).glob("*.h")):
+                if header.parent.name == "window" and header.name in acting:
+                    continue
+                text = header.read_text()
+                found = re.findall(r"(?<!const )\b(?:Session|WindowState|Document|Workspace|Settings|Playback)&", text)
+                self.assertEqual(found, [], header)
 
 
 if __name__ == "__main__":

@@ -16,8 +16,8 @@ inline void recordEdit(Session& session, std::string_view what, std::string_view
 }
 
 /// Has a request taken at once: "take(session, Undo{})".
-inline void take(Session& session, EditRequest request) {
-    session.requests.push_back(std::move(request));
+inline void take(Session& session, Request request) {
+    session.out.requests.push_back(std::move(request));
     takeRequests(session);
 }
 

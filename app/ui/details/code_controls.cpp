@@ -59,7 +59,7 @@ void codeUnderline(ImU32 ink) {
 }
 
 /// The tooltip of a value.
-void codeTip(Session& session, const std::string& path, int component) {
+void codeTip(const Session& session, const std::string& path, int component) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
         return;
     const std::optional<ParamPlace> place = placeOf(presentScene(session), path);
@@ -81,7 +81,7 @@ void codeTip(Session& session, const std::string& path, int component) {
 }
 
 /// A number in code that can be dragged, and typed after a double click.
-float codeNumber(Session& session, const emit::Part& part, const CodeLook& look) {
+float codeNumber(const Session& session, const emit::Part& part, const CodeLook& look) {
     const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
     const float width = codeWidth(part);
     if (!place)
@@ -142,7 +142,7 @@ void endCodePopup() {
 }
 
 /// The list of choices of the last widget.
-void codeChoices(Session& session, const ParamPlace& place, const std::string& path) {
+void codeChoices(const Session& session, const ParamPlace& place, const std::string& path) {
     if (!beginCodePopup("choices"))
         return;
     const EnumValue now = std::get<EnumValue>(place.row->read(place.owner.values));
@@ -176,7 +176,7 @@ bool codeButton(const emit::Part& part, const CodeLook& look) {
     return pressed;
 }
 
-float codeChoice(Session& session, const emit::Part& part, const CodeLook& look) {
+float codeChoice(const Session& session, const emit::Part& part, const CodeLook& look) {
     const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
     const bool pressed = codeButton(part, look);
     codeUnderline(codeInk(part, look));
@@ -185,7 +185,7 @@ float codeChoice(Session& session, const emit::Part& part, const CodeLook& look)
     return codeWidth(part);
 }
 
-void codeSwitch(Session& session, const emit::Part& part, const CodeLook& look) {
+void codeSwitch(const Session& session, const emit::Part& part, const CodeLook& look) {
     const bool pressed = codeButton(part, look);
     codeUnderline(codeInk(part, look));
     const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
@@ -197,7 +197,7 @@ void codeSwitch(Session& session, const emit::Part& part, const CodeLook& look) 
 
 } // namespace
 
-float codePart(Session& session, const emit::Part& part, const CodeLook& look) {
+float codePart(const Session& session, const emit::Part& part, const CodeLook& look) {
     using Kind = emit::Part::Kind;
     float width = codeWidth(part);
     if (part.path.empty() || part.kind == Kind::Plain || part.kind == Kind::Comment) {
@@ -218,7 +218,7 @@ float codePart(Session& session, const emit::Part& part, const CodeLook& look) {
     else if (part.kind == Kind::Switch)
         codeSwitch(session, part, look);
     else if (codeButton(part, look))
-        reveal(session, part.path);
+        act(session, [path = part.path](Session& s) { reveal(s, path); });
     if (part.occurrence == 0)
         noteItem(part.kind == Kind::Call ? fmt::format("call:{}", part.path) : codeName(part));
     linkHover(session, part.path);
@@ -232,7 +232,7 @@ float codePart(Session& session, const emit::Part& part, const CodeLook& look) {
     return width;
 }
 
-float codeSwatch(Session& session, const emit::Line& line, const CodeLook& look) {
+float codeSwatch(const Session& session, const emit::Line& line, const CodeLook& look) {
     const auto number = std::ranges::find(line.parts, emit::Part::Kind::Number, &emit::Part::kind);
     if (number == line.parts.end())
         return 0;

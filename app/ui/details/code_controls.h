@@ -16,10 +16,10 @@ struct CodeLook {
 
 /// Draws a part of a line at the cursor as a control: numbers can be dragged, choices have a list, switches
 /// are clicked; the name of a call goes to its control. Returns its width.
-float codePart(Session& session, const emit::Part& part, const CodeLook& look);
+float codePart(const Session& session, const emit::Part& part, const CodeLook& look);
 
 /// Draws a swatch for the colour in a line, which opens the picker. Returns its width; 0 if the line has no
 /// colour.
-float codeSwatch(Session& session, const emit::Line& line, const CodeLook& look);
+float codeSwatch(const Session& session, const emit::Line& line, const CodeLook& look);
 
 } // namespace texplorer::ui

@@ -23,13 +23,15 @@ namespace {
 constexpr const char* commandsHint = "Drag numbers, click names and switches";
 constexpr const char* makingHint = "Making the program…";
 
-void toolRow(Session& session, CommandsTabState& state) {
+void toolRow(const Session& session, CommandsTabState& state) {
     const char* copy = "Copy";
     const char* save = "Export…";
     const char* hint = session.services.programs.isMaking() ? makingHint : commandsHint;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(copy) + inner + buttonWidth(save);
-    ImGui::Checkbox(label("All calls"), &session.window.allCalls);
+    bool all = session.window.allCalls;
+    if (ImGui::Checkbox(label("All calls"), &all))
+        change(session, [all](WindowState& window) { window.allCalls = all; });
     noteItem("all commands");
     helpTip("Off: only the calls that change OpenGL's initial state");
     ImGui::SameLine(0, ImGui::GetFontSize());
@@ -41,9 +43,11 @@ void toolRow(Session& session, CommandsTabState& state) {
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     if (ImGui::Button(label(copy))) {
-        const std::string program = emit::textOf(state.lines, session.window.allCalls);
+        const std::string program = emit::textOf(state.lines, all);
         ImGui::SetClipboardText(program.c_str());
-        tell(session, fmt::format("Copied: {} lines", std::ranges::count(program, '\n')));
+        act(session, [lines = std::ranges::count(program, '\n')](Session& s) {
+            tell(s, fmt::format("Copied: {} lines", lines));
+        });
     }
     noteItem("copy commands");
     helpTip("Copies the listed program as C");
@@ -159,7 +163,7 @@ std::string firstPath(const emit::Line& line) {
     return named == line.parts.end() ? std::string() : named->path;
 }
 
-void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row, float letter) {
+void drawRow(const Session& session, const CommandsTabState& state, const CodeRow& row, float letter) {
     const emit::Line& line = state.lines[row.line];
     const bool isChanged = mentionsAny(line, state.changed);
     const CodeLook look{letter, !line.needed && !line.heading, isChanged};
@@ -182,16 +186,16 @@ void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row
     }
     // The whole line belongs to the parameter that it sets, including its brackets.
     const float end = corner.x + ImGui::GetWindowContentRegionMax().x;
-    if (session.window.hoveringParam.empty() && ImGui::IsWindowHovered() &&
+    if (session.out.hoveredParam.empty() && ImGui::IsWindowHovered() &&
         ImGui::IsMouseHoveringRect(corner, {end, corner.y + ImGui::GetFontSize()}))
-        session.window.hoveringParam = firstPath(line);
+        session.out.hoveredParam = firstPath(line);
     ImGui::SetCursorPos(start);
     ImGui::Dummy({0, ImGui::GetFontSize()});
 }
 
 } // namespace
 
-void drawCommandsTab(Session& session, CommandsTabState& state) {
+void drawCommandsTab(const Session& session, CommandsTabState& state) {
     renewLines(session, state);
     toolRow(session, state);
     if (!state.refused.empty())

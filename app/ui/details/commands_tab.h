@@ -36,6 +36,6 @@ struct CommandsTabState {
 };
 
 /// Draws the scene's calls in C, with their values as controls.
-void drawCommandsTab(Session& session, CommandsTabState& state);
+void drawCommandsTab(const Session& session, CommandsTabState& state);
 
 } // namespace texplorer::ui

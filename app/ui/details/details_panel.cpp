@@ -17,7 +17,7 @@
 namespace texplorer::ui {
 namespace {
 
-void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Tab tab) {
+void drawTab(const Session& session, DetailsState& state, const Pictures& pictures, Tab tab) {
     switch (tab) {
     case Tab::Lesson:
         return drawLessonTab(session, pictures);
@@ -58,24 +58,26 @@ bool liesIn(const Workspace& workspace, Tab tab, Dock dock) {
 }
 
 /// Handles the mouse on a tab, which is the last widget.
-void handleTab(Workspace& workspace, DetailsState& state, const TabRow& row, Dock dock) {
-    Tab& front = workspace.front[static_cast<std::size_t>(dock)];
+void handleTab(const Session& session, DetailsState& state, const TabRow& row, Dock dock) {
     if (ImGui::IsItemActivated())
-        front = row.tab;
+        rearrange(session, [dock, &row](Workspace& workspace) {
+            workspace.front[static_cast<std::size_t>(dock)] = row.tab;
+        });
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        toggleMaximised(workspace, maximised(dock));
+        rearrange(session, [dock](Workspace& workspace) { toggleMaximised(workspace, maximised(dock)); });
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, ImGui::GetFontSize()))
         state.dragged = row.tab;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Middle))
-        closeTab(workspace, row.tab);
+        rearrange(session, [&row](Workspace& workspace) { closeTab(workspace, row.tab); });
     if (ImGui::BeginPopupContextItem()) {
-        tabMenuItems(workspace, row.tab);
+        tabMenuItems(session, row.tab);
         ImGui::EndPopup();
     }
 }
 
 /// The tabs, with short labels if the long ones do not fit.
-void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
+void drawTabBar(const Session& session, DetailsState& state, Dock dock) {
+    const Workspace& workspace = session.window.settings.workspace;
     const float em = ImGui::GetFontSize();
     float width = 0;
     for (const TabRow& row : tabRows)
@@ -96,7 +98,7 @@ void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
             ImGui::BeginTabItem(shown.c_str(), nullptr, isFront ? ImGuiTabItemFlags_SetSelected : 0);
         ImGui::PopStyleVar(2);
         noteItem(std::string("tab:") + row.label);
-        handleTab(workspace, state, row, dock);
+        handleTab(session, state, row, dock);
         if (open)
             ImGui::EndTabItem();
     }
@@ -104,38 +106,39 @@ void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
 }
 
 /// The menu of the whole dock, at the right end of its tabs.
-void dockButtons(Workspace& workspace, Dock dock) {
+void dockButtons(const Session& session, Dock dock) {
+    const Workspace& shown = session.window.settings.workspace;
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Button, 0));
     if (squareButton("+", fmt::format("panels:{}", rowOf(dock).name), "The tabs of this panel", true))
         ImGui::OpenPopup("panels");
-    const bool fills = maximisedOf(workspace) == maximised(dock);
+    const bool fills = maximisedOf(shown) == maximised(dock);
     ImGui::SameLine(0, 0);
     if (squareButton(fills ? "❐" : "□", fmt::format("maximise:{}", rowOf(dock).name),
                      fills ? "Restores the size (double click on a tab, Escape)"
                            : "Maximises the panel (double click on a tab)",
                      true))
-        toggleMaximised(workspace, maximised(dock));
-    const std::optional<Tab> front = frontOf(workspace, dock);
+        rearrange(session, [dock](Workspace& workspace) { toggleMaximised(workspace, maximised(dock)); });
+    const std::optional<Tab> front = frontOf(shown, dock);
     ImGui::SameLine(0, 0);
     if (squareButton("✕", fmt::format("close:{}", rowOf(dock).name),
                      "Closes this tab (middle click). View › Panels opens it again.", front.has_value()))
-        closeTab(workspace, *front);
+        rearrange(session, [tab = *front](Workspace& workspace) { closeTab(workspace, tab); });
     ImGui::PopStyleColor();
     if (ImGui::BeginPopup("panels")) {
-        dockMenuItems(workspace, dock);
+        dockMenuItems(session, dock);
         ImGui::EndPopup();
     }
 }
 
-void drawTabs(Workspace& workspace, DetailsState& state, Dock dock) {
+void drawTabs(const Session& session, DetailsState& state, Dock dock) {
     const float buttons = 3 * ImGui::GetFrameHeight();
     ImGui::BeginChild("tab row",
                       {std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons), ImGui::GetFrameHeight()},
                       false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    drawTabBar(workspace, state, dock);
+    drawTabBar(session, state, dock);
     ImGui::EndChild();
     ImGui::SameLine(0, 0);
-    dockButtons(workspace, dock);
+    dockButtons(session, dock);
 }
 
 /// Where a tab is dropped into a dock, even into an empty one.
@@ -152,17 +155,16 @@ Rect dropZone(const Layout& layout, Dock dock) {
 
 } // namespace
 
-void drawDock(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
+void drawDock(const Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
               Dock dock) {
     if (layout.of(dock).isEmpty())
         return;
-    Workspace& workspace = session.window.settings.workspace;
     beginPanel(rowOf(dock).window, layout.of(dock),
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const float top = ImGui::GetCursorPosY() + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
-    drawTabs(workspace, state, dock);
+    drawTabs(session, state, dock);
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, top});
-    if (const std::optional<Tab> front = frontOf(workspace, dock)) {
+    if (const std::optional<Tab> front = frontOf(session.window.settings.workspace, dock)) {
         ImGui::PushID(rowOf(*front).label);
         drawTab(session, state, pictures, *front);
         ImGui::PopID();
@@ -170,17 +172,19 @@ void drawDock(Session& session, DetailsState& state, const Pictures& pictures, c
     ImGui::End();
 }
 
-void drawDraggedTab(Session& session, DetailsState& state, const Layout& layout) {
+void drawDraggedTab(const Session& session, DetailsState& state, const Layout& layout) {
     if (!state.dragged)
         return;
-    Workspace& workspace = session.window.settings.workspace;
-    const Dock target = dockOf(workspace, *state.dragged) == Dock::Right ? Dock::Below : Dock::Right;
+    const Dock target =
+        dockOf(session.window.settings.workspace, *state.dragged) == Dock::Right ? Dock::Below : Dock::Right;
     const Rect zone = dropZone(layout, target);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool falls = zone.contains(mouse.x, mouse.y);
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         if (falls)
-            moveTab(workspace, *state.dragged, target);
+            rearrange(session, [tab = *state.dragged, target](Workspace& workspace) {
+                moveTab(workspace, tab, target);
+            });
         state.dragged.reset();
         return;
     }

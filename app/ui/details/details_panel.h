@@ -31,11 +31,11 @@ struct DetailsState {
 };
 
 /// Draws the tabs of a dock and the contents of the one in front. Does nothing if no tab is open.
-void drawDock(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
+void drawDock(const Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
               Dock dock);
 
 /// Shows over all panels where the dragged tab would go, and moves it there when it is released. Call it
 /// after the docks.
-void drawDraggedTab(Session& session, DetailsState& state, const Layout& layout);
+void drawDraggedTab(const Session& session, DetailsState& state, const Layout& layout);
 
 } // namespace texplorer::ui

@@ -31,7 +31,7 @@ std::string pixelText(const Explanation& explanation) {
     return fmt::format("Pixel {},{}", explanation.pixel.x, explanation.height - 1 - explanation.pixel.y);
 }
 
-void offerMethod(Session& session, reference::AnisotropyMethod method) {
+void offerMethod(const Session& session, reference::AnisotropyMethod method) {
     const bool line = method == reference::AnisotropyMethod::Line;
     const char* offer = line ? "Compare by line" : "Compare by ellipse";
     hangingText(
@@ -43,7 +43,7 @@ void offerMethod(Session& session, reference::AnisotropyMethod method) {
     const float button = buttonWidth(offer);
     sameLineFor(button, ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::SmallButton(label(offer)))
-        session.window.view.anisotropy = method;
+        change(session, [method](WindowState& window) { window.view.anisotropy = method; });
     noteItem("explain:use method");
     helpTip(texplorer::rowOf(method).help);
 }
@@ -74,7 +74,7 @@ float lineEnd() {
 }
 
 /// At the right end of the line, or below if it does not fit.
-void pixelButtons(Session& session) {
+void pixelButtons(const Session& session) {
     const bool pinned = session.window.explaining.pinned != nullptr;
     const char* pin = pinned ? "Unpin" : "Pin";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -83,24 +83,25 @@ void pixelButtons(Session& session) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton(label(pin))) {
         if (pinned)
-            session.window.explaining.pinned.reset();
+            change(session, [](WindowState& window) { window.explaining.pinned.reset(); });
         else
-            pinPixel(session);
+            act(session, pinPixel);
     }
     noteItem(pinned ? "explain:unpin" : "explain:pin");
     helpTip(pinned ? "Unpins the pixel kept for comparison."
                    : "Keeps this pixel. The next one, or the same one after a change, is shown next to it "
                      "with the differences marked.");
     sameLineFor(buttonWidth("Clear"), gap);
-    if (ImGui::SmallButton(label("Clear"))) {
-        session.window.explaining.pixel.reset();
-        session.window.explaining.pinned.reset();
-        clearTexel(session);
-    }
+    if (ImGui::SmallButton(label("Clear")))
+        act(session, [](Session& s) {
+            s.window.explaining.pixel.reset();
+            s.window.explaining.pinned.reset();
+            clearTexel(s);
+        });
     noteItem("explain:clear");
 }
 
-void drawHead(Session& session, const Pictures& pictures, const Explanation& explanation, bool wide) {
+void drawHead(const Session& session, const Pictures& pictures, const Explanation& explanation, bool wide) {
     inkText(pixelText(explanation), color::probed);
     noteItem("explain:pixel");
     helpTip(fmt::format("Counted from the upper left. In OpenGL's window coordinates, from the lower left: "
@@ -137,7 +138,7 @@ std::string readersOf(const Explaining& asked) {
                         : fmt::format("{} pixels read it", count);
 }
 
-void drawTexelLine(Session& session) {
+void drawTexelLine(const Session& session) {
     const Explaining& asked = session.window.explaining;
     if (!asked.texel)
         return;
@@ -151,7 +152,7 @@ void drawTexelLine(Session& session) {
     hangingText(words, color::chosen);
     noteItem("explain:texel");
     if (cleared)
-        clearTexel(session);
+        act(session, clearTexel);
 }
 
 std::string titleOf(const reference::FragmentSteps& fragment) {
@@ -236,13 +237,15 @@ void drawLists(const Explanation* pinned, const std::vector<reference::FragmentS
 }
 
 /// Instructions, and what they will show.
-void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
+void drawInvitation(const Session& session, const Pictures& pictures, bool wide) {
     const auto [width, height] = pictures.frames.front().frame.size;
     wrappedText("Why does a pixel have its colour? Click one in the view to see every step of OpenGL, in "
                 "order.");
     noteItem("explain:none");
     if (ImGui::SmallButton(label("Explain the pixel in the middle")))
-        session.window.explaining.pixel = {width / 2, height / 2};
+        change(session, [middle = reference::PixelPlace{width / 2, height / 2}](WindowState& window) {
+            window.explaining.pixel = middle;
+        });
     noteItem("explain:middle");
     if (wide) {
         ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
@@ -252,7 +255,7 @@ void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
 
 } // namespace
 
-void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pictures) {
+void drawExplainTab(const Session& session, ExplainTabState& state, const Pictures& pictures) {
     ImGui::BeginChild("explain", {0, 0});
     const bool wide = ImGui::GetContentRegionAvail().x >= minPipeline * ImGui::GetFontSize();
     const auto& answer = session.window.explaining.answer;

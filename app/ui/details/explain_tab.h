@@ -32,6 +32,6 @@ struct ExplainTabState {
 };
 
 /// Draws a pipeline from left to right if the panel is wide, else a list.
-void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pictures);
+void drawExplainTab(const Session& session, ExplainTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -216,11 +216,11 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
 }
 
 /// One line with the file's name and its problem.
-void heading(Session& session) {
-    InspectedFile& view = session.window.fileView;
+void heading(const Session& session) {
+    const InspectedFile& view = session.window.fileView;
     if (!view.chosen.empty()) {
         if (ImGui::SmallButton("←"))
-            view.chosen.clear();
+            change(session, [](WindowState& window) { window.fileView.chosen.clear(); });
         noteItem("file:back");
         helpTip("Back to the file of the bound texture");
         ImGui::SameLine();
@@ -250,13 +250,13 @@ void heading(Session& session) {
 
 } // namespace
 
-void drawFileTab(Session& session, FileTabState& state) {
-    followFile(session);
+void drawFileTab(const Session& session, FileTabState& state) {
     const InspectedFile& view = session.window.fileView;
+    const Texture* texture = boundTexture(session);
     if (view.shown.empty()) {
-        wrappedText(boundTexture(session) ? "This texture is a built-in pattern without a file. Open an "
-                                            "image with Ctrl+I to see the contents of its file."
-                                          : "No texture is bound to this unit.");
+        wrappedText(texture ? "This texture is a built-in pattern without a file. Open an "
+                              "image with Ctrl+I to see the contents of its file."
+                            : "No texture is bound to this unit.");
         noteItem("file:none");
         return;
     }

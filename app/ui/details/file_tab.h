@@ -15,6 +15,6 @@ struct FileTabState {
     std::optional<std::size_t> revealInBytes;
 };
 
-void drawFileTab(Session& session, FileTabState& state);
+void drawFileTab(const Session& session, FileTabState& state);
 
 } // namespace texplorer::ui

@@ -99,7 +99,7 @@ bool stepCard(const History& history, std::size_t step, const Pictures& pictures
 
 } // namespace
 
-void drawHistoryTab(Session& session, HistoryTabState& state, const Pictures& pictures) {
+void drawHistoryTab(const Session& session, HistoryTabState& state, const Pictures& pictures) {
     const History& history = session.document.history;
     std::optional<std::size_t> wanted;
     ImGui::BeginChild("steps");
@@ -117,7 +117,7 @@ void drawHistoryTab(Session& session, HistoryTabState& state, const Pictures& pi
     }
     ImGui::EndChild();
     if (wanted)
-        session.requests.emplace_back(GoToStep{*wanted});
+        session.out.requests.emplace_back(GoToStep{*wanted});
 }
 
 } // namespace texplorer::ui

@@ -11,6 +11,6 @@ struct HistoryTabState {
     std::size_t shown = 0; ///< the last step that was scrolled to
 };
 
-void drawHistoryTab(Session& session, HistoryTabState& state, const Pictures& pictures);
+void drawHistoryTab(const Session& session, HistoryTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

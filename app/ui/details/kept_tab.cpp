@@ -35,28 +35,28 @@ bool button(const char* words, std::string_view name, std::string_view help) {
     return pressed;
 }
 
-void beforeKeeping(Session& session) {
+void beforeKeeping(const Session& session) {
     wrappedText("Keep the scene as A and change something. T switches between A and now, Shift+T shows "
                 "both in one picture, and each difference is listed here.");
     if (ImGui::Button(label("Keep as A")))
-        keepAsA(session);
+        act(session, keepAsA);
     noteItem("a-b tab:keep");
 }
 
-void keptButtons(Session& session, std::size_t count) {
+void keptButtons(const Session& session, std::size_t count) {
     if (button("Keep as A", "a-b tab:keep",
                "Keeps the present scene as A.\n"
                "Key K"))
-        keepAsA(session);
+        act(session, keepAsA);
     if (button(isKeptShown(session) ? "Show now" : "Show A", "a-b tab:flip",
                "Shows A or the present scene "
                "in the view.\n"
                "Key T"))
-        flipKept(session);
+        act(session, flipKept);
     if (button(isKeptBeside(session) ? "One picture" : "Split", "a-b tab:split",
                "Shows both in one picture, or one again.\n"
                "Key Shift+T"))
-        splitKept(session);
+        act(session, splitKept);
     ImGui::BeginDisabled(count == 0);
     if (button("Take over all", "a-b tab:take all", "Restores A. Undo reverts it."))
         takeAllFromKept(session);
@@ -65,7 +65,7 @@ void keptButtons(Session& session, std::size_t count) {
 }
 
 /// The row whose value was requested.
-std::optional<std::size_t> drawChanges(Session& session, const std::vector<SceneChange>& changes) {
+std::optional<std::size_t> drawChanges(const Session& session, const std::vector<SceneChange>& changes) {
     std::optional<std::size_t> wanted;
     const char* take = "Take over";
     if (!beginChangeTable({.from = "A", .to = "Now", .action = buttonWidth(take)}))
@@ -79,7 +79,7 @@ std::optional<std::size_t> drawChanges(Session& session, const std::vector<Scene
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         helpTip(fmt::format("{}\nClick: show the setting", change.path));
         if (ImGui::IsItemClicked())
-            reveal(session, change.path);
+            act(session, [path = change.path](Session& s) { reveal(s, path); });
         changedValues(change);
         ImGui::TableNextColumn();
         if (ImGui::SmallButton(label(take)))
@@ -94,7 +94,7 @@ std::optional<std::size_t> drawChanges(Session& session, const std::vector<Scene
 
 } // namespace
 
-void drawKeptTab(Session& session, KeptTabState& state) {
+void drawKeptTab(const Session& session, KeptTabState& state) {
     followScene(session, state);
     if (!session.document.kept.scene)
         return beforeKeeping(session);

@@ -14,6 +14,6 @@ struct KeptTabState {
     std::vector<SceneChange> changes;
 };
 
-void drawKeptTab(Session& session, KeptTabState& state);
+void drawKeptTab(const Session& session, KeptTabState& state);
 
 } // namespace texplorer::ui

@@ -33,7 +33,7 @@ float capWidth(const std::string& sign) {
 }
 
 /// A key of the lesson as a button. A click acts like the key.
-void keyCap(Session& session, const LessonRun& run, std::size_t number) {
+void keyCap(const Session& session, const LessonRun& run, std::size_t number) {
     const float em = ImGui::GetFontSize();
     const lesson::LessonKey& each = run.lesson.keys[number];
     const std::string sign = capText(each.key);
@@ -92,7 +92,7 @@ void drawEffect(const std::string& words, const std::string& state, bool usable,
 
 } // namespace
 
-void drawLessonKeys(Session& session, const LessonRun& run) {
+void drawLessonKeys(const Session& session, const LessonRun& run) {
     const std::vector<lesson::LessonKey>& keys = run.lesson.keys;
     if (keys.empty())
         return;

@@ -39,10 +39,9 @@ void lessonTextIn(ImU32 ink, const std::string& words) {
 
 /// Scrolls just enough to make the verdict visible, from `top` to the cursor; only its beginning if it is
 /// higher than the window. Call it after the verdict.
-void scrollToVerdict(Session& session, float top) {
-    if (session.window.lesson->wantedScroll != LessonRun::Scroll::Verdict)
+void scrollToVerdict(const LessonRun& run, float top) {
+    if (run.wantedScroll != LessonRun::Scroll::Verdict)
         return;
-    session.window.lesson->wantedScroll = LessonRun::Scroll::None;
     const float below = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - ImGui::GetWindowHeight();
     const float wanted = std::min(std::max(ImGui::GetScrollY(), below), top);
     ImGui::SetScrollY(wanted);
@@ -52,8 +51,19 @@ void space() {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
 }
 
+void goToStep(const Session& session, std::size_t step) {
+    act(session, [step](Session& s) { goToLessonStep(s, step); });
+}
+
+void giveAnswer(const Session& session, std::size_t wanted) {
+    act(session, [wanted](Session& s) {
+        if (s.window.lesson)
+            answerQuestion(s, wanted);
+    });
+}
+
 /// A mark for each step, filled if the step is done; a click goes to the step.
-void stepMarks(Session& session, const LessonRun& run) {
+void stepMarks(const Session& session, const LessonRun& run) {
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const std::size_t count = run.lesson.steps.size();
@@ -79,7 +89,7 @@ void stepMarks(Session& session, const LessonRun& run) {
                          color::chosen, em * 0.12F);
     }
     if (wanted)
-        goToLessonStep(session, *wanted);
+        goToStep(session, *wanted);
 }
 
 /// A small picture in a frame; only the frame until the picture is ready.
@@ -117,7 +127,7 @@ std::string answerName(const LessonRun& run, const Predict& predict, std::size_t
     return fmt::format("{} {}", answer == predict.right ? "●" : "✕", words);
 }
 
-void answerPictures(Session& session, const LessonRun& run, const Predict& predict,
+void answerPictures(const Session& session, const LessonRun& run, const Predict& predict,
                     const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const float room = ImGui::GetContentRegionAvail().x;
@@ -156,10 +166,10 @@ void answerPictures(Session& session, const LessonRun& run, const Predict& predi
     }
     ImGui::SetCursorPos({left, bottom});
     if (wanted)
-        answerQuestion(session, *wanted);
+        giveAnswer(session, *wanted);
 }
 
-void answerSentences(Session& session, const LessonRun& run, const Predict& predict) {
+void answerSentences(const Session& session, const LessonRun& run, const Predict& predict) {
     std::optional<std::size_t> wanted;
     for (std::size_t i = 0; i < predict.answers.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -177,18 +187,19 @@ void answerSentences(Session& session, const LessonRun& run, const Predict& pred
         ImGui::PopID();
     }
     if (wanted)
-        answerQuestion(session, *wanted);
+        giveAnswer(session, *wanted);
 }
 
-void drawTask(Session& /*session*/, const LessonRun& /*run*/, const std::monostate& /*task*/,
+void drawTask(const Session& /*session*/, const LessonRun& /*run*/, const std::monostate& /*task*/,
               const Pictures&) {}
 
-void drawTask(Session& /*session*/, const LessonRun& run, const Try& task, const Pictures&) {
+void drawTask(const Session& /*session*/, const LessonRun& run, const Try& task, const Pictures&) {
     dimText("Try");
     lessonText(run, task.task);
 }
 
-void drawTask(Session& session, const LessonRun& run, const Predict& predict, const Pictures& pictures) {
+void drawTask(const Session& session, const LessonRun& run, const Predict& predict,
+              const Pictures& pictures) {
     dimText("Predict");
     lessonText(run, predict.question);
     space();
@@ -211,10 +222,10 @@ void drawTask(Session& session, const LessonRun& run, const Predict& predict, co
         lessonTextIn(color::text, reason);
         noteItem("reason");
     }
-    scrollToVerdict(session, top);
+    scrollToVerdict(run, top);
 }
 
-void drawTask(Session& session, const LessonRun& run, const Match& match, const Pictures& pictures) {
+void drawTask(const Session& session, const LessonRun& run, const Match& match, const Pictures& pictures) {
     dimText("Match");
     lessonText(run, match.task);
     space();
@@ -238,11 +249,14 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
     // It stays in place when disabled: it may have the keyboard focus.
     ImGui::BeginDisabled(passed);
     if (ImGui::SmallButton(label("Hint")))
-        session.window.lesson->wantsHint = true;
+        change(session, [](WindowState& window) {
+            if (window.lesson)
+                window.lesson->wantsHint = true;
+        });
     if (!passed)
         noteItem("match:hint");
     ImGui::EndDisabled();
-    scrollToVerdict(session, top);
+    scrollToVerdict(run, top);
     if (passed || !run.wantsHint)
         return;
     ImGui::SameLine();
@@ -252,11 +266,11 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
         return;
     wrappedText(fmt::format("Change {}.", tr(run.hint->hint->label)));
     if (session.window.shownParam != run.hint->hint->path)
-        session.window.shownParam = run.hint->hint->path;
+        change(session, [path = run.hint->hint->path](WindowState& window) { window.shownParam = path; });
 }
 
 /// The current step and the buttons to the others.
-void stepButtons(Session& session, const LessonRun& run) {
+void stepButtons(const Session& session, const LessonRun& run) {
     const std::size_t last = run.lesson.steps.size() - 1;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     std::optional<std::size_t> wanted;
@@ -275,12 +289,13 @@ void stepButtons(Session& session, const LessonRun& run) {
     const std::string on = tr(std::string(atEnd ? "All lessons" : "Next")) + "###next";
     if (ImGui::Button(on.c_str())) {
         if (atEnd)
-            return closeLesson(session, KeepsTab::Yes);
-        wanted = run.step + 1;
+            act(session, [](Session& s) { closeLesson(s, KeepsTab::Yes); });
+        else
+            wanted = run.step + 1;
     }
     noteItem("lesson:Next");
     if (wanted)
-        goToLessonStep(session, *wanted);
+        goToStep(session, *wanted);
 }
 
 /// Text can be scrolled by the keyboard if no item has the focus and the lesson does not use the key.
@@ -295,15 +310,18 @@ void scrollByPages(const LessonRun& run) {
         ImGui::SetScrollY(std::max(ImGui::GetScrollY() - page, 0.0F));
 }
 
-void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) {
+void drawStep(const Session& session, const LessonRun& run, const Pictures& pictures) {
     const Step& step = run.lesson.steps[run.step];
     const float buttons = ImGui::GetFrameHeightWithSpacing();
     // Flattened: the keyboard moves between the answers and the buttons below.
     ImGui::BeginChild("step", {0, -buttons}, false, ImGuiWindowFlags_NavFlattened);
-    if (run.wantedScroll == LessonRun::Scroll::Top) {
-        session.window.lesson->wantedScroll = LessonRun::Scroll::None;
+    if (run.wantedScroll == LessonRun::Scroll::Top)
         ImGui::SetScrollY(0);
-    }
+    if (run.wantedScroll != LessonRun::Scroll::None) // first: an answer or another step scrolls again
+        change(session, [done = run.wantedScroll](WindowState& window) {
+            if (window.lesson && window.lesson->wantedScroll == done)
+                window.lesson->wantedScroll = LessonRun::Scroll::None;
+        });
     lessonTextIn(color::dim, run.text(run.lesson.title));
     if (run.step == 0 && !run.lesson.source.empty())
         lessonTextIn(color::dim, run.text(run.lesson.source));
@@ -323,7 +341,7 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     stepButtons(session, run);
 }
 
-void drawList(Session& session) {
+void drawList(const Session& session) {
     ImGui::BeginChild("lessons", {}, false, ImGuiWindowFlags_NavFlattened);
     std::string wanted;
     for (const LessonTitle& each :
@@ -343,12 +361,12 @@ void drawList(Session& session) {
     }
     ImGui::EndChild();
     if (!wanted.empty())
-        askLesson(session, wanted);
+        act(session, [wanted](Session& s) { askLesson(s, wanted); });
 }
 
 } // namespace
 
-void drawLessonTab(Session& session, const Pictures& pictures) {
+void drawLessonTab(const Session& session, const Pictures& pictures) {
     if (const std::shared_ptr<LessonRun> run = session.window.lesson)
         drawStep(session, *run, pictures);
     else

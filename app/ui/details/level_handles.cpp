@@ -1,7 +1,7 @@
 #include "app/ui/details/level_handles.h"
 
-#include "app/ui/details/level_edits.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/level_edits.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -36,13 +36,13 @@ HeldHandle unseenHandle(const char* name, ImVec2 low, ImVec2 size, std::string_v
 struct LevelBar {
     const char* name;
     const char* help;
-    void (*set)(Session& session, int level);
+    void (*set)(const Session& session, int level);
     float x;
     int least, most;
     int unlimited; ///< the value for the last level; 0: its number
 };
 
-void drawLevelBar(Session& session, const StripPlace& place, const LevelBar& bar) {
+void drawLevelBar(const Session& session, const StripPlace& place, const LevelBar& bar) {
     const float em = ImGui::GetFontSize();
     const float reach = em * 0.35F;
     const float top = place.origin.y - em * 0.4F;
@@ -83,7 +83,7 @@ std::string lodHelp(const LodEnd& end) {
                              value);
 }
 
-void drawLodEnd(Session& session, const Texture& texture, const StripPlace& place, const LodEnd& end) {
+void drawLodEnd(const Session& session, const Texture& texture, const StripPlace& place, const LodEnd& end) {
     const float x = place.xOf(static_cast<float>(place.base) + end.lod);
     const float reach = ImGui::GetFontSize() * 0.4F;
     const auto [hot, moved] =
@@ -167,7 +167,7 @@ void drawAskedLod(const Session& session, const StripPlace& place, float lambda)
 
 } // namespace
 
-void drawLevelHandles(Session& session, const StripPlace& place) {
+void drawLevelHandles(const Session& session, const StripPlace& place) {
     const auto cellOf = [&](int level) -> const LevelStrip::Cell& {
         const auto found = std::ranges::find(place.strip.cells, level, &LevelStrip::Cell::number);
         return found == place.strip.cells.end() ? place.strip.cells.front() : *found;
@@ -187,8 +187,8 @@ void drawLevelHandles(Session& session, const StripPlace& place) {
          setMaxLevel, place.origin.x + last.left + last.width + beside, place.base, place.last, noMaxLevel});
 }
 
-void drawLodAxis(Session& session, const StripPlace& place) {
-    const Texture& texture = *boundTexture(std::as_const(session));
+void drawLodAxis(const Session& session, const StripPlace& place) {
+    const Texture& texture = *boundTexture(session);
     drawLodEnd(session, texture, place, {"levels:min lod", true, texture.minLod, noMinLod});
     drawLodEnd(session, texture, place, {"levels:max lod", false, texture.maxLod, noMaxLod});
     drawLodRange(session, texture, place);

@@ -20,10 +20,10 @@ struct StripPlace {
 };
 
 /// The handles at the first and the last level that is read; they are dragged from level to level.
-void drawLevelHandles(Session& session, const StripPlace& place);
+void drawLevelHandles(const Session& session, const StripPlace& place);
 
 /// The axis of λ, with 0 under the base level: the range to which λ is clamped, with handles at its ends, and
 /// λ of the queried pixel.
-void drawLodAxis(Session& session, const StripPlace& place);
+void drawLodAxis(const Session& session, const StripPlace& place);
 
 } // namespace texplorer::ui

@@ -1,8 +1,8 @@
 #include "app/ui/details/level_strip_drawing.h"
 
-#include "app/ui/details/level_edits.h"
 #include "app/ui/details/level_handles.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/level_edits.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/image/mip_colors.h"
@@ -122,12 +122,12 @@ LabelledStrip layOutLabelled(const std::vector<ShownLevel>& levels, Target targe
 
 class StripDrawing {
 public:
-    StripDrawing(Session& session, LevelsTabState& state, const Pictures& pictures,
+    StripDrawing(const Session& session, LevelsTabState& state, const Pictures& pictures,
                  const LevelsSummary& summary)
         : session_(session)
         , state_(state)
         , pictures_(pictures)
-        , texture_(*boundTexture(std::as_const(session)))
+        , texture_(*boundTexture(session))
         , target_(selectedUnit(session).target)
         , levels_(shownLevels(summary, state.face))
         , asked_(askedLevels(session)) {}
@@ -153,7 +153,7 @@ private:
     [[nodiscard]] std::string cellWords(const ShownLevel& level) const;
     void cellTip(const ShownLevel& level) const;
 
-    Session& session_;
+    const Session& session_;
     LevelsTabState& state_;
     const Pictures& pictures_;
     const Texture& texture_;
@@ -237,7 +237,7 @@ void StripDrawing::drawCell(std::size_t index) {
     const bool hovered = ImGui::IsItemHovered();
     cellTip(level);
     if (clicked && !level.missing)
-        toggleForced(session_, level.report.number);
+        act(session_, [number = level.report.number](Session& s) { toggleForced(s, number); });
 
     const bool isRead = level.report.number >= base() && level.report.number <= max();
     const view::PictureHandle picture = pictures_.showTexels(level.picture);
@@ -327,7 +327,7 @@ void StripDrawing::draw(float below) {
 
 } // namespace
 
-void drawLevelStrip(Session& session, LevelsTabState& state, const Pictures& pictures,
+void drawLevelStrip(const Session& session, LevelsTabState& state, const Pictures& pictures,
                     const LevelsSummary& summary, float below) {
     StripDrawing(session, state, pictures, summary).draw(below);
 }

@@ -1,9 +1,9 @@
 #include "app/ui/details/levels_tab.h"
 
-#include "app/ui/details/level_edits.h"
 #include "app/ui/details/level_strip_drawing.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
+#include "app/ui/model/level_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/fitted_text.h"
@@ -79,7 +79,7 @@ std::string remark(const Session& session, const Texture& texture, const Unit& u
     return {};
 }
 
-void fixButtons(Session& session, const Finding& finding) {
+void fixButtons(const Session& session, const Finding& finding) {
     for (const Fix& fix : finding.fixes) {
         if (&fix != &finding.fixes.front() &&
             ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(fix.label.c_str()) <
@@ -111,7 +111,7 @@ void faceChoice(LevelsTabState& state) {
 }
 
 /// The biases of the texture and of the unit, which are added, and a button that removes all limits.
-void biasLine(Session& session, const Texture& texture, const Unit& unit) {
+void biasLine(const Session& session, const Texture& texture, const Unit& unit) {
     const float field = ImGui::CalcTextSize("-16.00").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float button = buttonWidth("All levels");
@@ -120,7 +120,7 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
     const bool isBrief = words + 2 * field + 4 * gap + ImGui::GetStyle().ItemSpacing.x + button >
                          ImGui::GetContentRegionAvail().x;
     const auto number = [&](const char* shown, const char* name, float value, const char* help,
-                            void (*set)(Session&, float)) {
+                            void (*set)(const Session&, float)) {
         ImGui::SameLine(0, gap);
         dimText(shown);
         ImGui::SameLine(0, gap);
@@ -155,9 +155,9 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
                       "OpenGL's initial values.");
 }
 
-void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictures,
+void drawSummary(const Session& session, LevelsTabState& state, const Pictures& pictures,
                  const LevelsSummary& summary) {
-    const Texture& texture = *boundTexture(std::as_const(session));
+    const Texture& texture = *boundTexture(session);
     const Unit& unit = selectedUnit(session);
     const char* equal = "=";
     const float button = buttonWidth(equal);
@@ -192,8 +192,8 @@ void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictur
 
 } // namespace
 
-void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pictures) {
-    const Texture* texture = boundTexture(std::as_const(session));
+void drawLevelsTab(const Session& session, LevelsTabState& state, const Pictures& pictures) {
+    const Texture* texture = boundTexture(session);
     if (!texture) {
         wrappedText("No texture is bound to this unit.");
         noteItem("levels:none");

@@ -15,6 +15,6 @@ struct LevelsTabState {
 };
 
 /// Draws the levels of the selected unit's texture in a row, and which of them a pixel reads.
-void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pictures);
+void drawLevelsTab(const Session& session, LevelsTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

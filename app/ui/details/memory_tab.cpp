@@ -37,13 +37,13 @@ std::string psnrText(double psnr) {
     return std::isinf(psnr) ? tr("exact") : fmt::format("{:.1f} dB", psnr);
 }
 
-LevelsRequest requestOf(Session& session, const Texture& texture) {
+LevelsRequest requestOf(const Session& session, const Texture& texture) {
     return {session.document.images.picturesOf(texture), imageSettings(texture),
             selectedUnit(session).target};
 }
 
 /// Sentences about the bound texture: the renderer's, and those about levels that were not drawn yet.
-std::vector<std::string> sentencesOf(Session& session, const Pictures& pictures,
+std::vector<std::string> sentencesOf(const Session& session, const Pictures& pictures,
                                      const LevelsSummary* summary) {
     const std::string where = fmt::format("textures[{}]: ", selectedUnit(session).texture);
     std::vector<std::string> sentences;
@@ -203,8 +203,8 @@ void drawLevels(const LevelsSummary& summary, Target target) {
 
 } // namespace
 
-void drawMemoryTab(Session& session, const Pictures& pictures) {
-    const Texture* texture = boundTexture(std::as_const(session));
+void drawMemoryTab(const Session& session, const Pictures& pictures) {
+    const Texture* texture = boundTexture(session);
     if (!texture) {
         wrappedText("No texture is bound to this unit.");
         return;

@@ -5,6 +5,6 @@
 
 namespace texplorer::ui {
 
-void drawMemoryTab(Session& session, const Pictures& pictures);
+void drawMemoryTab(const Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -61,46 +61,48 @@ void gridChoice(TimelineTabState& state) {
     ImGui::EndCombo();
 }
 
-void timeControls(Session& session, TimelineTabState& state) {
+void timeControls(const Session& session, TimelineTabState& state) {
     const float gap = ImGui::GetFontSize() * 0.8F;
     const Timeline& timeline = presentScene(session).timeline;
     if (squareButton("◀", "timeline:previous", "Go to the previous key frame (,)", !timeline.keys.empty()))
-        goToKey(session, -1);
+        act(session, [](Session& s) { goToKey(s, -1); });
     ImGui::SameLine(0, 1);
     if (squareButton("▶", "timeline:next", "Go to the next key frame (.)", !timeline.keys.empty()))
-        goToKey(session, 1);
+        act(session, [](Session& s) { goToKey(s, 1); });
     ImGui::SameLine(0, gap);
     ImGui::AlignTextToFramePadding();
     text(fmt::format("{:.2f} of {:.2f} s", session.window.playback.time, lengthOf(timeline)));
     noteItem("timeline:time");
     helpTip("The scene's time and the time of the last key frame");
     besideOrBelow(ImGui::GetFontSize() * 4);
-    ImGui::Checkbox(label("Loop"), &session.window.playback.loops);
+    bool loops = session.window.playback.loops;
+    if (ImGui::Checkbox(label("Loop"), &loops))
+        change(session, [loops](WindowState& window) { window.playback.loops = loops; });
     noteItem("timeline:loop");
     helpTip("Time restarts after the last key frame.");
     besideOrBelow(ImGui::GetFontSize() * 6);
     gridChoice(state);
     besideOrBelow(buttonWidth(recordWords));
     if (ImGui::Button(label(recordWords)))
-        session.window.dialog = Dialog::Record;
+        change(session, [](WindowState& window) { window.dialog = Dialog::Record; });
     noteItem("timeline:record");
     helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
 }
 
 /// A hint how to begin, with buttons.
-void drawBeginning(Session& session) {
+void drawBeginning(const Session& session) {
     dimWrappedText(
         "There are no key frames yet. Select a time, right-click a parameter and add one. The parameter "
         "moves from each key frame to the next.");
     noteItem("timeline:empty");
     ImGui::Spacing();
     if (ImGui::Button(label("Turn the view")))
-        turnView(session);
+        act(session, turnView);
     noteItem("timeline:turn");
     helpTip("An example: two key frames move the camera once around the models in 4 seconds.");
 }
 
-void easingChoice(Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
+void easingChoice(const Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
     const EnumRow& now = rowOf(key.easing);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
     const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
@@ -120,12 +122,12 @@ void easingChoice(Session& session, const TimelineTabState::ChosenKey& chosen, c
         setEasing(session, chosen.number, *wanted);
 }
 
-void timeOfKey(Session& session, const TimelineTabState::ChosenKey& chosen, float time) {
+void timeOfKey(const Session& session, const TimelineTabState::ChosenKey& chosen, float time) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
     float wanted = time;
     if (ImGui::DragFloat("##time", &wanted, 0.01F, 0, maxKeyTime, "%.2f s", ImGuiSliderFlags_AlwaysClamp) &&
         moveKey(session, chosen.number, snapped(wanted, 0)))
-        goToTime(session, static_cast<double>(snapped(wanted, 0)));
+        requestTime(session, snapped(wanted, 0));
     markDraggable();
     noteItem("key:time");
     sealAfterItem(session);
@@ -137,7 +139,7 @@ float valueWidth(const ParamRow& row) {
 }
 
 /// Edits the value of the key at the present time with the parameter's own control.
-void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
+void valueOfKey(const Session& session, const KeyFrame& key, const ParamRow& row) {
     std::optional<ParamPlace> place = placeOf(presentScene(session), key.path);
     const bool isNow = key.time == presentKeyTime(session) && !session.window.playback.playing;
     if (!isNow || !place || place->vertex || isList(row.kind) || row.kind == Kind::Matrix) {
@@ -150,7 +152,7 @@ void valueOfKey(Session& session, const KeyFrame& key, const ParamRow& row) {
     paramControl(session, place->owner, row, std::min(valueWidth(row), ImGui::GetContentRegionAvail().x));
 }
 
-void keyControls(Session& session, TimelineTabState& state) {
+void keyControls(const Session& session, TimelineTabState& state) {
     const float em = ImGui::GetFontSize();
     const TimelineTabState::ChosenKey chosen = *state.chosen;
     const KeyFrame key = presentScene(session).timeline.keys[chosen.number];
@@ -175,9 +177,9 @@ void keyControls(Session& session, TimelineTabState& state) {
     helpTip("Removes this key frame (Delete).");
 }
 
-void takeKeys(Session& session, TimelineTabState& state) {
+void takeKeys(const Session& session, TimelineTabState& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (!state.chosen || io.WantTextInput || session.window.keyTaken ||
+    if (!state.chosen || io.WantTextInput || session.out.keyTaken ||
         !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows))
         return;
     const std::size_t number = state.chosen->number;
@@ -191,17 +193,17 @@ void takeKeys(Session& session, TimelineTabState& state) {
         const float step = state.grid > 0 ? state.grid : 0.01F;
         const float wanted = std::clamp(snapped(time + static_cast<float>(way) * step, 0), 0.0F, maxKeyTime);
         if (moveKey(session, number, wanted))
-            goToTime(session, double{wanted});
+            requestTime(session, wanted);
         sealEdit(session);
     } else {
         return;
     }
-    session.window.keyTaken = true;
+    session.out.keyTaken = true;
 }
 
 } // namespace
 
-void drawTimelineTab(Session& session, TimelineTabState& state) {
+void drawTimelineTab(const Session& session, TimelineTabState& state) {
     followChosen(session, state);
     timeControls(session, state);
     if (presentScene(session).timeline.keys.empty()) {

@@ -22,6 +22,6 @@ struct TimelineTabState {
 };
 
 /// Draws every parameter with key frames and its keys over time, to move, change, add and remove them.
-void drawTimelineTab(Session& session, TimelineTabState& state);
+void drawTimelineTab(const Session& session, TimelineTabState& state);
 
 } // namespace texplorer::ui

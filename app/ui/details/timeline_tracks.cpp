@@ -52,11 +52,11 @@ TrackPlan planTracks(const Session& session, const TimelineTabState& state) {
 }
 
 /// The mouse moves the time until the button is released.
-void scrub(Session& session, TimelineTabState& state, const TimeScale& scale) {
+void scrub(const Session& session, TimelineTabState& state, const TimeScale& scale) {
     if (ImGui::IsItemActivated())
         state.seconds = scale.seconds;
     if (ImGui::IsItemActive())
-        goToTime(session, static_cast<double>(snapped(scale.timeAt(ImGui::GetIO().MousePos.x), state.grid)));
+        requestTime(session, snapped(scale.timeAt(ImGui::GetIO().MousePos.x), state.grid));
     if (ImGui::IsItemDeactivated())
         state.seconds.reset();
 }
@@ -69,7 +69,7 @@ void drawPresent(ImDrawList& draw, const Session& session, const TimeScale& scal
     draw.AddLine({x, top}, {x, bottom}, color::accent, std::max(1.0F, std::floor(ImGui::GetFontSize() / 10)));
 }
 
-void ruler(Session& session, TimelineTabState& state, const TrackPlan& plan) {
+void ruler(const Session& session, TimelineTabState& state, const TrackPlan& plan) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = std::floor(ImGui::GetFontSize() * 1.35F);
     ImGui::SetCursorScreenPos({low.x + plan.names, low.y});
@@ -93,7 +93,7 @@ std::size_t numberOf(const Scene& scene, const KeyFrame* key) {
     return static_cast<std::size_t>(key - scene.timeline.keys.data());
 }
 
-void keyMenu(Session& session, std::size_t number, const KeyFrame& key) {
+void keyMenu(const Session& session, std::size_t number, const KeyFrame& key) {
     if (!ImGui::BeginPopup("keymenu"))
         return;
     dimText(fmt::format("{:.2f} s", key.time));
@@ -113,7 +113,7 @@ void keyMenu(Session& session, std::size_t number, const KeyFrame& key) {
 }
 
 /// Draws a key and handles the mouse on it; `room` is the space for its value on the right.
-void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, const ParamRow& row,
+void drawKey(const Session& session, TimelineTabState& state, const TrackPlan& plan, const ParamRow& row,
              const KeyFrame& key, ImVec2 at, float room) {
     const Scene& scene = presentScene(session);
     const std::size_t number = numberOf(scene, &key);
@@ -139,7 +139,7 @@ void drawKey(Session& session, TimelineTabState& state, const TrackPlan& plan, c
         const float way = plan.scale.secondsOf(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x);
         const float wanted = snapped(std::clamp(state.grabbed + way, 0.0F, plan.scale.seconds), state.grid);
         if (moveKey(session, number, wanted))
-            goToTime(session, static_cast<double>(wanted));
+            requestTime(session, wanted);
     }
     if (ImGui::IsItemDeactivated()) {
         state.seconds.reset();
@@ -185,13 +185,13 @@ void drawWay(ImDrawList& draw, const ParamRow& row, const KeyFrame& from, const 
         draw.AddLine({x, begin.y}, {std::min(end.x, x + em * 0.15F), begin.y}, color::outline, line);
 }
 
-void trackName(Session& session, const TrackPlan& plan, const std::string& path, const ParamRow& row,
+void trackName(const Session& session, const TrackPlan& plan, const std::string& path, const ParamRow& row,
                const std::string& name) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = plan.names - em * 0.5F;
     if (ImGui::InvisibleButton("name", {width, plan.height}))
-        reveal(session, path);
+        act(session, [path](Session& s) { reveal(s, path); });
     noteItem("track:" + path);
     const bool isHovered = ImGui::IsItemHovered();
     if (isHovered)
@@ -220,7 +220,7 @@ void trackName(Session& session, const TrackPlan& plan, const std::string& path,
     ImGui::SetCursorScreenPos({low.x + plan.names, low.y});
 }
 
-void drawTrack(Session& session, TimelineTabState& state, const TrackPlan& plan, const Track& track,
+void drawTrack(const Session& session, TimelineTabState& state, const TrackPlan& plan, const Track& track,
                const std::string& name) {
     const Scene& scene = presentScene(session);
     const auto row = rowAt(scene, track.path);
@@ -307,13 +307,17 @@ std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::str
                   : roundedNumbers(value.substr(0, maxValueBytes));
 }
 
-void chooseKey(Session& session, TimelineTabState& state, std::size_t key) {
-    const KeyFrame& chosen = presentScene(session).timeline.keys.at(key);
-    state.chosen = {key, chosen.path};
-    goToTime(session, static_cast<double>(chosen.time));
+void requestTime(const Session& session, float time) {
+    act(session, [time](Session& s) { goToTime(s, double{time}); });
 }
 
-void drawTracks(Session& session, TimelineTabState& state) {
+void chooseKey(const Session& session, TimelineTabState& state, std::size_t key) {
+    const KeyFrame& chosen = presentScene(session).timeline.keys.at(key);
+    state.chosen = {key, chosen.path};
+    requestTime(session, chosen.time);
+}
+
+void drawTracks(const Session& session, TimelineTabState& state) {
     const TrackPlan plan = planTracks(session, state);
     ruler(session, state, plan);
     ImGui::BeginChild("tracks");

@@ -69,14 +69,14 @@ private:
     bool first_ = true;
 };
 
-void editAll(Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
+void editAll(const Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
     const Selection& selection = session.window.selection;
     TexCoords coords = effectiveTexCoords(*selectedModel(session), selectedMesh(session), selection.unit);
     edit(coords);
     submitTexCoords(session, what, std::move(coords));
 }
 
-void coordButtons(Session& session, ButtonLine& line) {
+void coordButtons(const Session& session, ButtonLine& line) {
     const auto button = [&](const char* words, const char* help) {
         return line.button(words, std::string("coords:") + words, help);
     };
@@ -95,7 +95,7 @@ void coordButtons(Session& session, ButtonLine& line) {
 }
 
 /// Shows the positions of its vertices, which are edited most.
-void makeMesh(Session& session, VerticesTabState& state) {
+void makeMesh(const Session& session, VerticesTabState& state) {
     const Selection& selection = session.window.selection;
     Result<void> made;
     submit(
@@ -104,12 +104,12 @@ void makeMesh(Session& session, VerticesTabState& state) {
         fmt::format("{}.{}", elementOf<&Scene::models>(static_cast<std::size_t>(selection.model)),
                     keyOf<&Model::shape>()));
     if (!made)
-        return say(session, made.error());
+        return act(session, [error = made.error()](Session& s) { say(s, error); });
     state.part = VertexPart::Position;
 }
 
 /// Adds and removes vertices, in all lists and in the order.
-void vertexButtons(Session& session, ButtonLine& line) {
+void vertexButtons(const Session& session, ButtonLine& line) {
     const Model& model = *selectedModel(session);
     const std::optional<std::size_t> chosen = session.window.selection.vertex;
     const std::size_t count = model.mesh.positions.size();
@@ -140,7 +140,7 @@ void vertexButtons(Session& session, ButtonLine& line) {
 
 /// Removes an optional list of vertex values.
 template<auto List>
-void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, const char* help) {
+void clearButton(const Session& session, ButtonLine& line, const VertexPartRow& part, const char* help) {
     const bool isEmpty = (selectedModel(session)->mesh.*List).empty();
     if (line.button("Clear", std::string("clear ") + part.label, help, !isEmpty))
         submit(
@@ -149,7 +149,7 @@ void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, 
             part.path(session));
 }
 
-void partButtons(Session& session, VerticesTabState& state) {
+void partButtons(const Session& session, VerticesTabState& state) {
     ButtonLine line;
     if (selectedModel(session)->shape != Shape::Mesh) {
         coordButtons(session, line);
@@ -194,9 +194,16 @@ struct List {
     const TexCoords& coords; ///< for VertexPart::Coordinates
     int components;
     bool together;
+    std::optional<std::size_t>& revealed; ///< VerticesTabState's
 };
 
-glm::vec4 valueOf(Session& session, const List& list, std::size_t vertex) {
+/// Its row is in sight.
+void chooseVertex(const Session& session, const List& list, std::size_t vertex) {
+    list.revealed = vertex;
+    change(session, [vertex](WindowState& window) { window.selection.vertex = vertex; });
+}
+
+glm::vec4 valueOf(const Session& session, const List& list, std::size_t vertex) {
     return list.part.read ? list.part.read(presentScene(session), *selectedModel(session), vertex)
                           : list.coords[vertex];
 }
@@ -215,7 +222,7 @@ void nameField(const char* letter, int component) {
     noteDrawn(fmt::format("field letter:{}", letter), {left, low.y}, {left + em, high.y});
 }
 
-void vertexRow(Session& session, const List& list, std::size_t vertex) {
+void vertexRow(const Session& session, const List& list, std::size_t vertex) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(vertex));
@@ -224,7 +231,7 @@ void vertexRow(Session& session, const List& list, std::size_t vertex) {
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? color::chosen : color::dim);
     const std::string name = std::to_string(vertex);
     if (ImGui::Selectable(name.c_str(), chosen))
-        session.window.selection.vertex = vertex;
+        chooseVertex(session, list, vertex);
     noteItem("vertex:" + name);
     ImGui::PopStyleColor();
     glm::vec4 value = valueOf(session, list, vertex);
@@ -236,7 +243,7 @@ void vertexRow(Session& session, const List& list, std::size_t vertex) {
         changed |= dragNumber("##number", value[i], list.part.range, i);
         nameField(list.part.names.at(static_cast<std::size_t>(i)), i);
         if (ImGui::IsItemActivated())
-            session.window.selection.vertex = vertex;
+            chooseVertex(session, list, vertex);
         noteItem(fmt::format("{}[{}][{}]", list.path, name, i));
         sealAfterItem(session);
         ImGui::PopID();
@@ -258,7 +265,7 @@ void vertexRow(Session& session, const List& list, std::size_t vertex) {
 }
 
 /// `reveal`: a row to scroll to.
-void faceTable(Session& session, const List& list, const std::vector<std::uint32_t>& vertices,
+void faceTable(const Session& session, const List& list, const std::vector<std::uint32_t>& vertices,
                std::optional<std::size_t> reveal) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings;
     const float top = ImGui::GetCursorPosY();
@@ -313,7 +320,7 @@ std::vector<std::uint32_t> leftOver(const Mesh& mesh) {
     return rest;
 }
 
-void vertexGroup(Session& session, const List& list, const std::string& name,
+void vertexGroup(const Session& session, const List& list, const std::string& name,
                  const std::vector<std::uint32_t>& vertices, bool opened, bool reveal) {
     std::optional<std::size_t> chosenRow;
     if (const auto& chosen = session.window.selection.vertex) {
@@ -338,7 +345,7 @@ void vertexGroup(Session& session, const List& list, const std::string& name,
 
 } // namespace
 
-void drawVerticesTab(Session& session, VerticesTabState& state) {
+void drawVerticesTab(const Session& session, VerticesTabState& state) {
     if (!selectedModel(session)) {
         wrappedText("The scene has no model.");
         return;
@@ -349,7 +356,9 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     const float min = ImGui::GetFontSize() * 9;
     modelChoice(session, min, std::max(min, room));
     ImGui::SameLine(ImGui::GetContentRegionMax().x - checkbox);
-    ImGui::Checkbox("r, q", &session.window.showRq);
+    bool showRq = session.window.showRq;
+    if (ImGui::Checkbox("r, q", &showRq))
+        change(session, [showRq](WindowState& window) { window.showRq = showRq; });
     noteItem("show r, q");
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
     partButtons(session, state);
@@ -365,15 +374,15 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     const Mesh& mesh = selectedMesh(session);
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
-    const bool two = part.part == VertexPart::Coordinates && !session.window.showRq &&
-                     std::ranges::none_of(coords, usesRq);
-    const List list{part, path, coords, two ? 2 : part.components, state.together};
+    const bool two = part.part == VertexPart::Coordinates && !showRq && std::ranges::none_of(coords, usesRq);
+    const List list{part, path, coords, two ? 2 : part.components, state.together, state.revealed};
     ImGui::BeginChild("vertices");
     if (idle)
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.6F);
     ImGui::Dummy({0, 0});
     header(list);
-    const bool reveal = session.window.selection.vertex != state.revealed;
+    const bool reveal =
+        std::exchange(state.revealed, session.window.selection.vertex) != session.window.selection.vertex;
     const bool few = mesh.faces.size() <= 6;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -383,7 +392,6 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     if (const std::vector<std::uint32_t> rest = own ? leftOver(mesh) : std::vector<std::uint32_t>{};
         !rest.empty())
         vertexGroup(session, list, "Not drawn", rest, true, reveal);
-    state.revealed = session.window.selection.vertex;
     if (idle)
         ImGui::PopStyleVar();
     ImGui::EndChild();

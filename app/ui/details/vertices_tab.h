@@ -14,6 +14,6 @@ struct VerticesTabState {
     bool together = true; ///< vertices at one place move together
 };
 
-void drawVerticesTab(Session& session, VerticesTabState& state);
+void drawVerticesTab(const Session& session, VerticesTabState& state);
 
 } // namespace texplorer::ui

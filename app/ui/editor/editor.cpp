@@ -2,6 +2,7 @@
 
 #include "app/ui/editor/followed_selection.h"
 #include "app/ui/model/explaining.h"
+#include "app/ui/model/requests.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
@@ -70,6 +71,10 @@ void take(Session& session, Redo /*redo*/) {
         showStep(session, session.document.history.redo());
 }
 
+void take(Session& session, const Action& action) {
+    action(session);
+}
+
 void take(Session& session, GoToStep to) {
     showStep(session, session.document.history.goTo(to.step));
 }
@@ -96,8 +101,15 @@ void take(Session& session, const Step& step) {
 } // namespace
 
 void takeRequests(Session& session) {
-    for (const EditRequest& request : std::exchange(session.requests, {}))
-        std::visit([&](const auto& each) { take(session, each); }, request);
+    // An action may make further requests; if it replaces the document, later ones are not for the new one.
+    std::vector<Request>& waiting = session.out.requests;
+    while (!waiting.empty()) {
+        const std::size_t document = session.documents;
+        for (const Request& request : std::exchange(waiting, {})) {
+            if (session.documents == document || std::holds_alternative<Action>(request))
+                std::visit([&](const auto& each) { take(session, each); }, request);
+        }
+    }
 }
 
 } // namespace texplorer::ui

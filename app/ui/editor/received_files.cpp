@@ -89,7 +89,7 @@ bool isEdit(const Load& load) {
 
 /// All files have arrived. Returns false if it has to wait for the user.
 bool finish(Session& session, Load& load) {
-    if (session.window.movesVertices && isEdit(load))
+    if (session.out.movesVertices && isEdit(load))
         return false; // otherwise the move would be two undo steps with this one in between
     switch (load.kind) {
     case Load::Kind::Import:

@@ -301,7 +301,7 @@ void drawFlipBytes(const BlockFlipState& state) {
 
 } // namespace
 
-void drawBlockFlip(Session& /*session*/, BlockFlipState& state, const Pictures& /*pictures*/) {
+void drawBlockFlip(const Session& /*session*/, BlockFlipState& state, const Pictures& /*pictures*/) {
     const float em = ImGui::GetFontSize();
     const float room = ImGui::GetContentRegionAvail().x;
     chooseFormat(state);

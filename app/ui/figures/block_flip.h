@@ -20,6 +20,6 @@ struct BlockFlipState {
     int stepsHeight = 0;
 };
 
-void drawBlockFlip(Session& session, BlockFlipState& state, const Pictures& pictures);
+void drawBlockFlip(const Session& session, BlockFlipState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

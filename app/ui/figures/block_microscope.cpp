@@ -101,7 +101,7 @@ BlockLook lookAt(const BlockMicroscopeState& state) {
             state.hovered ? linksOf(state.format, fields, *state.hovered) : BlockLinks{}};
 }
 
-void drawBlockMicroscope(Session& session, BlockMicroscopeState& state, const Pictures& /*pictures*/) {
+void drawBlockMicroscope(const Session& session, BlockMicroscopeState& state, const Pictures& /*pictures*/) {
     followBlockSource(session, state);
     drawChoices(state);
     dimWrappedText(whatToDo);

@@ -23,6 +23,6 @@ struct BlockMicroscopeState {
     BlockSource source{};
 };
 
-void drawBlockMicroscope(Session& session, BlockMicroscopeState& state, const Pictures& pictures);
+void drawBlockMicroscope(const Session& session, BlockMicroscopeState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -25,8 +25,8 @@ namespace {
 
 using SourceKind = BlockSource::Kind;
 
-std::optional<LevelsRequest> levelsOfBoundTexture(Session& session, std::string& problem) {
-    const Texture* texture = boundTexture(std::as_const(session));
+std::optional<LevelsRequest> levelsOfBoundTexture(const Session& session, std::string& problem) {
+    const Texture* texture = boundTexture(session);
     if (!texture) {
         problem = "No texture is bound to this unit.";
         return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<LevelsRequest> levelsOfBoundTexture(Session& session, std::string&
 }
 
 /// Freeing large levels takes a while.
-void giveLevelsBack(Session& session, BlockSource& source) {
+void giveLevelsBack(const Session& session, BlockSource& source) {
     if (source.levels && source.request)
         session.services.levels.uploaded(*source.request, std::exchange(source.levels, nullptr), {});
     source.levels.reset();
@@ -49,7 +49,7 @@ void giveLevelsBack(Session& session, BlockSource& source) {
 }
 
 /// Requests the levels until they are ready. Until then no block is read.
-void followLevels(Session& session, BlockSource& source) {
+void followLevels(const Session& session, BlockSource& source) {
     std::optional<LevelsRequest> request = levelsOfBoundTexture(session, source.problem);
     if (!request) {
         giveLevelsBack(session, source);
@@ -164,7 +164,7 @@ void takeBlock(BlockMicroscopeState& state, int face) {
 
 } // namespace
 
-void followBlockSource(Session& session, BlockMicroscopeState& state) {
+void followBlockSource(const Session& session, BlockMicroscopeState& state) {
     BlockSource& source = state.source;
     source.problem.clear();
     if (source.kind == SourceKind::Own)

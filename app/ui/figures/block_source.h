@@ -70,7 +70,7 @@ struct BlockSource {
 };
 
 /// If the source is the texture, reads its block again after a change.
-void followBlockSource(Session& session, BlockMicroscopeState& state);
+void followBlockSource(const Session& session, BlockMicroscopeState& state);
 
 [[nodiscard]] float blockSourceWidth();
 /// The controls of the source, in the column's width.

@@ -257,7 +257,8 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
 }
 
 /// The colours of each wrap mode; the chosen one has a frame.
-void drawLensStrips(Session& session, const ParamPlace& place, const LensRow& row, Wrap chosen, float width) {
+void drawLensStrips(const Session& session, const ParamPlace& place, const LensRow& row, Wrap chosen,
+                    float width) {
     const float em = ImGui::GetFontSize();
     float names = 0;
     for (const EnumRow& mode : wrapRows)
@@ -297,7 +298,7 @@ void drawLensStrips(Session& session, const ParamPlace& place, const LensRow& ro
 }
 
 /// The number of texels, and the filter of the scene's texture.
-void drawLensChoices(Session& session, EdgeLensState& state, const ParamPlace& filter) {
+void drawLensChoices(const Session& session, EdgeLensState& state, const ParamPlace& filter) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
     dimText("Texels");
@@ -324,7 +325,7 @@ void drawLensChoices(Session& session, EdgeLensState& state, const ParamPlace& f
 
 } // namespace
 
-void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& /*pictures*/) {
+void drawEdgeLens(const Session& session, EdgeLensState& state, const Pictures& /*pictures*/) {
     const Texture* texture = boundTexture(session);
     const std::string path = fmt::format("textures[{}].", selectedUnit(session).texture);
     const std::optional<ParamPlace> wrapPlace =

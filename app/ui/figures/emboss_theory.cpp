@@ -43,7 +43,7 @@ const HeightProfile& profileOf(EmbossTheoryState& state) {
 }
 
 /// The depth of the scene's first embossing unit.
-std::optional<ParamPlace> embossDepth(Session& session) {
+std::optional<ParamPlace> embossDepth(const Session& session) {
     const Scene& scene = presentScene(session);
     for (std::size_t pass = 0; pass < scene.passes.size(); ++pass) {
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
@@ -279,7 +279,7 @@ void numberLine(const char* name, ImU32 ink) {
 }
 
 /// The controls: the line, the light, the offset of the second map, the position.
-void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional<ParamPlace>& depth) {
+void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::optional<ParamPlace>& depth) {
     const float em = ImGui::GetFontSize();
     const std::array lines{Segment{"Bump and block"}, Segment{"Bricks"}};
     if (const auto plan = planSegments(lines, std::min(em * 15, ImGui::GetContentRegionAvail().x), 2)) {
@@ -350,7 +350,7 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
 
 } // namespace
 
-void drawEmbossTheory(Session& session, EmbossTheoryState& state, const Pictures& /*pictures*/) {
+void drawEmbossTheory(const Session& session, EmbossTheoryState& state, const Pictures& /*pictures*/) {
     const float em = ImGui::GetFontSize();
     fittedText("Drag the sun, a place on the surface, and MAX_EMBOSS: slopes that face the light get bright.",
                color::dim);

@@ -21,6 +21,6 @@ struct EmbossTheoryState {
 
 /// Shows how two heights make a bump: the heights at s and s + ds, the grey of their difference, and the lit
 /// colour blended onto it. MAX_EMBOSS and the light's colours are the scene's.
-void drawEmbossTheory(Session& session, EmbossTheoryState& state, const Pictures& pictures);
+void drawEmbossTheory(const Session& session, EmbossTheoryState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

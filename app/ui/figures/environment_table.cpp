@@ -217,8 +217,8 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
     helpTip(words);
 }
 
-void drawCell(Session& session, const TableSubject& subject, const TableColors& colors, const CellPlace& cell,
-              const CellPlan& plan, const CellPictures& pictures) {
+void drawCell(const Session& session, const TableSubject& subject, const TableColors& colors,
+              const CellPlace& cell, const CellPlan& plan, const CellPictures& pictures) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + plan.size.x, low.y + plan.size.y);
     const bool pressed = ImGui::InvisibleButton(nameOf(cell).c_str(), plan.size);
@@ -319,7 +319,7 @@ ImVec2 cellSize(float head, float height, float gap, CellText wanted) {
 
 } // namespace
 
-void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const Pictures& pictures) {
+void drawEnvironmentTable(const Session& session, EnvironmentTableState& state, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const float gap = std::max(1.0F, std::floor(em / 8));
     const TableSubject subject = tableSubject(session, pictures.frames.front().frame.size);

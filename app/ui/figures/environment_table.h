@@ -24,6 +24,6 @@ struct EnvironmentTableState : OwnColors {
 
 /// Draws the table of environment modes and base formats for the selected unit and its texture. A click sets
 /// the mode and the format of a cell.
-void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const Pictures& pictures);
+void drawEnvironmentTable(const Session& session, EnvironmentTableState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -12,7 +12,7 @@
 namespace texplorer::ui {
 namespace {
 
-void drawFigure(Session& session, FiguresTabState& state, const Pictures& pictures) {
+void drawFigure(const Session& session, FiguresTabState& state, const Pictures& pictures) {
     switch (session.window.figure) {
     case Figure::Environments:
         return drawEnvironmentTable(session, state.environments, pictures);
@@ -31,7 +31,7 @@ void drawFigure(Session& session, FiguresTabState& state, const Pictures& pictur
     }
 }
 
-void figureNames(Session& session) {
+void figureNames(const Session& session) {
     std::vector<Segment> names;
     std::ranges::transform(figureRows, std::back_inserter(names),
                            [](const FigureRow& row) { return Segment{row.label}; });
@@ -47,12 +47,13 @@ void figureNames(Session& session) {
             noteItem(fmt::format("figure:{}", figureRows[i].name));
         });
     if (pressed)
-        session.window.figure = figureRows[*pressed].figure;
+        change(session,
+               [figure = figureRows[*pressed].figure](WindowState& window) { window.figure = figure; });
 }
 
 } // namespace
 
-void drawFiguresTab(Session& session, FiguresTabState& state, const Pictures& pictures) {
+void drawFiguresTab(const Session& session, FiguresTabState& state, const Pictures& pictures) {
     figureNames(session);
     ImGui::BeginChild("figure");
     ImGui::PushID(rowOf(session.window.figure).label);

@@ -22,6 +22,6 @@ struct FiguresTabState {
 };
 
 /// Draws the names of all figures, and the selected one: WindowState::figure.
-void drawFiguresTab(Session& session, FiguresTabState& state, const Pictures& pictures);
+void drawFiguresTab(const Session& session, FiguresTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

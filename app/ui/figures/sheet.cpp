@@ -3,6 +3,7 @@
 #include "app/ui/figures/shrunk_text.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
@@ -103,20 +104,18 @@ std::optional<std::size_t> ownValue(const Session& session, const SweepAxis& axi
                                       : std::optional(static_cast<std::size_t>(found - axis.values.begin()));
 }
 
-void take(Session& session, const Axes& axes, std::size_t row, std::size_t column) {
+void take(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
     Result<Scene> made = sheetScene(presentScene(session), axes.rows.axis, row, axes.columns.axis, column);
-    if (!made) {
-        session.window.notice = {describe(made.error()), {}};
-        return;
-    }
+    if (!made)
+        return act(session, [text = describe(made.error())](Session& told) { say(told, text); });
     submit(
         session, wordsOf(session, axes, row, column), [&](Scene& scene) { scene = *std::move(made); },
         axes.rows.axis.path);
 }
 
 /// Handles the mouse on a cell.
-void cellButton(Session& session, const Axes& axes, const SheetPictures::Cell& cell, const SheetPlan& plan,
-                std::size_t row, std::size_t column, bool own) {
+void cellButton(const Session& session, const Axes& axes, const SheetPictures::Cell& cell,
+                const SheetPlan& plan, std::size_t row, std::size_t column, bool own) {
     const std::string& down = axes.rows.axis.values.at(row);
     const std::string& across = axes.columns.axis.values.at(column);
     const std::string name = fmt::format("{},{}", down, across);
@@ -187,8 +186,8 @@ void drawNames(const NamedAxis& columns, const SheetPlan& plan, std::optional<st
     ImGui::SetCursorScreenPos({origin.x, origin.y + plan.line});
 }
 
-void drawCells(Session& session, const Axes& axes, const SheetPlan& plan, const SheetPictures::Cells& cells,
-               const Pictures& pictures, std::optional<std::size_t> ownRow,
+void drawCells(const Session& session, const Axes& axes, const SheetPlan& plan,
+               const SheetPictures::Cells& cells, const Pictures& pictures, std::optional<std::size_t> ownRow,
                std::optional<std::size_t> ownColumn) {
     ImGui::BeginChild("cells");
     const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -247,7 +246,7 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
 
 } // namespace
 
-void drawSheet(Session& session, SheetState& state, const Pictures& pictures) {
+void drawSheet(const Session& session, SheetState& state, const Pictures& pictures) {
     Result<std::array<SweepAxis, 2>> swept = sweptAxes(session);
     std::optional<Axes> axes;
     if (swept)

@@ -8,6 +8,6 @@ namespace texplorer::ui {
 
 /// Draws the scene with every pair of values of two parameters, as small pictures by the reference. A click
 /// sets both values.
-void drawSheet(Session& session, SheetState& state, const Pictures& pictures);
+void drawSheet(const Session& session, SheetState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -58,7 +58,7 @@ void findOffers(const Session& session, SheetState& state) {
 }
 
 /// The list of parameters with a search field. Returns the chosen path.
-std::optional<std::string> choosePath(Session& session, SheetState& state, const std::string& current) {
+std::optional<std::string> choosePath(const Session& session, SheetState& state, const std::string& current) {
     const float em = ImGui::GetFontSize();
     if (ImGui::IsWindowAppearing()) {
         state.search.clear();
@@ -99,13 +99,16 @@ constexpr const char* saveWords = "Save…";
 constexpr const char* copyWords = "Copy command";
 
 /// The options of the file: the extent of each picture, and the names of values.
-void fileOptions(Session& session) {
+void fileOptions(const Session& session) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
-    SheetChoice& choice = session.window.sheet;
-    const auto number = [&](const char* name, int& value) {
+    const SheetChoice& choice = session.window.sheet;
+    const auto number = [&](const char* name, int SheetChoice::*member) {
+        int value = choice.*member;
         ImGui::SetNextItemWidth(em * 4.5F);
-        ImGui::DragInt(name, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp);
+        if (ImGui::DragInt(name, &value, 1, 1, reference::maxPictureExtent, "%d",
+                           ImGuiSliderFlags_AlwaysClamp))
+            change(session, [member, value](WindowState& window) { window.sheet.*member = value; });
         markDraggable();
         noteItem(fmt::format("sheet file:{}", name + 2));
         helpTip("The size of each picture in pixels. Drag it, or double-click to type a number.");
@@ -114,11 +117,11 @@ void fileOptions(Session& session) {
     ImGui::AlignTextToFramePadding();
     dimText("Each picture");
     ImGui::SameLine(names);
-    number("##width", choice.width);
+    number("##width", &SheetChoice::width);
     ImGui::SameLine(0, inner);
     ImGui::TextUnformatted("×");
     ImGui::SameLine(0, inner);
-    number("##height", choice.height);
+    number("##height", &SheetChoice::height);
     ImGui::AlignTextToFramePadding();
     dimText("Values");
     ImGui::SameLine(names);
@@ -128,14 +131,16 @@ void fileOptions(Session& session) {
             ImGui::SameLine(0, em * 0.8F);
         if (ImGui::RadioButton(label(row.label).c_str(),
                                row.value == static_cast<std::uint32_t>(choice.labels)))
-            choice.labels = static_cast<sheet::LabelKind>(row.value);
+            change(session, [&row](WindowState& window) {
+                window.sheet.labels = static_cast<sheet::LabelKind>(row.value);
+            });
         noteItem(fmt::format("sheet file:{}", row.name));
         helpTip(row.help);
     }
 }
 
 /// Buttons for the sheet as a file and as a command.
-void fileControls(Session& session) {
+void fileControls(const Session& session) {
     if (ImGui::Button(label(saveWords)))
         ImGui::OpenPopup("file");
     noteItem("sheet:save");
@@ -144,9 +149,13 @@ void fileControls(Session& session) {
     if (ImGui::Button(label(copyWords))) {
         if (const Result<std::string> command = sweepCommand(session); command) {
             ImGui::SetClipboardText(command->c_str());
-            tell(session, "Copied a command that draws this sheet without a window.");
+            act(session, [](Session& told) {
+                tell(told, "Copied a command that draws this sheet without a window.");
+            });
         } else {
-            say(session, fmt::format("No command can draw this sheet: {}.", describe(command.error())));
+            act(session, [why = describe(command.error())](Session& told) {
+                say(told, fmt::format("No command can draw this sheet: {}.", why));
+            });
         }
     }
     noteItem("sheet:copy");
@@ -162,7 +171,7 @@ void fileControls(Session& session) {
         sheetProblem(describe(extent.error()));
     ImGui::BeginDisabled(!extent);
     if (ImGui::Button(label("Choose a file…"))) {
-        session.window.dialog = Dialog::SaveSheet;
+        change(session, [](WindowState& window) { window.dialog = Dialog::SaveSheet; });
         ImGui::CloseCurrentPopup();
     }
     noteItem("sheet file:choose");
@@ -171,15 +180,17 @@ void fileControls(Session& session) {
 }
 
 /// A button with a parameter's name, and the field of its values.
-void axisControls(Session& session, SheetState& state, const SheetAxes& shown, std::size_t side, float button,
-                  float field) {
+void axisControls(const Session& session, SheetState& state, const SheetAxes& shown, std::size_t side,
+                  float button, float field) {
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const SheetAxis& axis = shown.at(side);
-    const auto own = [&]() -> SheetAxis& {
-        std::optional<SheetAxes>& axes = session.window.sheet.own;
-        if (!axes)
-            axes = shown;
-        return axes->at(side);
+    const auto choose = [&](SheetAxis chosen) {
+        change(session, [shown, side, chosen = std::move(chosen)](WindowState& window) {
+            std::optional<SheetAxes>& axes = window.sheet.own;
+            if (!axes)
+                axes = shown;
+            axes->at(side) = chosen;
+        });
     };
     ImGui::PushID(sideNames.at(side));
     const std::string name = fitted(labelAt(session, axis.path), button - ImGui::GetFontSize() * 0.6F);
@@ -189,7 +200,7 @@ void axisControls(Session& session, SheetState& state, const SheetAxes& shown, s
     helpTip(fmt::format("{}\n{}", axis.path, tr("Select another parameter.")));
     if (ImGui::BeginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
-            own() = {*std::move(path), "*"};
+            choose({*std::move(path), "*"});
         ImGui::EndPopup();
     }
     ImGui::SameLine(0, inner);
@@ -204,11 +215,12 @@ void axisControls(Session& session, SheetState& state, const SheetAxes& shown, s
     helpTip("The values: 1,2,4 or 0..4/5 (five numbers from 0 to 4). * means all values, or a few of a "
             "number. Separate colours with semicolons.");
     if (ended && state.typed.at(side) != axis.values)
-        own().values = state.typed.at(side).empty() ? "*" : state.typed.at(side);
+        choose({axis.path, state.typed.at(side).empty() ? "*" : state.typed.at(side)});
     ImGui::PopID();
 }
 
-void pairChoice(SheetChoice& choice, float width) {
+void pairChoice(const Session& session, float width) {
+    const SheetChoice& choice = session.window.sheet;
     const char* current = choice.own ? "Your own pair" : sheetPairs().at(choice.pair).label;
     ImGui::SetNextItemWidth(width);
     const std::string name = fitted(current, listRoom(width));
@@ -219,10 +231,11 @@ void pairChoice(SheetChoice& choice, float width) {
         return;
     for (std::size_t i = 0; i < sheetPairs().size(); ++i) {
         const SheetPair& pair = sheetPairs().at(i);
-        if (ImGui::Selectable(label(pair.label), !choice.own && choice.pair == i)) {
-            choice.own.reset();
-            choice.pair = i;
-        }
+        if (ImGui::Selectable(label(pair.label), !choice.own && choice.pair == i))
+            change(session, [i](WindowState& window) {
+                window.sheet.own.reset();
+                window.sheet.pair = i;
+            });
         noteItem(fmt::format("sheet pair:{}", pair.name));
         helpTip(pair.help);
     }
@@ -238,7 +251,7 @@ void sheetProblem(const std::string& words) {
     noteItem("sheet:problem");
 }
 
-void drawSheetControls(Session& session, SheetState& state, const SheetAxes& shown,
+void drawSheetControls(const Session& session, SheetState& state, const SheetAxes& shown,
                        const std::function<void()>& sentence) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -253,15 +266,16 @@ void drawSheetControls(Session& session, SheetState& state, const SheetAxes& sho
     const bool inTwo = !inLine && both > em * 20;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, std::max(1.0F, std::floor(em / 8))});
-    SheetChoice& choice = session.window.sheet;
-    pairChoice(choice, std::floor(inLine ? spare * 0.23F : std::min(room * 0.5F, em * 14)));
+    pairChoice(session, std::floor(inLine ? spare * 0.23F : std::min(room * 0.5F, em * 14)));
     ImGui::SameLine(0, gap);
-    if (ImGui::Button(label("Swap"))) {
-        if (choice.own)
-            std::swap((*choice.own)[0], (*choice.own)[1]);
-        else
-            choice.swapped = !choice.swapped;
-    }
+    if (ImGui::Button(label("Swap")))
+        change(session, [](WindowState& window) {
+            SheetChoice& choice = window.sheet;
+            if (choice.own)
+                std::swap((*choice.own)[0], (*choice.own)[1]);
+            else
+                choice.swapped = !choice.swapped;
+        });
     noteItem("sheet:swap");
     helpTip("Swaps rows and columns.");
     ImGui::SameLine(0, inner);

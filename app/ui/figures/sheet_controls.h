@@ -26,7 +26,7 @@ struct SheetState {
 
 /// Draws the choice of both parameters and their values, `shown`; buttons for the sheet as a file and as a
 /// command; and, if there is room, one line of text.
-void drawSheetControls(Session& session, SheetState& state, const SheetAxes& shown,
+void drawSheetControls(const Session& session, SheetState& state, const SheetAxes& shown,
                        const std::function<void()>& sentence);
 
 /// Shows why there is no sheet.

@@ -413,7 +413,7 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
 
 } // namespace
 
-void drawTextureObjects(Session& session, TextureObjectsState& state, const Pictures& /*pictures*/) {
+void drawTextureObjects(const Session& session, TextureObjectsState& state, const Pictures& /*pictures*/) {
     const float em = ImGui::GetFontSize();
     Wanted wanted;
     drawProgram(state, wanted);

@@ -23,6 +23,6 @@ struct TextureObjectsState {
 };
 
 /// Draws texture objects and units: each button makes a call, and its changes are highlighted.
-void drawTextureObjects(Session& session, TextureObjectsState& state, const Pictures& pictures);
+void drawTextureObjects(const Session& session, TextureObjectsState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -83,7 +83,7 @@ std::string assignmentsOf(const Fix& fix) {
     return lines;
 }
 
-void applyFix(Session& session, const Fix& fix) {
+void applyFix(const Session& session, const Fix& fix) {
     submit(session, {.name = fix.label,
                      .edits = {fix.assignments.begin(), fix.assignments.end()},
                      .path = fix.assignments.front().path});

@@ -25,6 +25,6 @@ void reveal(Session& session, const std::string& path);
 [[nodiscard]] std::string assignmentsOf(const Fix& fix);
 
 /// Applies a fix as one undo step.
-void applyFix(Session& session, const Fix& fix);
+void applyFix(const Session& session, const Fix& fix);
 
 } // namespace texplorer::ui

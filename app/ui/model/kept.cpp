@@ -49,7 +49,7 @@ Scene keptFrom(const Session& session) {
     return scene;
 }
 
-void take(Session& session, std::string name, const std::string& path) {
+void take(const Session& session, std::string name, const std::string& path) {
     Selection selection = session.window.selection;
     selectAsInA(selection, session.document.kept.selection, path);
     edit::Replace replace{std::make_shared<const Scene>(keptFrom(session))};
@@ -124,11 +124,11 @@ std::vector<SceneChange> changesSinceKept(const Session& session) {
     return changesBetween(keptFrom(session), presentScene(session));
 }
 
-void takeFromKept(Session& session, const SceneChange& change) {
+void takeFromKept(const Session& session, const SceneChange& change) {
     take(session, fmt::format("{} of A", change.label), change.path);
 }
 
-void takeAllFromKept(Session& session) {
+void takeAllFromKept(const Session& session) {
     if (session.document.kept.scene)
         take(session, "All of A", {});
 }

@@ -43,8 +43,8 @@ void followKept(Session& session);
 [[nodiscard]] std::vector<SceneChange> changesSinceKept(const Session& session);
 
 /// Submits a step that sets the scene to A's value. Restored models or passes are selected as in A.
-void takeFromKept(Session& session, const SceneChange& change);
+void takeFromKept(const Session& session, const SceneChange& change);
 /// The same for all differences, except the camera.
-void takeAllFromKept(Session& session);
+void takeAllFromKept(const Session& session);
 
 } // namespace texplorer::ui

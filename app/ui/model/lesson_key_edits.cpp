@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace texplorer::ui {
@@ -24,7 +25,7 @@ bool isTakenByLesson(const Session& session, std::string_view key) {
     return found != keys.end() && isUsable(*run, static_cast<std::size_t>(found - keys.begin()));
 }
 
-void pressLessonKeys(Session& session, std::span<const KeyPress> presses) {
+void pressLessonKeys(const Session& session, std::span<const KeyPress> presses) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
     if (!run || presses.empty())
         return;
@@ -40,20 +41,25 @@ void pressLessonKeys(Session& session, std::span<const KeyPress> presses) {
             words = fmt::format("Key {}", pressed.key);
             continue;
         }
-        submit(session, fmt::format("Key {}", pressed.key), [&](Scene& scene) {
-            lesson::ChosenChoices chosen = run->chosen;
-            if (!pressKey(scene, run->lesson.keys, chosen, press.key, session.window.textureUnits))
+        lesson::ChosenChoices chosen = run->chosen;
+        Scene changed = presentScene(session);
+        if (!pressKey(changed, run->lesson.keys, chosen, press.key, session.window.textureUnits))
+            continue;
+        submit(session, fmt::format("Key {}", pressed.key), [&](Scene& scene) { scene = changed; });
+        const bool isOverridden = changed == presentScene(session); // by another key's choice
+        act(session, [isOverridden, made = PressedKey{std::move(changed), std::move(chosen)}](Session& s) {
+            if (!s.window.lesson)
                 return;
-            if (scene == presentScene(session)) // another key's choice overrides it
-                run->chosen = std::move(chosen);
+            if (isOverridden)
+                s.window.lesson->chosen = made.chosen;
             else
-                run->pressed = PressedKey{scene, std::move(chosen)};
+                s.window.lesson->pressed = made;
         });
     }
     submitDrag(session, words, [&](Scene& scene) { scene = std::move(sum); });
 }
 
-void releaseLessonKey(Session& session) {
+void releaseLessonKey(const Session& session) {
     sealEdit(session);
 }
 

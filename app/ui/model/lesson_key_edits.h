@@ -23,8 +23,8 @@ struct KeyPress {
 
 /// Applies the actions of keys: a choice is one undo step; additions continue the same step until
 /// releaseLessonKey.
-void pressLessonKeys(Session& session, std::span<const KeyPress> presses);
-void releaseLessonKey(Session& session);
+void pressLessonKeys(const Session& session, std::span<const KeyPress> presses);
+void releaseLessonKey(const Session& session);
 
 /// The current effect of a key: the choice in the window's language, or the number.
 [[nodiscard]] std::string stateOfKey(const Session& session, const LessonRun& run, std::size_t key);

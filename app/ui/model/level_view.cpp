@@ -7,7 +7,6 @@
 namespace texplorer::ui {
 
 void askAboutLevels(Session& session, view::Size picture) {
-    session.window.levels.hovered.reset(); // the view sets it again
     const WindowState& window = session.window;
     const bool isWanted =
         window.view.shown != reference::Shown::Picture || isShown(window.settings.workspace, Tab::Levels);

@@ -15,14 +15,14 @@ PresetPlace selectedPlace(const Session& session) {
 
 } // namespace
 
-void choosePreset(Session& session, const Preset& preset, std::string_view path) {
+void choosePreset(const Session& session, const Preset& preset, std::string_view path) {
     submit(session, {.name = std::string(preset.label),
                      .edits = {edit::ApplyPreset{std::string(preset.name), selectedPlace(session)}},
                      .path = std::string(path),
                      .says = fmt::format("{}: {}", preset.label, preset.look)});
 }
 
-void previewPreset(Session& session, const Preset& preset) {
+void previewPreset(const Session& session, const Preset& preset) {
     preview(session, fmt::format("preset:{}", preset.name), preset.label,
             [&](Scene& scene) { static_cast<void>(applyPreset(preset, scene, selectedPlace(session))); });
 }

@@ -10,23 +10,26 @@
 
 namespace texplorer::ui {
 
-void preview(Session& session, std::string_view choice, std::string_view text,
+void preview(const Session& session, std::string_view choice, std::string_view text,
              const std::function<void(Scene&)>& edit) {
-    std::optional<Preview>& shown = session.window.preview;
+    const std::optional<Preview>& shown = session.window.preview;
     const Scene& scene = presentScene(session);
-    if (!shown || shown->choice != choice || shown->madeOf != scene) {
-        Scene edited = scene;
-        edit(edited);
-        // As it would be recorded; a value that cannot be a key is not shown.
-        static_cast<void>(keyEdits(edited, scene, presentKeyTime(session)));
-        const bool isLoaded = std::ranges::all_of(
-            filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
-        if (!isLoaded)
-            return;
-        shown = Preview{std::string(choice), std::string(text),
-                        std::make_shared<const Scene>(std::move(edited)), scene};
-    }
-    shown->wanted = true;
+    if (shown && shown->choice == choice && shown->madeOf == scene)
+        return change(session, [](WindowState& window) {
+            if (window.preview)
+                window.preview->wanted = true;
+        });
+    Scene edited = scene;
+    edit(edited);
+    // As it would be recorded; a value that cannot be a key is not shown.
+    static_cast<void>(keyEdits(edited, scene, presentKeyTime(session)));
+    const bool isLoaded = std::ranges::all_of(
+        filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
+    if (!isLoaded)
+        return;
+    change(session, [made = Preview{std::string(choice), std::string(text),
+                                    std::make_shared<const Scene>(std::move(edited)), scene,
+                                    true}](WindowState& window) { window.preview = made; });
 }
 
 void endPreview(Session& session) {

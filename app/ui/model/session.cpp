@@ -90,7 +90,7 @@ void replaceDocument(Session& session, Document document) {
 
 void exchangeDocument(Session& session, Document document) {
     cancelLoads(session);
-    session.requests.clear(); // they are for the other document
+    session.out.requests.clear(); // they are for the other document
     session.document = std::move(document);
     ++session.documents;
     showPresent(session);
@@ -146,30 +146,40 @@ Step stepThat(const Session& session, std::string name, const std::function<void
     return step;
 }
 
-void submit(Session& session, Step step) {
-    if (!step.edits.empty() || step.select)
-        session.requests.emplace_back(std::move(step));
+void act(const Session& session, Action action) {
+    session.out.requests.emplace_back(std::move(action));
 }
 
-void submit(Session& session, std::string name, const std::function<void(Scene&)>& change, std::string path) {
+void change(const Session& session, std::function<void(WindowState&)> make) {
+    act(session, [make = std::move(make)](Session& changed) { make(changed.window); });
+}
+
+void rearrange(const Session& session, std::function<void(Workspace&)> make) {
+    change(session, [make = std::move(make)](WindowState& window) { make(window.settings.workspace); });
+}
+
+void submit(const Session& session, Step step) {
+    if (!step.edits.empty() || step.select)
+        session.out.requests.emplace_back(std::move(step));
+}
+
+void submit(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+            std::string path) {
     submit(session, stepThat(session, std::move(name), change, std::move(path)));
 }
 
-void submitDrag(Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submitDrag(const Session& session, std::string name, const std::function<void(Scene&)>& change,
                 std::string path) {
     Step step = stepThat(session, std::move(name), change, std::move(path));
     step.continues = true;
     submit(session, std::move(step));
 }
 
-void sealEdit(Session& session) {
-    if (session.requests.empty())
-        session.document.history.seal();
-    else
-        session.requests.emplace_back(EndStep{});
+void sealEdit(const Session& session) {
+    session.out.requests.emplace_back(EndStep{});
 }
 
-void resetToSaved(Session& session) {
+void resetToSaved(const Session& session) {
     submit(session, {.name = session.document.file.empty() ? "Reset to the start" : "Reset to the file",
                      .edits = {edit::Replace{std::make_shared<const Scene>(session.document.saved)}},
                      .select = session.window.selection});
@@ -198,19 +208,17 @@ Model& selectedModel(Scene& scene, const Selection& selection) {
     return scene.models[static_cast<std::size_t>(selection.model)];
 }
 
-const Mesh& selectedMesh(Session& session) {
+const Mesh& selectedMesh(const Session& session) {
     static const Mesh none;
     const Model* model = selectedModel(session);
     if (!model)
         return none;
-    WindowState& window = session.window;
+    MeshOfModel& made = session.mesh;
     const bool own = model->shape == Shape::Mesh;
-    if (!window.mesh || window.meshShape != shapeOptions(*model) || (own && window.meshData != model->mesh)) {
-        window.mesh = std::make_shared<const Mesh>(meshOf(*model));
-        window.meshShape = shapeOptions(*model);
-        window.meshData = own ? model->mesh : MeshData{};
-    }
-    return *session.window.mesh;
+    if (!made.mesh || made.shape != shapeOptions(*model) || (own && made.data != model->mesh))
+        made = {std::make_shared<const Mesh>(meshOf(*model)), shapeOptions(*model),
+                own ? model->mesh : MeshData{}};
+    return *made.mesh;
 }
 
 const Pass& selectedPass(const Session& session) {
@@ -227,7 +235,11 @@ const Unit& selectedUnit(const Session& session) {
 }
 
 std::string selectedUnitPath(const Session& session) {
-    return fmt::format("passes[{}].units[{}]", session.window.selection.pass, session.window.selection.unit);
+    return unitPath(session.window.selection);
+}
+
+std::string unitPath(const Selection& selection) {
+    return fmt::format("passes[{}].units[{}]", selection.pass, selection.unit);
 }
 
 const Texture* boundTexture(const Session& session) {

@@ -1,25 +1,34 @@
 #pragma once
 
 #include "app/ui/model/document.h"
+#include "app/ui/model/requests.h"
 #include "app/ui/model/services.h"
-#include "app/ui/model/step.h"
 #include "app/ui/model/window_state.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace texplorer::ui {
 
-/// Everything that the panels show and edit.
+/// The mesh of a model, made again when its shape changes.
+struct MeshOfModel {
+    std::shared_ptr<const Mesh> mesh;
+    ShapeOptions shape{}; ///< the source of `mesh`
+    MeshData data{};
+};
+
+/// Everything that the panels show. Panels get it const: what they change, they request.
 struct Session {
     explicit Session(Services lent, Document start = {defaultScene(), ImageSource{}});
 
     Services services;
     Document document;
     WindowState window;
-    std::vector<EditRequest> requests; ///< submitted in this frame
+    mutable Outbox out;       ///< of this frame
+    mutable MeshOfModel mesh; ///< see selectedMesh
     std::size_t documents =
         0; ///< the number of replaced documents, for panels to detect that their state is out of date
 };
@@ -62,30 +71,38 @@ void bringSelectionBack(Session& session);
 [[nodiscard]] Step stepThat(const Session& session, std::string name,
                             const std::function<void(Scene&)>& change, std::string path = {});
 
-/// Has a step made at the end of the frame (app/ui/editor), unless it has no edits and selects nothing.
-void submit(Session& session, Step step);
+/// Has something done at the end of the frame (app/ui/editor), after the earlier requests.
+void act(const Session& session, Action action);
+/// The same for a change of the window's state.
+void change(const Session& session, std::function<void(WindowState&)> make);
+/// The same for panels, their places and sizes.
+void rearrange(const Session& session, std::function<void(Workspace&)> make);
+
+/// Has a step made at the end of the frame, unless it has no edits and selects nothing.
+void submit(const Session& session, Step step);
 
 /// Submits the step with the changes of a function.
-void submit(Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submit(const Session& session, std::string name, const std::function<void(Scene&)>& change,
             std::string path = {});
 /// The same for a part of a drag, which continues the undo step before it.
-void submitDrag(Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submitDrag(const Session& session, std::string name, const std::function<void(Scene&)>& change,
                 std::string path = {});
 
-/// Asks for an EndStep.
-void sealEdit(Session& session);
+/// Requests an EndStep.
+void sealEdit(const Session& session);
 
 /// Resets the scene to its file, or to its initial state: an undo step.
-void resetToSaved(Session& session);
+void resetToSaved(const Session& session);
 
 // The objects that the panels show.
 [[nodiscard]] const Model* selectedModel(const Session& session);
 [[nodiscard]] Model& selectedModel(Scene& scene, const Selection& selection); ///< in a copy of the scene
-[[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty if no model is selected
+[[nodiscard]] const Mesh& selectedMesh(const Session& session); ///< empty if no model is selected
 [[nodiscard]] const Pass& selectedPass(const Session& session);
 [[nodiscard]] const Unit& selectedUnit(const Session& session);
 [[nodiscard]] Unit& selectedUnit(Scene& scene, const Selection& selection); ///< in a copy of the scene
 [[nodiscard]] std::string selectedUnitPath(const Session& session);         ///< "passes[0].units[1]"
+[[nodiscard]] std::string unitPath(const Selection& selection);             ///< the same
 /// The texture bound to the selected unit, which is both used and edited as after glBindTexture. nullptr:
 /// none.
 [[nodiscard]] const Texture* boundTexture(const Session& session);

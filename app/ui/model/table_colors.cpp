@@ -35,7 +35,7 @@ const reference::EnvironmentInputs* inputsIn(const reference::Explanation& expla
 }
 
 /// From the probed pixel; nothing: none is probed, it has no such fragment, or nothing is known yet.
-std::optional<reference::EnvironmentInputs> probedInputs(Session& session, view::Size picture) {
+std::optional<reference::EnvironmentInputs> probedInputs(const Session& session, view::Size picture) {
     const std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
     const bool isInside =
         pixel && pixel->x < picture.width && pixel->y < picture.height && boundTexture(session);
@@ -67,7 +67,7 @@ BaseFormat baseFormatOf(const Texture& texture, const LevelsSummary* summary) {
                : baseFormat(texture.internalFormat);
 }
 
-TableSubject tableSubject(Session& session, view::Size picture) {
+TableSubject tableSubject(const Session& session, view::Size picture) {
     TableSubject subject;
     const Scene& scene = presentScene(session);
     const Unit& unit = selectedUnit(session);

@@ -23,6 +23,6 @@ struct TableSubject {
 
 /// Requests the colours of the probed pixel, in a picture of this size, as if the texture kept all four
 /// components of its image: each row of the table takes its components, regardless of the current format.
-[[nodiscard]] TableSubject tableSubject(Session& session, view::Size picture);
+[[nodiscard]] TableSubject tableSubject(const Session& session, view::Size picture);
 
 } // namespace texplorer::ui

@@ -35,12 +35,12 @@ std::string coordsPath(const Session& session) {
                        session.window.selection.unit);
 }
 
-void submitTexCoords(Session& session, std::string name, TexCoords coords) {
+void submitTexCoords(const Session& session, std::string name, TexCoords coords) {
     std::ranges::transform(coords, coords.begin(), withinCoordRange);
     submit(session, coordsStep(session, std::move(name), std::move(coords)));
 }
 
-void dragTexCoords(Session& session, std::string name, TexCoords coords) {
+void dragTexCoords(const Session& session, std::string name, TexCoords coords) {
     Step step = coordsStep(session, std::move(name), std::move(coords));
     step.continues = true;
     submit(session, std::move(step));

@@ -19,8 +19,10 @@ namespace {
 
 constexpr double keysPerSecond = 100;
 
-void sayNotAdded(Session& session, const Error& error) {
-    say(session, fmt::format("A key frame can't be added: {}.", describe(error)));
+void sayNotAdded(const Session& session, const Error& error) {
+    act(session, [text = fmt::format("A key frame can't be added: {}.", describe(error))](Session& told) {
+        say(told, text);
+    });
 }
 
 } // namespace
@@ -52,7 +54,7 @@ void goToKey(Session& session, int direction) {
         goToTime(session, *nearest);
 }
 
-void addKey(Session& session, std::string_view path, float time) {
+void addKey(const Session& session, std::string_view path, float time) {
     Scene scene = presentScene(session);
     const Result<std::string> value = getParam(sceneAt(scene, double{time}), path);
     const Result<std::size_t> added =
@@ -82,7 +84,7 @@ void turnView(Session& session) {
     session.window.playback.playing = true;
 }
 
-void removeKey(Session& session, std::size_t key) {
+void removeKey(const Session& session, std::size_t key) {
     const std::vector<KeyFrame>& keys = presentScene(session).timeline.keys;
     if (key >= keys.size())
         return;
@@ -94,13 +96,13 @@ void removeKey(Session& session, std::size_t key) {
         keys[key].path);
 }
 
-void removeKeys(Session& session, std::string_view path) {
+void removeKeys(const Session& session, std::string_view path) {
     submit(
         session, "Remove key frames",
         [path = std::string(path)](Scene& scene) { dropKeys(scene.timeline, path); }, std::string(path));
 }
 
-bool moveKey(Session& session, std::size_t key, float time) {
+bool moveKey(const Session& session, std::size_t key, float time) {
     const std::vector<KeyFrame>& keys = presentScene(session).timeline.keys;
     const float wanted = std::clamp(time, 0.0F, maxKeyTime);
     if (key >= keys.size() || keys[key].time == wanted)
@@ -111,7 +113,7 @@ bool moveKey(Session& session, std::size_t key, float time) {
     return true;
 }
 
-void setEasing(Session& session, std::size_t key, Easing easing) {
+void setEasing(const Session& session, std::size_t key, Easing easing) {
     const std::vector<KeyFrame>& keys = presentScene(session).timeline.keys;
     if (key < keys.size())
         submit(

@@ -24,14 +24,14 @@ void goToKey(Session& session, int direction);
 // Each is an undo step. Errors are reported to the user.
 
 /// Sets a key with the parameter's value at a time.
-void addKey(Session& session, std::string_view path, float time);
+void addKey(const Session& session, std::string_view path, float time);
 /// Sets two keys with which the view turns once around the models, and starts the clock at the first.
 void turnView(Session& session);
-void removeKey(Session& session, std::size_t key);
+void removeKey(const Session& session, std::size_t key);
 /// Removes all keys of a parameter, which keeps its current value.
-void removeKeys(Session& session, std::string_view path);
+void removeKeys(const Session& session, std::string_view path);
 /// Continues the same undo step until sealEdit. Returns true if the key has moved.
-bool moveKey(Session& session, std::size_t key, float time);
-void setEasing(Session& session, std::size_t key, Easing easing);
+bool moveKey(const Session& session, std::size_t key, float time);
+void setEasing(const Session& session, std::size_t key, Easing easing);
 
 } // namespace texplorer::ui

@@ -17,7 +17,6 @@
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
 #include "core/emit/flavour.h"
-#include "core/mesh/mesh.h"
 #include "core/scene/picking.h"
 
 #include <array>
@@ -144,15 +143,12 @@ struct WindowState : DocumentLook {
     ViewSettings view;                           ///< the renderers and how their frames are shown
     std::optional<LessonPictures> lessonPictures;
     bool showsFrameTime = true; ///< false for reproducible pictures of the window
-    bool movesVertices = false; ///< vertices are being moved in texture space: other edits wait
-    bool keyTaken = false;      ///< a panel has used a key of this frame: it is not a shortcut
     bool showRq = false;        ///< whether the vertex list shows r and q
 
     std::optional<Tab> wantedTab;         ///< opened and brought to the front in the next frame
     std::string wantedParam;              ///< the parameter to scroll to in the next frame; empty: none
     std::optional<Section> wantedSection; ///< opened and scrolled to in the next frame
-    std::string hoveredParam;  ///< under the pointer in the last frame, in any panel: all panels highlight it
-    std::string hoveringParam; ///< the same for this frame, set by the panel that draws it
+    std::string hoveredParam; ///< under the pointer in the last frame, in any panel: all panels highlight it
 
     Dialog dialog = Dialog::None;
     emit::Flavour flavour = emit::Flavour::Fixed; ///< for Dialog::SaveProgram
@@ -175,10 +171,6 @@ struct WindowState : DocumentLook {
     RecordingChoice recording;
     ViewNotes notes;
     bool spotlight = false; ///< everything except a disc around the pointer is dimmed
-
-    std::shared_ptr<const Mesh> mesh; ///< of the selected model, updated by `selectedMesh`
-    ShapeOptions meshShape{};         ///< the source of `mesh`
-    MeshData meshData{};
 };
 
 } // namespace texplorer::ui

@@ -18,7 +18,7 @@ constexpr std::array anisotropySteps{1, 2, 4, 8, 16};
 constexpr float minSliderWidth = 2.8F; ///< next to the buttons, in letters' heights
 
 /// A button for a degree of anisotropy, with a preview of its picture.
-void offerAnisotropy(Session& session, const ParamRow& row, const std::string& path, int step,
+void offerAnisotropy(const Session& session, const ParamRow& row, const std::string& path, int step,
                      bool isChosen) {
     const std::string assignment = fmt::format("{}={}", path, step);
     noteItem(assignment);
@@ -29,7 +29,7 @@ void offerAnisotropy(Session& session, const ParamRow& row, const std::string& p
                 [&](Scene& scene) { (void)setParam(scene, path, std::to_string(step)); });
 }
 
-void anisotropyButtons(Session& session, const Owner& owner, const ParamRow& row,
+void anisotropyButtons(const Session& session, const Owner& owner, const ParamRow& row,
                        std::span<const Segment> segments, const SegmentPlan& plan, bool isIdle) {
     const auto value = std::get<float>(row.read(owner.values));
     const auto* found =
@@ -57,7 +57,7 @@ float maxAnisotropyOf(float driver, const ParamRow& row) {
     return driver > row.range.min ? std::min(driver, row.range.max) : row.range.max;
 }
 
-void anisotropyLine(Session& session, const Owner& texture, const ParamRow& row) {
+void anisotropyLine(const Session& session, const Owner& texture, const ParamRow& row) {
     const bool isIdle = idleReasonOf(session.document.findings, texture.pathOf(row)) != nullptr;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::AlignTextToFramePadding();

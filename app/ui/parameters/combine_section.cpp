@@ -81,7 +81,7 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
     return words;
 }
 
-void drawEquation(Session& session, const Combine& combine, const Half& half) {
+void drawEquation(const Session& session, const Combine& combine, const Half& half) {
     const bool isAlpha = half.suffix == "Alpha";
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
         wrappedText(fmt::format("= the dot product of the colours: {} overrides the rows below except the "
@@ -110,7 +110,7 @@ float widestChoice(const ParamRow& row) {
     return widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-void drawHalf(Session& session, const Owner& owner, const Half& half) {
+void drawHalf(const Session& session, const Owner& owner, const Half& half) {
     const auto& combine = *static_cast<const Combine*>(owner.values);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float full = ImGui::GetContentRegionAvail().x;
@@ -156,7 +156,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
 
 } // namespace
 
-void combineSection(Session& session) {
+void combineSection(const Session& session) {
     const Combine& combine = selectedUnit(session).combine;
     static const Combine initial;
     const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {

@@ -4,6 +4,6 @@
 
 namespace texplorer::ui {
 
-void combineSection(Session& session); ///< of the selected unit, whose mode is GL_COMBINE
+void combineSection(const Session& session); ///< of the selected unit, whose mode is GL_COMBINE
 
 } // namespace texplorer::ui

@@ -30,7 +30,7 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &U
                                                  {"q", keyOf<&Unit::texGenQ>, &Unit::texGenQ}}};
 
 /// Buttons that set several of these parameters and others at once.
-void lightButtons(Session& session) {
+void lightButtons(const Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     const Selection& selection = session.window.selection;
@@ -39,7 +39,9 @@ void lightButtons(Session& session) {
             bool hasRoom = false;
             submit(session, words, [&](Scene& scene) { hasRoom = edit(scene); });
             if (!hasRoom)
-                say(session, "Not possible: no more textures or matrix steps can be added.");
+                act(session, [](Session& told) {
+                    say(told, "Not possible: no more textures or matrix steps can be added.");
+                });
         }
         noteItem(words);
         helpTip(tip);
@@ -60,7 +62,7 @@ void lightButtons(Session& session) {
 
 } // namespace
 
-void coordinatesSection(Session& session) {
+void coordinatesSection(const Session& session) {
     const Unit& unit = selectedUnit(session);
     static const Unit initial;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;

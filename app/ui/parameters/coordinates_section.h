@@ -4,6 +4,6 @@
 
 namespace texplorer::ui {
 
-void coordinatesSection(Session& session); ///< generated ones, of the selected unit
+void coordinatesSection(const Session& session); ///< generated ones, of the selected unit
 
 } // namespace texplorer::ui

@@ -33,7 +33,7 @@ struct EnvironmentSample {
 };
 
 /// The units of a pass up to the selected one, with glColor and the mean of each image.
-EnvironmentSample referenceSample(Session& session, const Scene& scene, const Pass& pass) {
+EnvironmentSample referenceSample(const Session& session, const Scene& scene, const Pass& pass) {
     const auto chosen = static_cast<std::size_t>(session.window.selection.unit);
     const auto model = static_cast<std::size_t>(session.window.selection.model);
     const glm::vec4 primary = glm::clamp(
@@ -72,7 +72,7 @@ EnvironmentSample referenceSample(Session& session, const Scene& scene, const Pa
     return sample;
 }
 
-EnvironmentSample sampleOf(Session& session, const Scene& scene, const Pass& pass) {
+EnvironmentSample sampleOf(const Session& session, const Scene& scene, const Pass& pass) {
     const Unit& unit = pass.units[static_cast<std::size_t>(session.window.selection.unit)];
     const reference::UnitExplanation* probed = probedUnit(session);
     if (probed && probed->mode == unit.envMode)
@@ -126,7 +126,7 @@ bool hasSymbol(const EnvironmentEquations& equations, const char* color, const c
 
 } // namespace
 
-void environmentLine(Session& session) {
+void environmentLine(const Session& session) {
     const Scene& scene = shownScene(session);
     const auto number = static_cast<std::size_t>(session.window.selection.pass);
     if (number >= scene.passes.size())

@@ -31,16 +31,16 @@ const ParamRow& essentialRow(const StructTable& table, std::string_view key) {
     return *findParam(table, key); // keys of existing rows
 }
 
-void stepVertex(Session& session, bool forwards) {
+void stepVertex(const Session& session, bool forwards) {
     const std::size_t count = selectedMesh(session).vertices.size();
-    std::optional<std::size_t>& vertex = session.window.selection.vertex;
-    const std::size_t next = vertex ? *vertex + 1 : 0;
+    const std::optional<std::size_t> vertex = session.window.selection.vertex;
+    const std::size_t next = vertex ? (*vertex + 1) % count : 0;
     const std::size_t previous = vertex && *vertex > 0 ? *vertex - 1 : count - 1;
-    vertex = forwards ? next % count : previous;
+    change(session, [to = forwards ? next : previous](WindowState& window) { window.selection.vertex = to; });
 }
 
 /// s and t of the selected vertex as draggable numbers.
-void vertexNumbers(Session& session, float width) {
+void vertexNumbers(const Session& session, float width) {
     const Selection& selection = session.window.selection;
     const std::size_t vertex = *selection.vertex;
     const Mesh& mesh = selectedMesh(session);
@@ -74,7 +74,7 @@ void vertexNumbers(Session& session, float width) {
     }
 }
 
-void vertexLine(Session& session) {
+void vertexLine(const Session& session) {
     const Model* model = selectedModel(session);
     const std::size_t count = selectedMesh(session).vertices.size();
     const std::optional<std::size_t> vertex = session.window.selection.vertex;
@@ -114,7 +114,7 @@ void vertexLine(Session& session) {
 }
 
 /// "s [Repeat] [Mirror] …": the letter in its colour, and the choices to the right of it.
-void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axis) {
+void wrapLine(const Session& session, const Owner& owner, const ParamRow& row, int axis) {
     constexpr std::array letters{"s", "t", "r"};
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, componentColor(axis));
@@ -127,7 +127,7 @@ void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axi
 }
 
 /// A line with a caption on the left and a colour on the right.
-void captionWithColor(Session& session, const char* words, const Owner& owner, const ParamRow& row) {
+void captionWithColor(const Session& session, const char* words, const Owner& owner, const ParamRow& row) {
     ImGui::AlignTextToFramePadding();
     text(words);
     const std::string_view name = shownName(session.window.settings, row);
@@ -151,7 +151,7 @@ void captionWithColor(Session& session, const char* words, const Owner& owner, c
     paramControl(session, owner, row, ImGui::GetContentRegionAvail().x);
 }
 
-void wrapBlock(Session& session, const Owner& owner) {
+void wrapBlock(const Session& session, const Owner& owner) {
     const StructTable& table = textureTable();
     captionWithColor(session, "Wrap", owner, essentialRow(table, keyOf<&Texture::borderColor>()));
     const std::array rows{&essentialRow(table, keyOf<&Texture::wrapS>()),
@@ -172,7 +172,7 @@ void blockEnds() {
     ImGui::Dummy({0, std::floor(ImGui::GetStyle().ItemSpacing.y * 0.5F)});
 }
 
-void textureBlock(Session& session, const Pictures& pictures) {
+void textureBlock(const Session& session, const Pictures& pictures) {
     const Owner owner = textureOwner(session);
     const StructTable& table = textureTable();
     imageChoice(session, pictures);
@@ -184,7 +184,7 @@ void textureBlock(Session& session, const Pictures& pictures) {
     wrapBlock(session, owner);
 }
 
-void environmentBlock(Session& session) {
+void environmentBlock(const Session& session) {
     const Owner owner = unitOwner(session);
     const StructTable& table = unitTable();
     captionWithColor(session, "Environment", owner, essentialRow(table, keyOf<&Unit::envColor>()));
@@ -193,7 +193,7 @@ void environmentBlock(Session& session) {
     environmentLine(session);
 }
 
-void matrixBlock(Session& session) {
+void matrixBlock(const Session& session) {
     const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     ImGui::AlignTextToFramePadding();
     text("Texture matrix");
@@ -202,14 +202,14 @@ void matrixBlock(Session& session) {
     if (!steps.empty()) {
         ImGui::SameLine();
         if (ImGui::SmallButton(label("Edit")))
-            session.window.wantedSection = Section::Matrix;
+            change(session, [](WindowState& window) { window.wantedSection = Section::Matrix; });
         noteItem("edit matrix");
         helpTip("Shows the steps of the texture matrix");
     }
     motionButtons(session);
 }
 
-void pinnedRows(Session& session) {
+void pinnedRows(const Session& session) {
     if (session.window.settings.pinned.empty())
         return;
     bool captioned = false;
@@ -228,7 +228,7 @@ void pinnedRows(Session& session) {
 
 } // namespace
 
-void essentials(Session& session, const Pictures& pictures) {
+void essentials(const Session& session, const Pictures& pictures) {
     vertexLine(session);
     blockEnds();
     if (boundTexture(session))

@@ -6,6 +6,6 @@
 namespace texplorer::ui {
 
 /// Draws the most important parameters, one click each, and below them the rows that the user has pinned.
-void essentials(Session& session, const Pictures& pictures);
+void essentials(const Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

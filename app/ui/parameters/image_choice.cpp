@@ -32,7 +32,7 @@ struct Choice {
     std::vector<Edit> edits;
 };
 
-void drawChoice(Session& session, const Pictures& pictures, const Choice& choice, float extent) {
+void drawChoice(const Session& session, const Pictures& pictures, const Choice& choice, float extent) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + extent, low.y + extent);
     ImGui::PushID(choice.name.c_str());
@@ -66,7 +66,7 @@ Edit sourceIs(const std::string& texture, SourceKind source) {
 }
 
 /// An available file, whether it is shown at present or not.
-std::optional<Choice> fileChoice(Session& session, const std::string& path) {
+std::optional<Choice> fileChoice(const Session& session, const std::string& path) {
     Texture texture = *boundTexture(session);
     if (texture.file.empty() || !session.document.images.holds(texture.file))
         return std::nullopt;
@@ -83,7 +83,7 @@ std::optional<Choice> fileChoice(Session& session, const std::string& path) {
 
 } // namespace
 
-void imageChoice(Session& session, const Pictures& pictures) {
+void imageChoice(const Session& session, const Pictures& pictures) {
     const Texture& texture = *boundTexture(session);
     const std::string path =
         elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture));
@@ -101,7 +101,7 @@ void imageChoice(Session& session, const Pictures& pictures) {
     helpTip(shownNameOfImage(texture));
     ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
     if (ImGui::Button(label(open)))
-        askOpenImage(session);
+        act(session, [](Session& s) { askOpenImage(s); });
     noteItem("open image");
     helpTip("Opens an image file for this texture. Or drop one onto the window (Ctrl+I)");
 

@@ -7,6 +7,6 @@ namespace texplorer::ui {
 
 /// The built-in patterns as small pictures, next to them the texture's previous image file, and a button that
 /// opens one. For the bound texture, which must exist.
-void imageChoice(Session& session, const Pictures& pictures);
+void imageChoice(const Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -31,7 +31,7 @@ std::string matrixPath(const Session& session) {
     return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
 }
 
-void addStep(Session& session, const EnumRow& op) {
+void addStep(const Session& session, const EnumRow& op) {
     const std::string list = matrixPath(session);
     const std::size_t count = selectedUnit(session).matrix.size();
     const std::string step = fmt::format("{}[{}].", list, count);
@@ -44,7 +44,7 @@ void addStep(Session& session, const EnumRow& op) {
     submit(session, {.name = "Add matrix step", .edits = std::move(edits), .path = list});
 }
 
-void offerMotion(Session& session, const Motion& motion) {
+void offerMotion(const Session& session, const Motion& motion) {
     noteItem(fmt::format("motion:{}", motion.preset));
     const Preset* preset = findPreset(motion.preset);
     if (!preset)
@@ -54,14 +54,14 @@ void offerMotion(Session& session, const Motion& motion) {
         previewPreset(session, *preset);
 }
 
-void applyMotion(Session& session, const Motion& motion) {
+void applyMotion(const Session& session, const Motion& motion) {
     if (const Preset* preset = findPreset(motion.preset))
         choosePreset(session, *preset, matrixPath(session));
 }
 
 } // namespace
 
-void addStepButtons(Session& session, int perLine) {
+void addStepButtons(const Session& session, int perLine) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const auto widthFor = [gap](int count) {
         return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * gap) /
@@ -88,7 +88,7 @@ void addStepButtons(Session& session, int perLine) {
     ImGui::EndDisabled();
 }
 
-void motionButtons(Session& session) {
+void motionButtons(const Session& session) {
     std::vector<Segment> buttons;
     for (const Motion& motion : motions)
         buttons.push_back({motion.label});
@@ -116,7 +116,7 @@ void motionButtons(Session& session) {
     ImGui::PopID();
 }
 
-void matrixSection(Session& session) {
+void matrixSection(const Session& session) {
     const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     static const MatrixStep initial;
     if (steps.empty())

@@ -49,7 +49,7 @@ std::vector<Edit> addedModel(const Session& session) {
 }
 
 /// A mesh is shown as a summary: the Vertices tab edits it.
-void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
+void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) {
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
     const std::size_t vertices = mesh.positions.size();
     const std::size_t indices = mesh.indices.size();
@@ -66,7 +66,7 @@ void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
     helpTip("The Vertices tab edits them one by one. Texture space moves their coordinates.");
 }
 
-void editModels(Session& session, std::size_t count) {
+void editModels(const Session& session, std::size_t count) {
     constexpr ListWords words{"model", "Add a copy of this model after it", "Draw this model earlier",
                               "Draw this model later", "Remove this model"};
     const auto chosen = static_cast<std::size_t>(session.window.selection.model);
@@ -83,7 +83,7 @@ void editModels(Session& session, std::size_t count) {
 
 } // namespace
 
-void modelSection(Session& session) {
+void modelSection(const Session& session) {
     const std::size_t count = presentScene(session).models.size();
     ImGui::AlignTextToFramePadding();
     if (count == 0)

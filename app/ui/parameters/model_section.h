@@ -5,6 +5,6 @@
 namespace texplorer::ui {
 
 /// The selected model: the choice, number and order of models, and its rows of the tables.
-void modelSection(Session& session);
+void modelSection(const Session& session);
 
 } // namespace texplorer::ui

@@ -11,7 +11,7 @@
 
 namespace texplorer::ui {
 
-void searchResults(Session& session, std::string_view words) {
+void searchResults(const Session& session, std::string_view words) {
     std::size_t found = 0;
     for (const int wanted : {2, 1}) {
         for (const ShownStruct& place : shownStructs(session)) {

@@ -8,6 +8,6 @@ namespace texplorer::ui {
 
 /// Draws every parameter that matches the search, with its tab and its control: first those with a matching
 /// name.
-void searchResults(Session& session, std::string_view words);
+void searchResults(const Session& session, std::string_view words);
 
 } // namespace texplorer::ui

@@ -71,7 +71,7 @@ void drawMarks(const std::vector<Mark>& marks) {
 }
 
 /// The title of a section, which closes and opens it. A section without effect is initially closed and dim.
-bool section(Session& session, Section which, const std::vector<Mark>& marks = {},
+bool section(const Session& session, Section which, const std::vector<Mark>& marks = {},
              const char* idle = nullptr) {
     const SectionRow& row = rowOf(which);
     const bool named = session.window.wantedSection == which;
@@ -115,7 +115,7 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
     return {{countOf(steps, "step"), color::changed}};
 }
 
-void unitTab(Session& session) {
+void unitTab(const Session& session) {
     if (section(session, Section::Unit))
         unitSection(session);
     const EnvMode mode = selectedUnit(session).envMode;
@@ -126,14 +126,14 @@ void unitTab(Session& session) {
         combineSection(session);
 }
 
-void coordinatesTab(Session& session) {
+void coordinatesTab(const Session& session) {
     if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
         matrixSection(session);
     if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
         coordinatesSection(session);
 }
 
-void lightTab(Session& session) {
+void lightTab(const Session& session) {
     static const Light initial;
     const Light& light = presentScene(session).light;
     if (section(session, Section::Light)) {
@@ -146,7 +146,7 @@ void lightTab(Session& session) {
         paramRows(session, materialOwner(session), materialTable());
 }
 
-void viewTab(Session& session) {
+void viewTab(const Session& session) {
     static const View start = defaultScene().view;
     if (section(session, Section::Model))
         modelSection(session);
@@ -154,7 +154,7 @@ void viewTab(Session& session) {
         paramRows(session, {&presentScene(session).view, &start, keyOf<&Scene::view>()}, viewTable());
 }
 
-void drawTab(Session& session, ParameterTab tab, const Pictures& pictures) {
+void drawTab(const Session& session, ParameterTab tab, const Pictures& pictures) {
     switch (tab) {
     case ParameterTab::Essentials:
         return essentials(session, pictures);
@@ -174,13 +174,15 @@ void drawTab(Session& session, ParameterTab tab, const Pictures& pictures) {
 }
 
 /// The search field, and the switch to OpenGL's names.
-void searchLine(Session& session, ParametersState& state) {
+void searchLine(const Session& session, ParametersState& state) {
     constexpr const char* names = "GL";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float button = ImGui::CalcTextSize(names).x + 2 * ImGui::GetStyle().FramePadding.x;
     const float clear = state.search.empty() ? 0 : ImGui::GetFrameHeight() + gap;
-    if (std::exchange(session.window.wantsSearch, false))
+    if (session.window.wantsSearch) {
         focusNextWidget();
+        change(session, [](WindowState& window) { window.wantsSearch = false; });
+    }
     const float width = ImGui::GetContentRegionAvail().x - button - gap - clear;
     constexpr std::array hints{"Search parameters (Ctrl+F)", "Search (Ctrl+F)", "Search"};
     const auto* hint =
@@ -198,11 +200,11 @@ void searchLine(Session& session, ParametersState& state) {
             state.search.clear();
         ImGui::SameLine(0, gap);
     }
-    bool& glNames = session.window.settings.glNames;
+    const bool glNames = session.window.settings.glNames;
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetColorU32(glNames ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     if (ImGui::Button(names))
-        glNames = !glNames;
+        change(session, [](WindowState& window) { window.settings.glNames = !window.settings.glNames; });
     ImGui::PopStyleColor();
     noteItem("GL names");
     helpTip(glNames ? "Shows plain words again"
@@ -269,7 +271,7 @@ void bringForth(ParametersState& state, Section wanted) {
 
 } // namespace
 
-void drawParametersPanel(Session& session, ParametersState& state, const Pictures& pictures,
+void drawParametersPanel(const Session& session, ParametersState& state, const Pictures& pictures,
                          const Layout& layout) {
     beginPanel("Parameters", layout.parameters,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -277,12 +279,12 @@ void drawParametersPanel(Session& session, ParametersState& state, const Picture
     searchLine(session, state);
     passChoice(session);
     unitBar(session, pictures);
-    WindowState& window = session.window;
-    const std::optional<Section> asked = window.wantedSection;
-    if (window.wantedSection)
-        bringForth(state, *window.wantedSection);
-    else if (!window.wantedParam.empty() && !isEssentialsShown(state)) // which may have it
-        bringForth(state, sectionOf(window.wantedParam));
+    const WindowState& shown = session.window;
+    if (shown.wantedSection)
+        bringForth(state, *shown.wantedSection);
+    else if (!shown.wantedParam.empty() &&
+             (!isEssentialsShown(state) || state.notEssential == shown.wantedParam))
+        bringForth(state, sectionOf(shown.wantedParam));
     tabBar(state);
     ImGui::Dummy({0, 0});
 
@@ -307,12 +309,18 @@ void drawParametersPanel(Session& session, ParametersState& state, const Picture
     ImGui::EndChild();
     if (tight)
         ImGui::PopStyleVar(2);
-    if (window.wantedSection == asked) // else a button asked for another one
-        window.wantedSection.reset();
-    if (essential && !window.wantedParam.empty())
-        bringForth(state, sectionOf(window.wantedParam)); // it is visible in the next frame
-    else
-        window.wantedParam.clear(); // a parameter without its own control is not waited for
+    if (shown.wantedSection)
+        change(session, [done = shown.wantedSection](WindowState& window) {
+            if (window.wantedSection == done)
+                window.wantedSection.reset();
+        });
+    state.notEssential =
+        essential ? shown.wantedParam : std::string(); // if it is still wanted in the next frame
+    if (!essential && !shown.wantedParam.empty()) // a parameter without its own control is not waited for
+        change(session, [done = shown.wantedParam](WindowState& window) {
+            if (window.wantedParam == done)
+                window.wantedParam.clear();
+        });
     ImGui::End();
 }
 

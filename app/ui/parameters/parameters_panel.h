@@ -10,10 +10,11 @@ namespace texplorer::ui {
 /// The state of the panel.
 struct ParametersState {
     ParameterTab tab = ParameterTab::Essentials; ///< in front
-    std::string search; ///< the search text; its results are shown instead of the tab
+    std::string search;         ///< the search text; its results are shown instead of the tab
+    std::string notEssential{}; ///< the wanted parameter that Essentials did not have in the last frame
 };
 
-void drawParametersPanel(Session& session, ParametersState& state, const Pictures& pictures,
+void drawParametersPanel(const Session& session, ParametersState& state, const Pictures& pictures,
                          const Layout& layout);
 
 } // namespace texplorer::ui

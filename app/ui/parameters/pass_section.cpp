@@ -22,7 +22,7 @@ namespace {
 
 /// Adds a copy after the selected pass, because most passes differ from the previous one in a few
 /// parameters; moves or removes the selected pass.
-void editPasses(Session& session) {
+void editPasses(const Session& session) {
     constexpr ListWords words{"pass", "Add a copy of this pass after it", "Draw this pass earlier",
                               "Draw this pass later", "Remove this pass"};
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
@@ -42,7 +42,7 @@ void editPasses(Session& session) {
                      .edits = std::move(edits)});
 }
 
-void setModels(Session& session, const std::vector<int>& models) {
+void setModels(const Session& session, const std::vector<int>& models) {
     const auto pass = static_cast<std::size_t>(session.window.selection.pass);
     const std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::models>());
     submit(session, {.name = "Models of the pass",
@@ -81,7 +81,7 @@ bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const st
 }
 
 /// All models, or the ticked ones.
-void modelsOfPass(Session& session) {
+void modelsOfPass(const Session& session) {
     const std::vector<Model>& models = presentScene(session).models;
     const std::vector<int>& named = selectedPass(session).models;
     std::vector<int> order = named; // followed by those that it leaves out
@@ -109,7 +109,7 @@ void modelsOfPass(Session& session) {
 
 } // namespace
 
-void passChoice(Session& session) {
+void passChoice(const Session& session) {
     const std::vector<Pass>& passes = presentScene(session).passes;
     if (passes.size() < 2)
         return;
@@ -120,13 +120,16 @@ void passChoice(Session& session) {
         choices.push_back(
             {pass.enabled, pass.name.empty() ? state : fmt::format("{}\n{}", pass.name, state)});
     }
-    numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass);
-    ImGui::Checkbox(label("Step: only up to this pass"), &session.window.view.stepsThroughPasses);
+    if (const auto pressed = numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass))
+        change(session, [pass = *pressed](WindowState& window) { window.selection.pass = pass; });
+    bool steps = session.window.view.stepsThroughPasses;
+    if (ImGui::Checkbox(label("Step: only up to this pass"), &steps))
+        change(session, [steps](WindowState& window) { window.view.stepsThroughPasses = steps; });
     noteItem("step through passes");
     helpTip("Hides the passes after the selected one. Select 0, 1, 2 … to see them added one by one");
 }
 
-void passSection(Session& session) {
+void passSection(const Session& session) {
     static const Pass initial;
     ImGui::AlignTextToFramePadding();
     dimText(fmt::format("Pass {}", session.window.selection.pass));

@@ -6,9 +6,9 @@ namespace texplorer::ui {
 
 /// Buttons to select the pass whose units and state are shown; a dot marks those that are drawn. Does nothing
 /// if there is one pass.
-void passChoice(Session& session);
+void passChoice(const Session& session);
 
 /// The passes: add, remove, reorder; and the state of the selected one.
-void passSection(Session& session);
+void passSection(const Session& session);
 
 } // namespace texplorer::ui

@@ -28,7 +28,7 @@ private:
     std::vector<ShownStruct> places_;
 };
 
-void addUnitPlaces(Places& places, Session& session) {
+void addUnitPlaces(Places& places, const Session& session) {
     static const Unit initial;
     static const MatrixStep initialStep;
     const Unit& unit = selectedUnit(session);
@@ -51,7 +51,7 @@ void addUnitPlaces(Places& places, Session& session) {
                    path + elementOf<&Unit::matrix>(i), matrixStepTable());
 }
 
-void addModelPlaces(Places& places, Session& session) {
+void addModelPlaces(Places& places, const Session& session) {
     static const Model initial;
     const Model* model = selectedModel(session);
     if (!model)
@@ -66,7 +66,7 @@ void addModelPlaces(Places& places, Session& session) {
 
 } // namespace
 
-Owner textureOwner(Session& session) {
+Owner textureOwner(const Session& session) {
     static const Texture initial;
     const Texture* texture = boundTexture(session);
     const std::string path =
@@ -76,7 +76,7 @@ Owner textureOwner(Session& session) {
             }};
 }
 
-Owner unitOwner(Session& session) {
+Owner unitOwner(const Session& session) {
     static const Unit initial;
     const auto accepts = [&session](const ParamRow& row, const Value& value) {
         if (row.member != memberId<&Unit::enabled>)
@@ -87,12 +87,12 @@ Owner unitOwner(Session& session) {
     return {&selectedUnit(session), &initial, selectedUnitPath(session), accepts};
 }
 
-Owner materialOwner(Session& session) {
+Owner materialOwner(const Session& session) {
     static const Material initial;
     return {&presentScene(session).material, &initial, keyOf<&Scene::material>()};
 }
 
-std::vector<ShownStruct> shownStructs(Session& session) {
+std::vector<ShownStruct> shownStructs(const Session& session) {
     static const Scene initial;
     static const Pass initialPass;
     static const View start = defaultScene().view;

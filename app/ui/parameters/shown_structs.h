@@ -17,11 +17,11 @@ struct ShownStruct {
 };
 
 /// All structs of the selection, in the order of the tabs. Valid until the next edit of a list in the scene.
-[[nodiscard]] std::vector<ShownStruct> shownStructs(Session& session);
+[[nodiscard]] std::vector<ShownStruct> shownStructs(const Session& session);
 
 /// The structs that panels edit by their rows.
-[[nodiscard]] Owner textureOwner(Session& session); ///< of the bound one, which there must be
-[[nodiscard]] Owner unitOwner(Session& session);
-[[nodiscard]] Owner materialOwner(Session& session);
+[[nodiscard]] Owner textureOwner(const Session& session); ///< of the bound one, which there must be
+[[nodiscard]] Owner unitOwner(const Session& session);
+[[nodiscard]] Owner materialOwner(const Session& session);
 
 } // namespace texplorer::ui

@@ -82,7 +82,7 @@ constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
                                "Remove level"};
 
 /// The buttons of one element.
-void editElement(Session& session, std::size_t index, std::size_t count, const std::string& path,
+void editElement(const Session& session, std::size_t index, std::size_t count, const std::string& path,
                  const ListTexts& texts) {
     if (const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, count))
         submit(session, {.name = pressed == ListEdit::Remove ? texts.remove : texts.reorder,
@@ -91,7 +91,7 @@ void editElement(Session& session, std::size_t index, std::size_t count, const s
 
 /// The parameters of one element, next to its picture.
 template<class Element>
-void elementRows(Session& session, const Element& element, const std::string& path,
+void elementRows(const Session& session, const Element& element, const std::string& path,
                  const StructTable& table) {
     static const Element initial;
     const Owner owner{&element, &initial, path, [&](const ParamRow& row, const Value& value) {
@@ -150,7 +150,7 @@ std::size_t levelsWanted(const LevelPlan& plan) {
 }
 
 /// Adds levels with the pattern of the smallest one until there are `count`.
-void addLevels(Session& session, std::size_t index, std::size_t count) {
+void addLevels(const Session& session, std::size_t index, std::size_t count) {
     const Texture& texture = presentScene(session).textures[index];
     const Pattern pattern = texture.levels.empty() ? texture.pattern : texture.levels.back().pattern;
     const std::string list =
@@ -173,7 +173,7 @@ void idleNote(const Session& session, const std::string& path) {
 
 } // namespace
 
-void preparationList(Session& session, std::size_t texture, const LevelsSummary* summary,
+void preparationList(const Session& session, std::size_t texture, const LevelsSummary* summary,
                      const Pictures& pictures) {
     const std::vector<ImageStep>& steps = presentScene(session).textures[texture].preparation;
     const std::string owner = elementOf<&Scene::textures>(texture) + ".";
@@ -218,7 +218,8 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
     helpTip("An operation on the image and all its levels before they are uploaded");
 }
 
-void levelList(Session& session, std::size_t index, const LevelsSummary* summary, const Pictures& pictures) {
+void levelList(const Session& session, std::size_t index, const LevelsSummary* summary,
+               const Pictures& pictures) {
     const Texture& texture = presentScene(session).textures[index];
     const bool given = texture.mipmaps == MipPolicy::Given;
     if (!given && texture.levels.empty())
@@ -264,15 +265,15 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
     helpTip("Adds all levels that a complete texture needs");
 }
 
-bool acceptsFile(Session& session, const std::string& owner, const std::string& file, const ParamRow& row,
-                 const Value& value) {
+bool acceptsFile(const Session& session, const std::string& owner, const std::string& file,
+                 const ParamRow& row, const Value& value) {
     const std::string param =
         fmt::format("{}.{}", owner, keyOf<&Texture::file>()); // all elements have these keys
     const bool choosesFile =
         row.key == keyOf<&Texture::source>() &&
         std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File);
     if (choosesFile && file.empty()) {
-        askOpenImage(session, param); // it has no file yet
+        act(session, [param](Session& s) { askOpenImage(s, param); }); // it has no file yet
         return false;
     }
     if (row.key != keyOf<&Texture::file>() && !choosesFile)
@@ -281,7 +282,7 @@ bool acceptsFile(Session& session, const std::string& owner, const std::string& 
     if (wanted.empty() || session.document.images.holds(wanted))
         return !wanted.empty();
     // The path is set when the file turns out to be an image, which may take a while.
-    setFile(session, param, wanted);
+    act(session, [param, wanted](Session& s) { setFile(s, param, wanted); });
     return false;
 }
 

@@ -23,14 +23,14 @@ std::string textureName(const Session& session, int index) {
                        shownNameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)]));
 }
 
-void removeTexture(Session& session, int index) {
+void removeTexture(const Session& session, int index) {
     submit(session, {.name = "Remove texture",
                      .edits = {edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(index)}}});
 }
 
 /// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited
 /// below.
-void textureChoice(Session& session) {
+void textureChoice(const Session& session) {
     const Unit& unit = selectedUnit(session);
     const ParamRow* row = findParam(unitTable(), keyOf<&Unit::texture>());
     const bool bound = boundTexture(session) != nullptr;
@@ -61,15 +61,16 @@ void textureChoice(Session& session) {
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
                      presentScene(session).textures.size() < maxTextures))
-        submit(session, {.name = "Add texture", .edits = addedTexture(session, Pattern::UvTemplate)});
+        submit(session, {.name = "Add texture",
+                         .edits = addedTexture(session, session.window.selection.unit, Pattern::UvTemplate)});
     ImGui::SameLine(0, gap);
     if (squareButton("−", "remove texture", "Remove this texture", bound))
         removeTexture(session, unit.texture);
 }
 
 /// The parts below the rows of a group.
-void listsAfter(std::string_view group, Session& session, std::size_t texture, const LevelsSummary* summary,
-                const Pictures& pictures) {
+void listsAfter(std::string_view group, const Session& session, std::size_t texture,
+                const LevelsSummary* summary, const Pictures& pictures) {
     if (group == findParam(textureTable(), keyOf<&Texture::file>())->group)
         preparationList(session, texture, summary, pictures);
     if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group)
@@ -78,7 +79,7 @@ void listsAfter(std::string_view group, Session& session, std::size_t texture, c
 
 } // namespace
 
-void textureSection(Session& session, const Pictures& pictures) {
+void textureSection(const Session& session, const Pictures& pictures) {
     textureChoice(session);
     const Texture* texture = boundTexture(session);
     if (!texture) {

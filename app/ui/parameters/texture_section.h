@@ -6,6 +6,6 @@
 namespace texplorer::ui {
 
 /// The texture bound to the selected unit.
-void textureSection(Session& session, const Pictures& pictures);
+void textureSection(const Session& session, const Pictures& pictures);
 
 } // namespace texplorer::ui

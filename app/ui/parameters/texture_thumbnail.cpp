@@ -8,12 +8,13 @@
 
 namespace texplorer::ui {
 
-std::shared_ptr<const LevelsSummary> summaryOf(Session& session, const Texture& texture, Target target) {
+std::shared_ptr<const LevelsSummary> summaryOf(const Session& session, const Texture& texture,
+                                               Target target) {
     return session.services.levels.summary(
         {session.document.images.picturesOf(texture), imageSettings(texture), target});
 }
 
-std::shared_ptr<const Image> thumbnailOf(Session& session, const Texture& texture, Target target) {
+std::shared_ptr<const Image> thumbnailOf(const Session& session, const Texture& texture, Target target) {
     const std::shared_ptr<const LevelsSummary> summary = summaryOf(session, texture, target);
     return summary && !summary->levels.empty() ? summary->levels.front().second : nullptr;
 }

@@ -9,11 +9,11 @@ namespace texplorer::ui {
 
 /// A summary of a texture's levels, with small pictures of its image; made in the background if that takes
 /// long. nullptr: not ready.
-[[nodiscard]] std::shared_ptr<const LevelsSummary> summaryOf(Session& session, const Texture& texture,
+[[nodiscard]] std::shared_ptr<const LevelsSummary> summaryOf(const Session& session, const Texture& texture,
                                                              Target target);
 
 /// The largest level, small and upright; nullptr: not ready, or there is none.
-[[nodiscard]] std::shared_ptr<const Image> thumbnailOf(Session& session, const Texture& texture,
+[[nodiscard]] std::shared_ptr<const Image> thumbnailOf(const Session& session, const Texture& texture,
                                                        Target target);
 
 /// The name of the image in lists: "Brick wall", "earth.jpg".

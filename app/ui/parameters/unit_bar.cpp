@@ -33,7 +33,7 @@ Pattern freshPattern(const Scene& scene) {
 }
 
 /// Copies the settings to a texture for this unit alone.
-void ownTexture(Session& session) {
+void ownTexture(const Session& session) {
     const std::size_t added = presentScene(session).textures.size();
     const auto copied = static_cast<std::size_t>(selectedUnit(session).texture);
     submit(session,
@@ -43,7 +43,7 @@ void ownTexture(Session& session) {
                                 std::to_string(added)}}});
 }
 
-void drawThumbnail(Session& session, const Pictures& pictures, const Unit& unit, int number, ImVec2 low,
+void drawThumbnail(const Session& session, const Pictures& pictures, const Unit& unit, int number, ImVec2 low,
                    float extent) {
     const ImVec2 high(low.x + extent, low.y + extent);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -81,7 +81,7 @@ std::string unitTip(const Session& session, int number) {
                         : fmt::format("Texture unit {} is off; it has texture {}.", number, unit.texture);
 }
 
-void drawUnit(Session& session, const Pictures& pictures, int number, float width, float height) {
+void drawUnit(const Session& session, const Pictures& pictures, int number, float width, float height) {
     const Unit& unit = selectedPass(session).units[static_cast<std::size_t>(number)];
     const bool isChosen = session.window.selection.unit == number;
     const float em = ImGui::GetFontSize();
@@ -94,7 +94,7 @@ void drawUnit(Session& session, const Pictures& pictures, int number, float widt
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     if (overlappedItem([&] { return ImGui::Button("##unit", {width, height}); })) // by the switch
-        session.window.selection.unit = number;
+        change(session, [number](WindowState& window) { window.selection.unit = number; });
     ImGui::PopStyleColor();
     noteItem(fmt::format("unit:{}", number));
     helpTip(unitTip(session, number));
@@ -126,7 +126,7 @@ void drawUnit(Session& session, const Pictures& pictures, int number, float widt
 }
 
 /// What an edit of the texture affects, with a button to give the unit its own.
-void reachLine(Session& session) {
+void reachLine(const Session& session) {
     const std::string sharers = sharersText(session, session.window.selection.unit);
     const Unit& unit = selectedUnit(session);
     if (sharers.empty() || unit == Unit{}) // a unit that was never enabled gets its own
@@ -151,32 +151,39 @@ void reachLine(Session& session) {
 
 } // namespace
 
-void switchUnit(Session& session, int unit, bool on) {
+void switchUnit(const Session& session, int unit, bool on) {
     const Scene& scene = presentScene(session);
     const Unit& switched = selectedPass(session).units[static_cast<std::size_t>(unit)];
     const bool neverOn = switched == Unit{} && !sharersText(session, unit).empty();
     const bool wantsTexture = on && (neverOn || !textureOf(scene, switched));
     const std::size_t added = scene.textures.size();
     if (wantsTexture && added >= maxTextures && !textureOf(scene, switched))
-        return say(session, "The scene can have no more textures, and a unit needs one.");
-    session.window.selection.unit = unit;
+        return act(session, [](Session& told) {
+            say(told, "The scene can have no more textures, and a unit needs one.");
+        });
+    Selection selection = session.window.selection;
+    selection.unit = unit;
     std::vector<Edit> edits;
     if (wantsTexture && added < maxTextures)
-        edits = addedTexture(session, freshPattern(scene));
-    const std::string path = fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::enabled>());
+        edits = addedTexture(session, unit, freshPattern(scene));
+    const std::string path = fmt::format("{}.{}", unitPath(selection), keyOf<&Unit::enabled>());
     edits.emplace_back(edit::Set{path, on ? "true" : "false"});
-    submit(session,
-           {.name = on ? "Switch unit on" : "Switch unit off", .edits = std::move(edits), .path = path});
+    submit(session, {.name = on ? "Switch unit on" : "Switch unit off",
+                     .edits = std::move(edits),
+                     .path = path,
+                     .select = std::move(selection)});
 }
 
-std::vector<Edit> addedTexture(const Session& session, Pattern pattern) {
+std::vector<Edit> addedTexture(const Session& session, int unit, Pattern pattern) {
+    Selection selection = session.window.selection;
+    selection.unit = unit;
     const std::size_t added = presentScene(session).textures.size();
     const std::string texture = elementOf<&Scene::textures>(added) + ".";
-    return {edit::Insert{keyOf<&Scene::textures>(), added},
-            edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(pattern).name)},
-            edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
-            edit::Set{fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()),
-                      std::to_string(added)}};
+    return {
+        edit::Insert{keyOf<&Scene::textures>(), added},
+        edit::Set{texture + keyOf<&Texture::pattern>(), std::string(rowOf(pattern).name)},
+        edit::Set{texture + keyOf<&Texture::mipmaps>(), std::string(rowOf(MipPolicy::Generated).name)},
+        edit::Set{fmt::format("{}.{}", unitPath(selection), keyOf<&Unit::texture>()), std::to_string(added)}};
 }
 
 std::string sharersText(const Session& session, int unit) {
@@ -197,7 +204,7 @@ std::string sharersText(const Session& session, int unit) {
     return textureOf(scene, scene.passes[selected].units[asked]) ? names : "";
 }
 
-void unitBar(Session& session, const Pictures& pictures) {
+void unitBar(const Session& session, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const float gap = std::floor(em * 0.25F);
     const float height = std::floor(em * 2);

@@ -6,7 +6,7 @@
 
 namespace texplorer::ui {
 
-void unitSection(Session& session) {
+void unitSection(const Session& session) {
     const std::string_view environment = findParam(unitTable(), keyOf<&Unit::envMode>())->group;
     RowOptions options;
     // The texture is chosen by its name, in the place where it is edited.

@@ -4,6 +4,6 @@
 
 namespace texplorer::ui {
 
-void unitSection(Session& session); ///< the selected unit and its environment
+void unitSection(const Session& session); ///< the selected unit and its environment
 
 } // namespace texplorer::ui

@@ -27,7 +27,7 @@ LateFlip flipOfBound(const Session& session, const Unit& unit) {
 
 } // namespace
 
-void PlaneCoords::follow(Session& session) {
+void PlaneCoords::follow(const Session& session) {
     const double time = session.window.playback.time;
     const Scene& scene = presentScene(session);
     const Unit& unit = selectedUnit(session);
@@ -37,7 +37,7 @@ void PlaneCoords::follow(Session& session) {
         return;
     }
     const Mesh& mesh = selectedMesh(session);
-    Key key{session.window.mesh, effectiveTexCoords(*model, mesh, session.window.selection.unit), unit,
+    Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.window.selection.unit), unit,
             flipOfBound(session, unit)};
     key.matrix = reference::coordinateMatrix(unit, key.flip, time, scene.light);
     if (generatesAny(unit) || unit.emboss.enabled)

@@ -19,7 +19,7 @@ class PlaneCoords {
 public:
     /// Call in every frame, and after an edit. Without a model there are none, nor for a cube map, whose
     /// directions have no position in a plane.
-    void follow(Session& session);
+    void follow(const Session& session);
 
     [[nodiscard]] const TexCoords& given() const { return key_.given; }
     [[nodiscard]] const std::vector<glm::vec2>& givenPlaces() const { return givenPlaces_; }

@@ -83,13 +83,13 @@ TexelCounts texelsOf(const Session& session, const TextureSpaceState& state) {
     return {std::max(widthOf(base), 1), std::max(heightOf(base), 1)};
 }
 
-void followWithMove(Session& session, TextureSpaceState& state, const Canvas& canvas) {
+void followWithMove(const Session& session, TextureSpaceState& state, const Canvas& canvas) {
     followMouse(session, state.coords, *state.move, canvas.toCoord(ImGui::GetIO().MousePos),
                 snappingNow(state), texelsOf(session, state),
                 ImGui::GetFontSize() * 0.6F / canvas.pixelsPerUnit);
 }
 
-void finishMove(Session& session, TextureSpaceState& state, bool keep) {
+void finishMove(const Session& session, TextureSpaceState& state, bool keep) {
     endMove(session, *state.move, keep);
     state.move.reset();
 }
@@ -111,8 +111,8 @@ std::optional<int> axisKey() {
 }
 
 /// Returns true if a click ended the move.
-bool continueKeyedMove(Session& session, TextureSpaceState& state, const Canvas& canvas) {
-    session.window.keyTaken = true;
+bool continueKeyedMove(const Session& session, TextureSpaceState& state, const Canvas& canvas) {
+    session.out.keyTaken = true;
     const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     const bool cancelled = isPressed(key::escape) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     if (const std::optional<int> axis = axisKey())
@@ -129,7 +129,7 @@ bool continueKeyedMove(Session& session, TextureSpaceState& state, const Canvas&
     return clicked;
 }
 
-void beginKeyedMove(Session& session, TextureSpaceState& state, const Canvas& canvas, MoveKind kind) {
+void beginKeyedMove(const Session& session, TextureSpaceState& state, const Canvas& canvas, MoveKind kind) {
     const std::optional<std::size_t>& vertex = session.window.selection.vertex;
     if (!vertex || *vertex >= state.coords.given().size())
         return;
@@ -137,8 +137,8 @@ void beginKeyedMove(Session& session, TextureSpaceState& state, const Canvas& ca
     const bool results = state.coords.differ() &&
                          state.coords.givenFor(*vertex, state.coords.resultingPlaces()[*vertex]).has_value();
     sealEdit(session);
-    state.move =
-        beginMove(session, state.coords, kind, results, *vertex, canvas.toCoord(ImGui::GetIO().MousePos));
+    state.move = beginMove(session.window.selection, state.coords, kind, results, *vertex,
+                           canvas.toCoord(ImGui::GetIO().MousePos));
     if (state.move)
         state.move->byKey = true;
 }
@@ -157,17 +157,22 @@ struct ArrowKey {
 constexpr std::array arrowKeys{ArrowKey{key::left, {-1, 0}}, ArrowKey{key::right, {1, 0}},
                                ArrowKey{key::down, {0, -1}}, ArrowKey{key::up, {0, 1}}};
 
-void chooseAllOrNone(Session& session, const TextureSpaceState& state) {
-    Selection& selection = session.window.selection;
-    const std::size_t count = state.coords.given().size();
-    std::vector<std::size_t> all(chosenVertices(selection).size() == count ? 0 : count);
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    chooseVertices(selection, std::move(all));
+void choose(const Session& session, std::vector<std::size_t> vertices) {
+    change(session, [vertices = std::move(vertices)](WindowState& window) {
+        chooseVertices(window.selection, vertices);
+    });
 }
 
-void handleShortKeys(Session& session, TextureSpaceState& state, const Canvas& canvas) {
+void chooseAllOrNone(const Session& session, const TextureSpaceState& state) {
+    const std::size_t count = state.coords.given().size();
+    std::vector<std::size_t> all(chosenVertices(session.window.selection).size() == count ? 0 : count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    choose(session, std::move(all));
+}
+
+void handleShortKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas) {
     const ImGuiIO& io = ImGui::GetIO();
-    bool& taken = session.window.keyTaken;
+    bool& taken = session.out.keyTaken;
     if (io.KeyCtrl) {
         if (!io.KeyShift && isPressed('C')) {
             copyCoords(session, state.coords);
@@ -180,7 +185,7 @@ void handleShortKeys(Session& session, TextureSpaceState& state, const Canvas& c
         return;
     }
     if (isPressed('F')) {
-        fitPlane(session.window.plane, state.coords);
+        fitPlane(session, state.coords);
         taken = true;
     }
     if (isPressed('A') && !state.coords.given().empty()) {
@@ -209,9 +214,9 @@ void handleShortKeys(Session& session, TextureSpaceState& state, const Canvas& c
               way * (io.KeyShift ? glm::vec2(0.25F) : 1.0F / texelsOf(session, state)));
 }
 
-void pressOn(Session& session, TextureSpaceState& state, const Canvas& canvas, const PlaneMouse& mouse) {
+void pressOn(const Session& session, TextureSpaceState& state, const Canvas& canvas,
+             const PlaneMouse& mouse) {
     const ImGuiIO& io = ImGui::GetIO();
-    Selection& selection = session.window.selection;
     state.drag = PlaneDrag::Pan;
     state.pressed.reset();
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || state.coords.given().empty() || mouse.onPatch)
@@ -224,23 +229,28 @@ void pressOn(Session& session, TextureSpaceState& state, const Canvas& canvas, c
         return;
     }
     const std::size_t vertex = mouse.grip->vertex;
-    if (io.KeyShift) {
-        toggleVertex(selection, vertex);
-    } else if (isChosen(selection, vertex)) {
+    const auto press = [vertex, toggles = io.KeyShift](Selection& pressed) {
+        if (toggles)
+            toggleVertex(pressed, vertex);
+        else if (isChosen(pressed, vertex))
+            pressed.vertex = vertex;
+        else
+            chooseVertices(pressed, {vertex});
+    };
+    Selection selection = session.window.selection;
+    if (!io.KeyShift && isChosen(selection, vertex))
         state.pressed = vertex;
-        selection.vertex = vertex;
-    } else {
-        chooseVertices(selection, {vertex});
-    }
+    press(selection);
+    change(session, [press](WindowState& window) { press(window.selection); });
     state.drag = PlaneDrag::Vertices;
     if (!isChosen(selection, vertex))
         return;
     sealEdit(session);
-    state.move = beginMove(session, state.coords, MoveKind::Move, mouse.grip->result, vertex,
+    state.move = beginMove(selection, state.coords, MoveKind::Move, mouse.grip->result, vertex,
                            canvas.toCoord(io.MousePos));
 }
 
-void chooseInBox(Session& session, const TextureSpaceState& state, const Canvas& canvas) {
+void chooseInBox(const Session& session, const TextureSpaceState& state, const Canvas& canvas) {
     const glm::vec2 to = canvas.toCoord(ImGui::GetIO().MousePos);
     const glm::vec2 low = glm::min(state.boxFrom, to);
     const glm::vec2 high = glm::max(state.boxFrom, to);
@@ -254,10 +264,10 @@ void chooseInBox(Session& session, const TextureSpaceState& state, const Canvas&
         if (at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y)
             vertices.push_back(vertex);
     }
-    chooseVertices(session.window.selection, std::move(vertices));
+    choose(session, std::move(vertices));
 }
 
-void release(Session& session, TextureSpaceState& state, const Canvas& canvas, bool onPatch) {
+void release(const Session& session, TextureSpaceState& state, const Canvas& canvas, bool onPatch) {
     const PlaneDrag drag = std::exchange(state.drag, PlaneDrag::None);
     if (state.move && !state.move->byKey)
         finishMove(session, state, true);
@@ -265,15 +275,18 @@ void release(Session& session, TextureSpaceState& state, const Canvas& canvas, b
     if (drag == PlaneDrag::Box && isDrag())
         chooseInBox(session, state, canvas);
     else if (drag == PlaneDrag::Vertices && state.pressed && !isDrag())
-        chooseVertices(session.window.selection, {*state.pressed});
+        choose(session, {*state.pressed});
     else if (drag == PlaneDrag::Pan && left && !isDrag() && !onPatch && !ImGui::GetIO().KeyShift &&
              !state.coords.given().empty())
-        chooseVertices(session.window.selection, {});
+        choose(session, {});
     sealEdit(session);
 }
 
-void movePlane(Plane& plane, const Canvas& canvas, bool hovered, bool pans) {
+void movePlane(const Session& session, const Canvas& canvas, bool hovered, bool pans) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (!pans && !(hovered && io.MouseWheel != 0))
+        return;
+    Plane plane = session.window.plane;
     if (pans) {
         plane.s -= io.MouseDelta.x / canvas.pixelsPerUnit;
         plane.t += io.MouseDelta.y / canvas.pixelsPerUnit;
@@ -287,6 +300,7 @@ void movePlane(Plane& plane, const Canvas& canvas, bool hovered, bool pans) {
         plane.t = fixed.y + (plane.t - fixed.y) * factor;
         plane.extent = extent;
     }
+    change(session, [plane](WindowState& window) { window.plane = plane; });
 }
 
 } // namespace
@@ -301,7 +315,7 @@ std::optional<Grip> gripUnder(const Canvas& canvas, const Mesh& mesh, const Plan
     return given ? std::optional(Grip{given->vertex, false}) : std::nullopt;
 }
 
-bool handlePlaneKeys(Session& session, TextureSpaceState& state, const Canvas& canvas,
+bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas,
                      const PlaneMouse& mouse) {
     if (state.move && isStale(session, state))
         state.move.reset();
@@ -314,16 +328,16 @@ bool handlePlaneKeys(Session& session, TextureSpaceState& state, const Canvas& c
         return continueKeyedMove(session, state, canvas);
     if (state.move && isPressed(key::escape)) { // of a drag, which continues without them
         finishMove(session, state, false);
-        session.window.keyTaken = true;
+        session.out.keyTaken = true;
     }
-    const bool free = !session.window.keyTaken && session.window.dialog == Dialog::None &&
+    const bool free = !session.out.keyTaken && session.window.dialog == Dialog::None &&
                       !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
     if (mouse.hovered && free)
         handleShortKeys(session, state, canvas);
     return false;
 }
 
-void handlePlaneMouse(Session& session, TextureSpaceState& state, const Canvas& canvas,
+void handlePlaneMouse(const Session& session, TextureSpaceState& state, const Canvas& canvas,
                       const PlaneMouse& mouse) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated())
@@ -333,9 +347,9 @@ void handlePlaneMouse(Session& session, TextureSpaceState& state, const Canvas& 
     if (!mouse.active && state.drag != PlaneDrag::None)
         release(session, state, canvas, mouse.onPatch);
     const bool dragged = mouse.active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-    movePlane(session.window.plane, canvas, mouse.hovered, dragged && state.drag == PlaneDrag::Pan);
+    movePlane(session, canvas, mouse.hovered, dragged && state.drag == PlaneDrag::Pan);
     if (mouse.hovered && !mouse.grip && !mouse.onPatch && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        fitPlane(session.window.plane, state.coords);
+        fitPlane(session, state.coords);
 }
 
 std::optional<Box> selectionBox(const TextureSpaceState& state, const Canvas& canvas) {

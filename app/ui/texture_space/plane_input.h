@@ -28,12 +28,12 @@ struct PlaneMouse {
 
 /// Handles the keys of the panel while the mouse is over it, and vertices that follow the mouse after one of
 /// them. Returns true if a click ended that and has no other meaning.
-bool handlePlaneKeys(Session& session, TextureSpaceState& state, const Canvas& canvas,
+bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas,
                      const PlaneMouse& mouse);
 
 /// The left button drags vertices, or draws a box to select some; otherwise it moves the plane. The wheel
 /// zooms.
-void handlePlaneMouse(Session& session, TextureSpaceState& state, const Canvas& canvas,
+void handlePlaneMouse(const Session& session, TextureSpaceState& state, const Canvas& canvas,
                       const PlaneMouse& mouse);
 
 /// The box being drawn; nothing if there is none.

@@ -16,7 +16,7 @@ std::optional<LevelsRequest> requestOf(const Session& session) {
 
 } // namespace
 
-void LevelPicture::follow(Session& session, const PlaneLook& look, bool needed) {
+void LevelPicture::follow(const Session& session, const PlaneLook& look, bool needed) {
     std::optional<LevelsRequest> levels = needed ? requestOf(session) : std::nullopt;
     computing_ = false;
     if (!levels) {
@@ -37,7 +37,7 @@ const std::string& LevelPicture::problem() const {
     return answer_ && !computing_ ? answer_->problem : none;
 }
 
-std::vector<int> levelsOfBound(Session& session) {
+std::vector<int> levelsOfBound(const Session& session) {
     const std::optional<LevelsRequest> request = requestOf(session);
     const auto summary = request ? session.services.levels.summary(*request) : nullptr;
     std::vector<int> numbers;

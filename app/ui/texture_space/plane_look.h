@@ -47,7 +47,7 @@ struct PlaneLook : TexelLook {
 class LevelPicture {
 public:
     /// Call in every frame; makes nothing unless it is `needed`.
-    void follow(Session& session, const PlaneLook& look, bool needed);
+    void follow(const Session& session, const PlaneLook& look, bool needed);
 
     /// The picture with the look, or with the previous one while the new picture is being made; nullptr: not
     /// needed, or not ready.
@@ -68,7 +68,7 @@ private:
 };
 
 /// The numbers of the bound texture's levels; empty if not known yet.
-[[nodiscard]] std::vector<int> levelsOfBound(Session& session);
+[[nodiscard]] std::vector<int> levelsOfBound(const Session& session);
 
 /// The extent of the bound texture's first level as passed to OpenGL, without a border: width, height and
 /// depth. None: not known yet, or there are no levels.

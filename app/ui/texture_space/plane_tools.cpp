@@ -46,7 +46,7 @@ struct Tool {
     const char* name;
     const char* help;
     bool (*isOn)(const TextureSpaceState& state);
-    void (*use)(Session& session, TextureSpaceState& state);
+    void (*use)(const Session& session, TextureSpaceState& state);
     bool needsVertices = false;
 };
 
@@ -61,7 +61,7 @@ bool showsChannel(const TextureSpaceState& state) {
 
 /// Pressing the button again shows all channels.
 template<Channel channel>
-void toggleChannel(Session& /*session*/, TextureSpaceState& state) {
+void toggleChannel(const Session& /*session*/, TextureSpaceState& state) {
     state.look.channel = state.look.channel == channel ? Channel::All : channel;
 }
 
@@ -80,23 +80,25 @@ constexpr std::array channelTools{
 
 constexpr std::array vertexTools{
     Tool{"Snap", "snap", snapHelp, [](const TextureSpaceState& state) { return state.snapping.on; },
-         [](Session&, TextureSpaceState& state) { state.snapping.on = !state.snapping.on; }, true},
+         [](const Session&, TextureSpaceState& state) { state.snapping.on = !state.snapping.on; }, true},
     Tool{"▭", "box select", selectHelp, [](const TextureSpaceState& state) { return state.selects; },
-         [](Session&, TextureSpaceState& state) { state.selects = !state.selects; }, true},
+         [](const Session&, TextureSpaceState& state) { state.selects = !state.selects; }, true},
     Tool{"↔", "mirror s", "Mirrors the selected vertices, or all, from left to right", isNeverOn,
-         [](Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 0); }, true},
+         [](const Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 0); },
+         true},
     Tool{"↕", "mirror t", "Mirrors the selected vertices, or all, upside down", isNeverOn,
-         [](Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 1); }, true},
+         [](const Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 1); },
+         true},
 };
 
-void drawTool(Session& session, TextureSpaceState& state, const Tool& tool) {
+void drawTool(const Session& session, TextureSpaceState& state, const Tool& tool) {
     ImGui::BeginDisabled(tool.needsVertices && !hasVertices(state));
     if (toolButton(tool.label, tool.name, tool.help, tool.isOn(state)))
         tool.use(session, state);
     ImGui::EndDisabled();
 }
 
-void levelSlider(Session& session, TextureSpaceState& state, float width) {
+void levelSlider(const Session& session, TextureSpaceState& state, float width) {
     const std::vector<int> levels = levelsOfBound(session);
     ImGui::BeginDisabled(levels.size() < 2);
     ImGui::SetNextItemWidth(width);
@@ -127,7 +129,7 @@ PlaneLook plainLook(bool board) {
     return look;
 }
 
-void pictureTools(Session& session, TextureSpaceState& state) {
+void pictureTools(const Session& session, TextureSpaceState& state) {
     const float em = ImGui::GetFontSize();
     const float width = em * 11;
     PlaneLook& look = state.look;
@@ -180,13 +182,13 @@ void snapChoice(TextureSpaceState& state) {
     }
 }
 
-void project(Session& session, const TextureSpaceState& state, CoordProjection projection) {
+void project(const Session& session, const TextureSpaceState& state, CoordProjection projection) {
     submitTexCoords(
         session, fmt::format("{} projection", rowOf(projection).label),
         projectedTexCoords(selectedMesh(session), projection, editedVertices(session), state.coords.given()));
 }
 
-void vertexMenu(Session& session, TextureSpaceState& state) {
+void vertexMenu(const Session& session, TextureSpaceState& state) {
     const std::size_t count = editedVertices(session).size();
     caption("Vertices");
     if (!hasVertices(state)) {
@@ -237,14 +239,16 @@ void vertexMenu(Session& session, TextureSpaceState& state) {
 
 } // namespace
 
-void fitPlane(Plane& plane, const PlaneCoords& coords) {
+void fitPlane(const Session& session, const PlaneCoords& coords) {
     const auto [low, high] = boundsOf(coords);
+    Plane plane;
     plane.s = (low.x + high.x) / 2;
     plane.t = (low.y + high.y) / 2;
     plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, minPlane, maxPlane);
+    change(session, [plane](WindowState& window) { window.plane = plane; });
 }
 
-void copyCoords(Session& session, const PlaneCoords& coords) {
+void copyCoords(const Session& session, const PlaneCoords& coords) {
     TexCoords chosen;
     for (const std::size_t vertex : editedVertices(session)) {
         if (vertex < coords.given().size())
@@ -254,19 +258,21 @@ void copyCoords(Session& session, const PlaneCoords& coords) {
         ImGui::SetClipboardText(coordText(chosen).c_str());
 }
 
-void pasteCoords(Session& session, const PlaneCoords& coords) {
+void pasteCoords(const Session& session, const PlaneCoords& coords) {
+    const auto refuse = [&session](std::string why) {
+        act(session, [why = std::move(why)](Session& told) { say(told, why); });
+    };
     const char* text = ImGui::GetClipboardText();
     const Result<TexCoords> pasted = parseCoordText(text ? text : "");
     if (!pasted)
-        return say(session,
-                   fmt::format("The clipboard has no texture coordinates: {}.", pasted.error().message));
+        return refuse(fmt::format("The clipboard has no texture coordinates: {}.", pasted.error().message));
     TexCoords list = coords.given();
     if (list.empty())
-        return say(session, "Directions can't be shown in this plane, so nothing can be pasted.");
+        return refuse("Directions can't be shown in this plane, so nothing can be pasted.");
     const std::vector<std::size_t> edited = editedVertices(session);
     if (pasted->size() != edited.size() && pasted->size() != list.size())
-        return say(session, fmt::format("Expected coordinates of {} vertices, but the clipboard has {}.",
-                                        edited.size(), pasted->size()));
+        return refuse(fmt::format("Expected coordinates of {} vertices, but the clipboard has {}.",
+                                  edited.size(), pasted->size()));
     if (pasted->size() == edited.size()) {
         for (std::size_t i = 0; i < edited.size(); ++i)
             list[edited[i]] = (*pasted)[i];
@@ -276,7 +282,7 @@ void pasteCoords(Session& session, const PlaneCoords& coords) {
     submitTexCoords(session, "Paste coordinates", std::move(list));
 }
 
-void drawPlaneTools(Session& session, TextureSpaceState& state) {
+void drawPlaneTools(const Session& session, TextureSpaceState& state) {
     constexpr const char* more = "…";
     constexpr const char* fit = "Fit";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
@@ -313,7 +319,7 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
         ImGui::OpenPopup("plane tools");
     ImGui::SameLine(0, gap);
     if (ImGui::Button(label(fit)))
-        fitPlane(session.window.plane, state.coords);
+        fitPlane(session, state.coords);
     noteItem("fit plane");
     helpTip(fitHelp);
     bool open = false;

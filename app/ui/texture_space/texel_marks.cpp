@@ -141,8 +141,8 @@ reference::TexelPlace texelOf(const Texture& texture, Target target, const Level
 }
 
 /// The extent of a level of the bound texture.
-std::optional<glm::ivec2> extentOf(Session& session, int level) {
-    const Texture* texture = boundTexture(std::as_const(session));
+std::optional<glm::ivec2> extentOf(const Session& session, int level) {
+    const Texture* texture = boundTexture(session);
     const std::shared_ptr<const TextureImage> image =
         texture ? session.document.images.find(*texture) : nullptr;
     if (!image)
@@ -182,7 +182,8 @@ void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExpl
 }
 
 /// The selected texel, and the one under the mouse, which a click selects.
-void markCells(Session& session, ImDrawList& draw, const Texture& texture, const Inset& inset, bool clicked) {
+void markCells(const Session& session, ImDrawList& draw, const Texture& texture, const Inset& inset,
+               bool clicked) {
     const LevelPatch& patch = *inset.patch;
     const auto frame = [&](glm::ivec2 at, ImU32 tint) {
         draw.AddRect(inset.toWindow(glm::vec2(at) + glm::vec2(0, 1)),
@@ -211,20 +212,21 @@ void markCells(Session& session, ImDrawList& draw, const Texture& texture, const
                                static_cast<int>((inset.low.y + inset.size().y - mouse.y) / inset.cell));
     frame(at, color::text);
     if (clicked)
-        chooseTexel(session, texel(at));
+        act(session, [chosen = texel(at)](Session& s) { chooseTexel(s, chosen); });
 }
 
 /// A click on the image selects its texel, on the level with the greatest share at the probed pixel; on the
 /// base level if no pixel is probed.
-void chooseInPlane(Session& session, const Canvas& canvas, const Texture& texture,
+void chooseInPlane(const Session& session, const Canvas& canvas, const Texture& texture,
                    const reference::UnitExplanation* unit) {
     const int level = unit ? heaviestPatch(*unit).level : texture.baseLevel;
     const std::optional<glm::ivec2> extent = extentOf(session, level);
     if (!extent)
         return;
     const glm::vec2 at = canvas.toCoord(ImGui::GetIO().MousePos) * glm::vec2(*extent);
-    chooseTexel(session, texelAt(texture, selectedUnit(session).target, level, *extent,
-                                 {reference::floorToInt(at.x), reference::floorToInt(at.y)}, 0));
+    act(session, [texel = texelAt(texture, selectedUnit(session).target, level, *extent,
+                                  {reference::floorToInt(at.x), reference::floorToInt(at.y)},
+                                  0)](Session& s) { chooseTexel(s, texel); });
 }
 
 } // namespace
@@ -234,8 +236,9 @@ bool isOnPatch(const Session& session, const Canvas& canvas, ImVec2 mouse) {
                                [mouse](const Inset& inset) { return inset.holds(mouse); });
 }
 
-void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bool clicked, bool board) {
-    const Texture* texture = boundTexture(std::as_const(session));
+void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canvas, bool clicked,
+                    bool board) {
+    const Texture* texture = boundTexture(session);
     const reference::UnitExplanation* unit = probedUnit(session);
     if (unit && unit->patches.empty())
         unit = nullptr;

@@ -89,7 +89,7 @@ void noteCoordPlaces(const Canvas& canvas, const PlaneCoords& coords) {
     }
 }
 
-void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pictures) {
+void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures& pictures) {
     const ImVec2 topLeft = ImGui::GetCursorScreenPos();
     const ImVec2 size(std::max(1.0F, ImGui::GetContentRegionAvail().x),
                       std::max(1.0F, ImGui::GetContentRegionAvail().y));
@@ -112,14 +112,14 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     if ((mouse.hovered || mouse.active) && !mouse.onPatch)
         mouse.grip = gripUnder(canvas, selectedMesh(session), state.coords, session.window.selection.vertex,
                                io.MousePos);
-    session.window.hoveredInPlane.reset();
+    std::optional<PickedVertex> under;
     if (mouse.grip && mouse.hovered)
-        session.window.hoveredInPlane =
-            PickedVertex{static_cast<std::size_t>(session.window.selection.model), mouse.grip->vertex};
+        under = PickedVertex{static_cast<std::size_t>(session.window.selection.model), mouse.grip->vertex};
+    change(session, [under](WindowState& window) { window.hoveredInPlane = under; });
     const bool ended = handlePlaneKeys(session, state, canvas, mouse);
     if (!ended)
         handlePlaneMouse(session, state, canvas, mouse);
-    session.window.movesVertices = state.move.has_value();
+    session.out.movesVertices = state.move.has_value();
     const Mesh& mesh = selectedMesh(session);
     if (mouse.grip && mouse.grip->vertex >= state.coords.given().size())
         mouse.grip.reset();
@@ -157,7 +157,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
 
 } // namespace
 
-void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pictures& pictures,
+void drawTextureSpacePanel(const Session& session, TextureSpaceState& state, const Pictures& pictures,
                            const Layout& layout) {
     beginPanel("Texture space", layout.texture,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);

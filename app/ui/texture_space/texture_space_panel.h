@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pictures& pictures,
+void drawTextureSpacePanel(const Session& session, TextureSpaceState& state, const Pictures& pictures,
                            const Layout& layout);
 
 } // namespace texplorer::ui

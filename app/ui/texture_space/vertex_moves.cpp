@@ -133,8 +133,8 @@ Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<cons
 }
 
 /// The vertices that the list of coordinates has.
-std::vector<std::size_t> chosenOf(const Session& session, const PlaneCoords& coords) {
-    std::vector<std::size_t> vertices = chosenVertices(session.window.selection);
+std::vector<std::size_t> chosenOf(const Selection& selection, const PlaneCoords& coords) {
+    std::vector<std::size_t> vertices = chosenVertices(selection);
     std::erase_if(vertices, [&](std::size_t vertex) { return vertex >= coords.given().size(); });
     return vertices;
 }
@@ -158,15 +158,15 @@ glm::vec2 snapped(glm::vec2 place, Snap snap, TexelCounts texels, float magnet) 
     return place;
 }
 
-std::optional<VertexMove> beginMove(const Session& session, const PlaneCoords& coords, MoveKind kind,
+std::optional<VertexMove> beginMove(const Selection& selection, const PlaneCoords& coords, MoveKind kind,
                                     bool results, std::size_t held, glm::vec2 mouse) {
     VertexMove move{.kind = kind,
                     .results = results,
-                    .vertices = chosenOf(session, coords),
+                    .vertices = chosenOf(selection, coords),
                     .held = held,
                     .from = mouse,
-                    .model = session.window.selection.model,
-                    .unit = session.window.selection.unit};
+                    .model = selection.model,
+                    .unit = selection.unit};
     if (move.vertices.empty())
         return std::nullopt;
     if (std::ranges::find(move.vertices, held) == move.vertices.end())
@@ -179,7 +179,7 @@ std::optional<VertexMove> beginMove(const Session& session, const PlaneCoords& c
     return move;
 }
 
-void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, glm::vec2 mouse,
+void followMouse(const Session& session, const PlaneCoords& coords, VertexMove& move, glm::vec2 mouse,
                  const Snapping& snapping, TexelCounts texels, float magnet) {
     if (mouse == move.from && !move.submitted)
         return;
@@ -193,13 +193,13 @@ void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, 
     move.submitted = true;
 }
 
-void endMove(Session& session, const VertexMove& move, bool keep) {
+void endMove(const Session& session, const VertexMove& move, bool keep) {
     if (!keep && move.submitted)
-        session.requests.emplace_back(DropStep{});
+        session.out.requests.emplace_back(DropStep{});
     sealEdit(session);
 }
 
-std::vector<std::size_t> editedVertices(Session& session) {
+std::vector<std::size_t> editedVertices(const Session& session) {
     std::vector<std::size_t> vertices = chosenVertices(session.window.selection);
     if (vertices.size() > 1)
         return vertices;
@@ -208,8 +208,8 @@ std::vector<std::size_t> editedVertices(Session& session) {
     return vertices;
 }
 
-void nudge(Session& session, const PlaneCoords& coords, glm::vec2 way) {
-    const std::vector<std::size_t> vertices = chosenOf(session, coords);
+void nudge(const Session& session, const PlaneCoords& coords, glm::vec2 way) {
+    const std::vector<std::size_t> vertices = chosenOf(session.window.selection, coords);
     if (vertices.empty())
         return;
     const auto shifted = [&](std::size_t i) { return coords.givenPlaces()[vertices[i]] + way; };
@@ -217,7 +217,7 @@ void nudge(Session& session, const PlaneCoords& coords, glm::vec2 way) {
     dragTexCoords(session, nameOfMove(MoveKind::Move, vertices), std::move(*list));
 }
 
-void mirrorVertices(Session& session, const PlaneCoords& coords, int axis) {
+void mirrorVertices(const Session& session, const PlaneCoords& coords, int axis) {
     const std::vector<std::size_t> vertices = editedVertices(session);
     std::vector<glm::vec2> places;
     for (const std::size_t vertex : vertices)

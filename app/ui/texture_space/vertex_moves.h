@@ -57,28 +57,28 @@ struct VertexMove {
 using TexelCounts = glm::vec2;
 
 /// Starts a move of the selected vertices; nothing if none is selected. `mouse` is in the plane.
-[[nodiscard]] std::optional<VertexMove> beginMove(const Session& session, const PlaneCoords& coords,
+[[nodiscard]] std::optional<VertexMove> beginMove(const Selection& selection, const PlaneCoords& coords,
                                                   MoveKind kind, bool results, std::size_t held,
                                                   glm::vec2 mouse);
 
 /// Moves them to the mouse, as one undo step. `magnet`: the distance at which 0 and 1 attract.
-void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, glm::vec2 mouse,
+void followMouse(const Session& session, const PlaneCoords& coords, VertexMove& move, glm::vec2 mouse,
                  const Snapping& snapping, TexelCounts texels, float magnet);
 
 /// Keeps the move or undoes it.
-void endMove(Session& session, const VertexMove& move, bool keep);
+void endMove(const Session& session, const VertexMove& move, bool keep);
 
 /// The nearest place on the grid.
 [[nodiscard]] glm::vec2 snapped(glm::vec2 place, Snap snap, TexelCounts texels, float magnet);
 
 /// The vertices that buttons and menus edit: the selected ones if there are two or more, else all.
-[[nodiscard]] std::vector<std::size_t> editedVertices(Session& session);
+[[nodiscard]] std::vector<std::size_t> editedVertices(const Session& session);
 
 /// Moves the selected vertices by an offset in the plane.
-void nudge(Session& session, const PlaneCoords& coords, glm::vec2 way);
+void nudge(const Session& session, const PlaneCoords& coords, glm::vec2 way);
 
 /// Mirrors the edited vertices about their middle: `axis` 0 exchanges left and right in s, 1 turns t upside
 /// down.
-void mirrorVertices(Session& session, const PlaneCoords& coords, int axis);
+void mirrorVertices(const Session& session, const PlaneCoords& coords, int axis);
 
 } // namespace texplorer::ui

@@ -89,16 +89,16 @@ private:
 };
 
 /// Shows the part of the pictures around a pixel.
-void showPixel(ViewSettings& settings, glm::ivec2 pixel, view::Size picture) {
-    settings.zoom.factor = worstFactor;
-    settings.zoom.centre = (glm::vec2(pixel) + 0.5F) /
-                           glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
+void showPixel(const Session& session, glm::ivec2 pixel, view::Size picture) {
+    const glm::vec2 centre = (glm::vec2(pixel) + 0.5F) /
+                             glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
+    change(session, [centre](WindowState& window) { window.view.zoom = {worstFactor, centre}; });
 }
 
 constexpr const char* perByte = "/255";
 
 /// "0.17 % over [2]/255": the share of pixels that differ by more than the tolerance, which can be dragged.
-void toleranceField(Session& session, Flow& flow, const Difference* difference, float gap) {
+void toleranceField(const Session& session, Flow& flow, const Difference* difference, float gap) {
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
     const bool hasShare = difference && difference->max > 0;
@@ -115,8 +115,10 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     }
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
-    ImGui::DragInt("##tolerance", &session.window.view.tolerance, 0.1F, 0, ViewSettings::maxTolerance, "%d",
-                   ImGuiSliderFlags_AlwaysClamp);
+    int tolerance = session.window.view.tolerance;
+    if (ImGui::DragInt("##tolerance", &tolerance, 0.1F, 0, ViewSettings::maxTolerance, "%d",
+                       ImGuiSliderFlags_AlwaysClamp))
+        change(session, [tolerance](WindowState& window) { window.view.tolerance = tolerance; });
     noteItem("tolerance");
     helpTip("Differences up to this value are ignored. Drag it, or double-click to type a number.");
     ImGui::SameLine(0, narrow);
@@ -124,7 +126,8 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
 }
 
 /// A button that goes to the worst pixel, with the ring that marks it in the pictures.
-void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
+void worstButton(const Session& session, Flow& flow, const Difference& difference, view::Size picture,
+                 float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
     const std::string words = fmt::format("max {}/255", difference.max);
@@ -133,7 +136,7 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
     flow.put(width, gap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##worst", {width, 0}))
-        showPixel(session.window.view, difference.worst, picture);
+        showPixel(session, difference.worst, picture);
     noteItem("worst");
     const int fromTop = picture.height - 1 - difference.worst.y;
     helpTip(ringed ? fmt::format("The largest difference, at pixel {},{} from the upper left (ringed). "
@@ -152,7 +155,8 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
     noteItem("ring");
 }
 
-void numbers(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
+void numbers(const Session& session, Flow& flow, const Difference& difference, view::Size picture,
+             float gap) {
     if (difference.max == 0) {
         flow.text("equal in every pixel", color::text, gap);
         noteItem("equal");
@@ -186,13 +190,14 @@ int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, floa
 
 } // namespace
 
-void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout) {
-    ViewSettings& settings = session.window.view;
+void drawComparisonStrip(const Session& session, const Pictures& pictures, const Layout& layout) {
+    const ViewSettings& settings = session.window.view;
     if (!isComparing(settings))
         return;
     const float gap = ImGui::GetFontSize() * 0.9F;
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
-    settings.stripLines = linesNeeded(settings, layout.strip, gap, narrow);
+    if (const int lines = linesNeeded(settings, layout.strip, gap, narrow); lines != settings.stripLines)
+        change(session, [lines](WindowState& window) { window.view.stripLines = lines; });
     Flow flow(layout.strip);
     if (!comparesRenderers(settings)) {
         flow.text("A and now", color::dim, narrow);
@@ -208,7 +213,9 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
         if (ImGui::Button(label(row.label)))
-            settings.arrangement = settings.comparing = row.arrangement;
+            change(session, [&row](WindowState& window) {
+                window.view.arrangement = window.view.comparing = row.arrangement;
+            });
         ImGui::PopStyleColor();
         noteItem(std::string("arrangement:") + row.label);
         helpTip(row.help);

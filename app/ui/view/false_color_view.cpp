@@ -89,11 +89,12 @@ float shownChoiceWidth(const ViewSettings& settings) {
     return ImGui::CalcTextSize(shownLabel(settings).c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-void shownItems(ViewSettings& settings) {
+void shownItems(const Session& session) {
+    const ViewSettings& settings = session.window.view;
     for (const EnumRow& row : EnumTable<Shown>::rows) {
         const auto shown = static_cast<Shown>(row.value);
         if (ImGui::MenuItem(label(row.label).c_str(), nullptr, settings.shown == shown))
-            settings.shown = shown;
+            change(session, [shown](WindowState& window) { window.view.shown = shown; });
         noteItem(fmt::format("shown:{}", row.name));
         helpTip(row.help);
     }
@@ -103,7 +104,7 @@ void shownItems(ViewSettings& settings) {
     float percent = std::round(settings.opacity * 100);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
     if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp))
-        settings.opacity = percent / 100;
+        change(session, [percent](WindowState& window) { window.view.opacity = percent / 100; });
     ImGui::EndDisabled();
     noteItem("false color opacity");
     helpTip(isIdle ? "The opacity of the false colours. None are shown at present"
@@ -112,7 +113,8 @@ void shownItems(ViewSettings& settings) {
     ImGui::TextUnformatted(tr("Opacity"));
 }
 
-void drawShownChoice(ViewSettings& settings) {
+void drawShownChoice(const Session& session) {
+    const ViewSettings& settings = session.window.view;
     const bool isOn = settings.shown != Shown::Picture;
     ImGui::PushStyleColor(ImGuiCol_Button, isOn ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
                                                 : ImGui::GetColorU32(ImGuiCol_Button));
@@ -124,7 +126,7 @@ void drawShownChoice(ViewSettings& settings) {
     if (pressed)
         ImGui::OpenPopup("shown choices");
     if (ImGui::BeginPopup("shown choices")) {
-        shownItems(settings);
+        shownItems(session);
         ImGui::EndPopup();
     }
 }
@@ -204,12 +206,11 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
     noteDrawn("false colors:legend", {low.x - pad, low.y - pad / 2}, corner);
 }
 
-void drawFalseColorTip(const Session& session, const Layout& layout) {
+void drawFalseColorTip(const Session& session, const Layout& layout, glm::ivec2 pixel) {
     const reference::LevelMap* map = levelMapOf(session);
-    const auto& pixel = session.window.levels.hovered;
-    if (session.window.view.shown == Shown::Picture || session.window.view.magnifies || !map || !pixel)
+    if (session.window.view.shown == Shown::Picture || session.window.view.magnifies || !map)
         return;
-    const reference::PixelLevels* levels = map->at(pixel->x, pixel->y);
+    const reference::PixelLevels* levels = map->at(pixel.x, pixel.y);
     if (!levels)
         return;
     const std::string text =

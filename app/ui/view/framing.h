@@ -8,8 +8,9 @@ namespace texplorer::ui {
 // Move the camera, each as an undo step. Until the user moves the camera, it follows the shape of the view.
 
 /// Restores the initial camera, fitted to the view.
-void resetCamera(Session& session, const Layout& layout);
-void frameAll(Session& session, const Layout& layout);
-void show(Session& session, const ShowRow& row, const Layout& layout); ///< also selects the shown object
+void resetCamera(const Session& session, const Layout& layout);
+void frameAll(const Session& session, const Layout& layout);
+void show(const Session& session, const ShowRow& row,
+          const Layout& layout); ///< also selects the shown object
 
 } // namespace texplorer::ui

@@ -117,7 +117,8 @@ void drawPixels(ImDrawList& draw, ImVec2 low, float cell, view::PictureHandle ha
 
 } // namespace
 
-void drawMagnifier(Session& session, const Panes& panes, const Pictures& pictures, const Layout& layout) {
+void drawMagnifier(const Session& session, const Panes& panes, const Pictures& pictures,
+                   const Layout& layout) {
     if (!session.window.view.magnifies)
         return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;

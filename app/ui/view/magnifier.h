@@ -9,6 +9,7 @@ namespace texplorer::ui {
 /// Draws the pixels around the mouse enlarged, with the position and the colour of the one under it, for
 /// every shown picture side by side. Does nothing if it is switched off. Call it while the mouse is on the
 /// pictures.
-void drawMagnifier(Session& session, const Panes& panes, const Pictures& pictures, const Layout& layout);
+void drawMagnifier(const Session& session, const Panes& panes, const Pictures& pictures,
+                   const Layout& layout);
 
 } // namespace texplorer::ui

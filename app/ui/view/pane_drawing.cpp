@@ -49,8 +49,8 @@ float comboWidth(RendererKind renderer) {
 }
 
 /// A list of the renderers over the picture, as wide as its text, at most `width`.
-void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) {
-    RendererKind& compared = session.window.view.compared[which];
+void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float width) {
+    const RendererKind compared = session.window.view.compared[which];
     const std::string id = fmt::format("##compared{}", which);
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
@@ -68,7 +68,8 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
         const auto flags =
             settings.offered.has(renderer) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
         if (ImGui::Selectable(label(row.label).c_str(), renderer == compared, flags))
-            compared = renderer;
+            change(session,
+                   [which, renderer](WindowState& window) { window.view.compared.at(which) = renderer; });
         noteItem(fmt::format("{}={}", name, row.name));
         helpTip(helpOf(settings, row));
     }
@@ -139,7 +140,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     draw.PopClipRect();
 }
 
-void paneLabels(Session& session, const Panes& panes) {
+void paneLabels(const Session& session, const Panes& panes) {
     const ViewSettings& settings = session.window.view;
     sideLabels(session, panes);
     const float gap = ImGui::GetFontSize() * 0.4F;
@@ -170,7 +171,7 @@ void paneLabels(Session& session, const Panes& panes) {
     }
 }
 
-void paneSeam(Session& session, const Layout& layout) {
+void paneSeam(const Session& session, const Layout& layout) {
     const Arrangement arrangement = session.window.view.arrangement;
     if (arrangement != Arrangement::Split && arrangement != Arrangement::Kept)
         return;
@@ -187,9 +188,9 @@ void paneSeam(Session& session, const Layout& layout) {
     noteItem("picture seam");
     const bool held = ImGui::IsItemActive();
     if (held)
-        session.window.view.split = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
-                                                   static_cast<float>(whole.width),
-                                               0.0F, 1.0F);
+        change(session, [to = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
+                                             static_cast<float>(whole.width),
+                                         0.0F, 1.0F)](WindowState& window) { window.view.split = to; });
     if (held || ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const ImU32 tint = held || ImGui::IsItemHovered() ? color::text : color::outline;

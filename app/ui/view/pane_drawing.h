@@ -17,10 +17,10 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 [[nodiscard]] bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers);
 
 /// The label of a pane: its renderer, which can be changed if two are compared, or its side.
-void paneLabels(Session& session, const Panes& panes);
+void paneLabels(const Session& session, const Panes& panes);
 
 /// The draggable seam of Arrangement::Split and Kept. Does nothing in another arrangement.
-void paneSeam(Session& session, const Layout& layout);
+void paneSeam(const Session& session, const Layout& layout);
 
 /// The legend of the difference's colours, at the bottom of its pane.
 void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale);
@@ -34,6 +34,6 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale);
 void markPixel(ImDrawList& draw, const Panes& panes, glm::ivec2 pixel, ImU32 tint);
 
 /// Draws the results and the controls of a comparison below the pictures.
-void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout);
+void drawComparisonStrip(const Session& session, const Pictures& pictures, const Layout& layout);
 
 } // namespace texplorer::ui

@@ -8,16 +8,17 @@
 
 namespace texplorer::ui {
 
-void probeWithMouse(Session& session, const Panes& panes, bool hovered, bool clicked) {
+void probeWithMouse(const Session& session, const Panes& panes, bool hovered, bool clicked) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool held =
-        hovered && isKeyDown('E') && !io.WantTextInput && !io.KeyCtrl && !session.window.keyTaken;
+    const bool held = hovered && isKeyDown('E') && !io.WantTextInput && !io.KeyCtrl && !session.out.keyTaken;
     if (!held && !(clicked && session.window.explaining.isOpen))
         return;
     if (const auto pixel = panes.pixelAt(io.MousePos))
-        session.window.explaining.pixel = {pixel->x, pixel->y};
+        change(session, [to = reference::PixelPlace{pixel->x, pixel->y}](WindowState& window) {
+            window.explaining.pixel = to;
+        });
     if (held && !session.window.explaining.isOpen)
-        session.window.wantedTab = Tab::Explain;
+        change(session, [](WindowState& window) { window.wantedTab = Tab::Explain; });
 }
 
 void drawProbedPixel(const Session& session, const Pictures& pictures, const Panes& panes, const Pane& pane) {

@@ -66,7 +66,8 @@ float rendererChoiceWidth(const ViewSettings& settings, RendererForm form) {
 
 namespace {
 
-void drawButtons(ViewSettings& settings, RendererForm form) {
+void drawButtons(const Session& session, RendererForm form) {
+    const ViewSettings& settings = session.window.view;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
@@ -76,12 +77,12 @@ void drawButtons(ViewSettings& settings, RendererForm form) {
         const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
         const std::string help = fmt::format("{}\n{}", helpOf(settings, row), keyHelp(++key));
         if (choice(std::string(row.label), wordsOf(row, form), chosen, settings.offered.has(renderer), help))
-            showOne(settings, renderer);
+            change(session, [renderer](WindowState& window) { showOne(window.view, renderer); });
         ImGui::SameLine(0, gap);
     }
     if (choice(compareWords, compareWords, comparesRenderers(settings), canCompare(settings),
                fmt::format("{}\n{}", canCompare(settings) ? compareHelp : nothingToCompare, keyHelp(++key))))
-        showComparison(settings);
+        change(session, [](WindowState& window) { showComparison(window.view); });
     ImGui::SameLine(0, gap);
 }
 
@@ -92,7 +93,8 @@ bool listItem(const std::string& name, int key, bool chosen, bool offered, std::
     return pressed;
 }
 
-void drawList(ViewSettings& settings, float maxWidth) {
+void drawList(const Session& session, float maxWidth) {
+    const ViewSettings& settings = session.window.view;
     const float room = maxWidth - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x -
                        ImGui::CalcTextSize(listSign).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
@@ -107,21 +109,21 @@ void drawList(ViewSettings& settings, float maxWidth) {
         const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
         if (listItem(std::string(row.label), ++key, chosen, settings.offered.has(renderer),
                      helpOf(settings, row)))
-            showOne(settings, renderer);
+            change(session, [renderer](WindowState& window) { showOne(window.view, renderer); });
     }
     if (listItem(compareWords, ++key, comparesRenderers(settings), canCompare(settings),
                  canCompare(settings) ? compareHelp : nothingToCompare))
-        showComparison(settings);
+        change(session, [](WindowState& window) { showComparison(window.view); });
     ImGui::EndMenu();
 }
 
 } // namespace
 
-void drawRendererChoice(ViewSettings& settings, RendererForm form, float maxWidth) {
+void drawRendererChoice(const Session& session, RendererForm form, float maxWidth) {
     if (form == RendererForm::List)
-        drawList(settings, maxWidth);
+        drawList(session, maxWidth);
     else
-        drawButtons(settings, form);
+        drawButtons(session, form);
 }
 
 } // namespace texplorer::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/view_settings.h"
+#include "app/ui/model/session.h"
 
 #include <array>
 #include <string>
@@ -22,6 +22,6 @@ inline constexpr std::array rendererForms{RendererForm::Buttons, RendererForm::B
 [[nodiscard]] float rendererChoiceWidth(const ViewSettings& settings, RendererForm form);
 
 /// The choice of the renderer in the menu bar. The name of a list is cut if it is wider than `maxWidth`.
-void drawRendererChoice(ViewSettings& settings, RendererForm form, float maxWidth);
+void drawRendererChoice(const Session& session, RendererForm form, float maxWidth);
 
 } // namespace texplorer::ui

@@ -36,7 +36,7 @@ constexpr const char* frameHelp = "Moves the camera so that all models are in vi
 constexpr const char* moreLabel = "…";
 
 /// The choices of the tool row that do not fit, and Frame.
-void moreMenu(Session& session, const Layout& layout, std::size_t first) {
+void moreMenu(const Session& session, const Layout& layout, std::size_t first) {
     if (!ImGui::BeginPopup("more"))
         return;
     const auto shown = shownNow(presentScene(session));
@@ -56,7 +56,7 @@ void moreMenu(Session& session, const Layout& layout, std::size_t first) {
 }
 
 /// The choices of what the view shows. Those that do not fit are in a menu at the end.
-void toolRow(Session& session, const Layout& layout) {
+void toolRow(const Session& session, const Layout& layout) {
     ImGui::SetCursorPos(
         {ImGui::GetStyle().WindowPadding.x,
          (static_cast<float>(layout.picture.y - layout.view.y) - ImGui::GetFrameHeight()) / 2});
@@ -90,7 +90,7 @@ void toolRow(Session& session, const Layout& layout) {
     }
     const char* last = fits ? frameLabel : moreLabel;
     ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last) - choice));
-    drawShownChoice(session.window.view);
+    drawShownChoice(session);
     ImGui::SameLine(0, gap);
     const bool pressed = ImGui::Button(label(last));
     noteItem(fits ? "frame" : "more choices");
@@ -104,16 +104,19 @@ void toolRow(Session& session, const Layout& layout) {
 
 /// With Ctrl the mouse moves and enlarges the pictures like a magnifying glass; otherwise it moves the
 /// camera.
-void moveView(Session& session, bool hovered, bool active, const Layout& layout) {
+void moveView(const Session& session, bool hovered, bool active, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.window.view.zoom.factor),
                      io.MouseDelta.y / static_cast<float>(session.window.view.zoom.factor));
     const bool moved = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     if (io.KeyCtrl) {
         if (moved)
-            movePictures(session.window.view, layout, io.MouseDelta);
+            change(session, [layout, way = io.MouseDelta](WindowState& window) {
+                movePictures(window.view, layout, way);
+            });
         if (hovered && io.MouseWheel != 0)
-            zoomPictures(session.window.view, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
+            change(session, [layout, place = io.MousePos, notches = io.MouseWheel > 0 ? 1 : -1](
+                                WindowState& window) { zoomPictures(window.view, layout, place, notches); });
         return;
     }
     View view = presentScene(session).view;
@@ -139,7 +142,7 @@ glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
 }
 
 /// Like projectVertex, but without making the mesh again.
-std::optional<glm::vec2> placeOf(Session& session, const PickedVertex& picked, float aspect) {
+std::optional<glm::vec2> placeOf(const Session& session, const PickedVertex& picked, float aspect) {
     const double time = session.window.playback.time;
     const Scene& scene = presentScene(session);
     if (!std::cmp_equal(picked.model, session.window.selection.model))
@@ -149,7 +152,7 @@ std::optional<glm::vec2> placeOf(Session& session, const PickedVertex& picked, f
         .front();
 }
 
-void drawMarker(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+void drawMarker(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                 view::Size picture) {
     const Model* model = selectedModel(session);
     if (!model || !model->visible || !session.window.selection.vertex)
@@ -184,7 +187,7 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
 }
 
 /// The other selected vertices, without the one that has the marker.
-void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+void drawChosenDots(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                     view::Size picture) {
     const std::vector<std::size_t> chosen = chosenVertices(session.window.selection);
     const Model* model = selectedModel(session);
@@ -205,7 +208,7 @@ void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, 
 }
 
 /// A ring around the vertex under the pointer, here or in the texture space.
-void drawHoverRing(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+void drawHoverRing(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                    view::Size picture) {
     const std::optional<PickedVertex>& hovered =
         session.window.hoveredInView ? session.window.hoveredInView : session.window.hoveredInPlane;
@@ -238,18 +241,19 @@ std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layou
 }
 
 /// Selects it; with Shift it is added to the selection or removed from it.
-void pick(Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
+void pick(const Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
     if (!panes.under(ImGui::GetIO().MousePos))
         return;
-    Selection& selection = session.window.selection;
-    const auto picked = vertexUnderMouse(session, layout, panes, picture);
-    const bool adds = ImGui::GetIO().KeyShift;
-    if (adds && picked && std::cmp_equal(picked->model, selection.model))
-        return toggleVertex(selection, picked->vertex);
-    if (picked)
-        selection.model = static_cast<int>(picked->model);
-    if (picked || !adds)
-        chooseVertices(selection, picked ? std::vector{picked->vertex} : std::vector<std::size_t>{});
+    change(session, [picked = vertexUnderMouse(session, layout, panes, picture),
+                     adds = ImGui::GetIO().KeyShift](WindowState& window) {
+        Selection& selection = window.selection;
+        if (adds && picked && std::cmp_equal(picked->model, selection.model))
+            return toggleVertex(selection, picked->vertex);
+        if (picked)
+            selection.model = static_cast<int>(picked->model);
+        if (picked || !adds)
+            chooseVertices(selection, picked ? std::vector{picked->vertex} : std::vector<std::size_t>{});
+    });
 }
 
 /// What the mouse does, the least obvious first; as many hints as fit.
@@ -316,9 +320,14 @@ void stepLine(const Session& session, const Layout& layout) {
     draw.AddText(low, color::changed, line.c_str());
 }
 
+void hoverPixel(const Session& session, std::optional<glm::ivec2> pixel) {
+    const auto to = pixel ? std::optional(reference::PixelPlace{pixel->x, pixel->y}) : std::nullopt;
+    change(session, [to](WindowState& window) { window.levels.hovered = to; });
+}
+
 } // namespace
 
-void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout) {
+void drawViewPanel(const Session& session, const Pictures& pictures, const Layout& layout) {
     beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     toolRow(session, layout);
 
@@ -356,14 +365,16 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
         pick(session, layout, panes, picture);
         clicked = true;
     }
-    if (const auto pixel = hovered ? panes.pixelAt(ImGui::GetIO().MousePos) : std::nullopt)
-        session.window.levels.hovered = {pixel->x, pixel->y};
+    const auto pixel = hovered ? panes.pixelAt(ImGui::GetIO().MousePos) : std::nullopt;
+    hoverPixel(session, pixel);
     probeWithMouse(session, panes, hovered, clicked);
     const ImGuiIO& io = ImGui::GetIO();
     if (!hovered || active)
-        session.window.hoveredInView.reset();
+        change(session, [](WindowState& window) { window.hoveredInView.reset(); });
     else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0)
-        session.window.hoveredInView = vertexUnderMouse(session, layout, panes, picture);
+        change(session, [vertex = vertexUnderMouse(session, layout, panes, picture)](WindowState& window) {
+            window.hoveredInView = vertex;
+        });
     for (const Pane& pane : panes.all()) {
         draw.PushClipRect(
             {static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
@@ -376,7 +387,8 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     }
     if (hovered)
         drawMagnifier(session, panes, pictures, layout);
-    drawFalseColorTip(session, layout);
+    if (pixel)
+        drawFalseColorTip(session, layout, *pixel);
     drawComparisonStrip(session, pictures, layout);
     stepLine(session, layout);
     hintLine(session, layout);

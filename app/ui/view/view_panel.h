@@ -5,6 +5,6 @@
 
 namespace texplorer::ui {
 
-void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);
+void drawViewPanel(const Session& session, const Pictures& pictures, const Layout& layout);
 
 } // namespace texplorer::ui

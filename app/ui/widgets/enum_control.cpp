@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t maxSegments = 8;
 
 /// The tip of the last widget, a choice: its name, its help, and a preview of the picture.
-void offerChoice(Session& session, const ParamRow& row, const EnumRow& choice, const std::string& path,
+void offerChoice(const Session& session, const ParamRow& row, const EnumRow& choice, const std::string& path,
                  bool isCurrent) {
     noteItem(fmt::format("{}={}", path, choice.name));
     choiceTip(choice);
@@ -34,7 +34,7 @@ std::vector<Segment> segmentsOf(const Session& session, const Owner& owner, cons
     return segments;
 }
 
-bool listOfChoices(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
+bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
                    const std::string& path) {
     const EnumRow* current = findRow(row.choices, value.number);
     const float room =
@@ -92,7 +92,7 @@ std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owne
     return planSegments(segmentsOf(session, owner, row), width, maxLines);
 }
 
-bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
+bool enumControl(const Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
                  const std::string& path, const std::optional<SegmentPlan>& plan,
                  std::optional<ImU32> chosenInk) {
     if (!plan)

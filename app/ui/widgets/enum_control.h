@@ -19,7 +19,7 @@ namespace texplorer::ui {
 /// Draws the choices by a plan, or, without one, as a list in the item's width. The choice under the pointer
 /// is previewed. `chosenInk`: for the chosen one of a plan. The name in tests is "path=NAME". Returns true if
 /// `value` changed.
-bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
+bool enumControl(const Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
                  const std::string& path, const std::optional<SegmentPlan>& plan,
                  std::optional<ImU32> chosenInk);
 

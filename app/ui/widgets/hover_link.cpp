@@ -2,15 +2,13 @@
 
 #include <imgui.h>
 
-#include <utility>
-
 namespace texplorer::ui {
 
-void linkHover(Session& session, std::string_view path) {
+void linkHover(const Session& session, std::string_view path) {
     if (path.empty())
         return;
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        session.window.hoveringParam = path;
+        session.out.hoveredParam = path;
         return;
     }
     if (session.window.hoveredParam != path)
@@ -21,10 +19,6 @@ void linkHover(Session& session, std::string_view path) {
     ImGui::GetWindowDrawList()->AddRect({low.x - margin, low.y - margin}, {high.x + margin, high.y + margin},
                                         ImGui::GetColorU32(ImGuiCol_CheckMark),
                                         ImGui::GetStyle().FrameRounding);
-}
-
-void turnHover(WindowState& window) {
-    window.hoveredParam = std::exchange(window.hoveringParam, {});
 }
 
 } // namespace texplorer::ui

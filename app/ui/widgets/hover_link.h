@@ -8,9 +8,6 @@ namespace texplorer::ui {
 
 /// Links the last widget to a parameter: while the pointer is on it, every panel highlights the parameter
 /// from the next frame on; while the pointer is on another widget of the parameter, this one is highlighted.
-void linkHover(Session& session, std::string_view path);
-
-/// Call once per frame, before all panels.
-void turnHover(WindowState& window);
+void linkHover(const Session& session, std::string_view path);
 
 } // namespace texplorer::ui

@@ -16,7 +16,7 @@ std::string shownNameOf(const Model& model) {
     return model.name.empty() ? tr(nameOf(model)) : model.name;
 }
 
-void modelChoice(Session& session, float minWidth, float maxWidth) {
+void modelChoice(const Session& session, float minWidth, float maxWidth) {
     const std::vector<Model>& models = presentScene(session).models;
     const auto name = [&](int index) {
         return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
@@ -28,10 +28,11 @@ void modelChoice(Session& session, float minWidth, float maxWidth) {
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(models.size()); ++i) {
-            if (ImGui::Selectable(name(i).c_str(), i == session.window.selection.model)) {
-                session.window.selection.model = i;
-                session.window.selection.vertex.reset();
-            }
+            if (ImGui::Selectable(name(i).c_str(), i == session.window.selection.model))
+                change(session, [i](WindowState& window) {
+                    window.selection.model = i;
+                    window.selection.vertex.reset();
+                });
             noteItem(fmt::format("model:{}", i));
         }
         ImGui::EndCombo();

@@ -11,6 +11,6 @@ namespace texplorer::ui {
 
 /// A list of the scene's models, of which there must be at least one: as wide as the name of the selected
 /// one, within the given limits.
-void modelChoice(Session& session, float minWidth, float maxWidth);
+void modelChoice(const Session& session, float minWidth, float maxWidth);
 
 } // namespace texplorer::ui

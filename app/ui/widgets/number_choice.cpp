@@ -23,8 +23,8 @@ void drawDot() {
 
 } // namespace
 
-void numberChoice(const char* words, const char* shortWords, const char* name,
-                  std::span<const NumberChoice> choices, int& chosen) {
+std::optional<int> numberChoice(const char* words, const char* shortWords, const char* name,
+                                std::span<const NumberChoice> choices, int chosen) {
     const char* shown = tr(words);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -39,6 +39,7 @@ void numberChoice(const char* words, const char* shortWords, const char* name,
     const float width = std::clamp(std::floor(left / count), 1.0F, wanted);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown);
+    std::optional<int> pressed;
     for (int i = 0; i < static_cast<int>(choices.size()); ++i) {
         const NumberChoice& choice = choices[static_cast<std::size_t>(i)];
         if (i > 0 || !ownLine)
@@ -47,7 +48,7 @@ void numberChoice(const char* words, const char* shortWords, const char* name,
         if (isChosen)
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
         if (ImGui::Button(fmt::format("{}##{}", i, name).c_str(), {width, 0}))
-            chosen = i;
+            pressed = i;
         noteItem(fmt::format("{}:{}", name, i));
         if (isChosen)
             ImGui::PopStyleColor();
@@ -55,6 +56,7 @@ void numberChoice(const char* words, const char* shortWords, const char* name,
             drawDot();
         helpTip(choice.tip);
     }
+    return pressed;
 }
 
 } // namespace texplorer::ui

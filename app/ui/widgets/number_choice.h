@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -13,8 +14,8 @@ struct NumberChoice {
 
 /// A label and a button for each of `choices`, from 0: with `shortWords` if the room is too narrow for
 /// `words`, and with the buttons below the label if they do not fit next to it. `name` is the name of a
-/// button in tests: "unit:2".
-void numberChoice(const char* words, const char* shortWords, const char* name,
-                  std::span<const NumberChoice> choices, int& chosen);
+/// button in tests: "unit:2". Returns the number that was pressed.
+[[nodiscard]] std::optional<int> numberChoice(const char* words, const char* shortWords, const char* name,
+                                              std::span<const NumberChoice> choices, int chosen);
 
 } // namespace texplorer::ui

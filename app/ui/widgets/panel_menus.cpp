@@ -20,90 +20,93 @@ bool panelSubmenu(const char* words) {
     return open;
 }
 
-void textureSpaceItems(Workspace& workspace) {
-    if (panelItem("Shown", nullptr, workspace.textureSpace))
-        workspace.textureSpace = !workspace.textureSpace;
-    const bool fills = maximisedOf(workspace) == Maximised::TextureSpace;
-    if (panelItem("Maximised", "Double click", fills)) {
-        workspace.textureSpace = true;
-        toggleMaximised(workspace, Maximised::TextureSpace);
-    }
+void textureSpaceItems(const Session& session) {
+    const Workspace& shown = session.window.settings.workspace;
+    if (panelItem("Shown", nullptr, shown.textureSpace))
+        rearrange(session, [](Workspace& workspace) { workspace.textureSpace = !workspace.textureSpace; });
+    const bool fills = maximisedOf(shown) == Maximised::TextureSpace;
+    if (panelItem("Maximised", "Double click", fills))
+        rearrange(session, [](Workspace& workspace) {
+            workspace.textureSpace = true;
+            toggleMaximised(workspace, Maximised::TextureSpace);
+        });
 }
 
 } // namespace
 
-void textureSpaceTitle(Session& session, float room) {
-    Workspace& workspace = session.window.settings.workspace;
+void textureSpaceTitle(const Session& session, float room) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(fitted("Texture space", room).c_str());
     noteItem("title:Texture space");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        toggleMaximised(workspace, Maximised::TextureSpace);
+        rearrange(session, [](Workspace& workspace) { toggleMaximised(workspace, Maximised::TextureSpace); });
     helpTip("Double click: maximises the panel, or restores it. Right click: more.");
     if (ImGui::BeginPopupContextItem("texture space menu")) {
-        textureSpaceItems(workspace);
+        textureSpaceItems(session);
         ImGui::EndPopup();
     }
 }
 
-void tabMenuItems(Workspace& workspace, Tab tab) {
-    const bool open = isOpen(workspace, tab);
+void tabMenuItems(const Session& session, Tab tab) {
+    const Workspace& shown = session.window.settings.workspace;
+    const bool open = isOpen(shown, tab);
     for (const DockRow& row : dockRows) {
-        if (panelItem(row.label, nullptr, open && dockOf(workspace, tab) == row.dock))
-            moveTab(workspace, tab, row.dock);
+        if (panelItem(row.label, nullptr, open && dockOf(shown, tab) == row.dock))
+            rearrange(session, [tab, &row](Workspace& workspace) { moveTab(workspace, tab, row.dock); });
     }
     if (panelItem("Closed", nullptr, !open))
-        closeTab(workspace, tab);
+        rearrange(session, [tab](Workspace& workspace) { closeTab(workspace, tab); });
     ImGui::Separator();
-    const Maximised what = maximised(dockOf(workspace, tab));
-    const bool fills = isShown(workspace, tab) && maximisedOf(workspace) == what;
-    if (panelItem("Maximised", "Double click", fills)) {
-        if (!fills)
-            showTab(workspace, tab);
-        toggleMaximised(workspace, what);
-    }
+    const Maximised what = maximised(dockOf(shown, tab));
+    const bool fills = isShown(shown, tab) && maximisedOf(shown) == what;
+    if (panelItem("Maximised", "Double click", fills))
+        rearrange(session, [=](Workspace& workspace) {
+            if (!fills)
+                showTab(workspace, tab);
+            toggleMaximised(workspace, what);
+        });
 }
 
-void dockMenuItems(Workspace& workspace, Dock dock) {
+void dockMenuItems(const Session& session, Dock dock) {
+    const Workspace& shown = session.window.settings.workspace;
     for (const TabRow& row : tabRows) {
-        const bool here = isOpen(workspace, row.tab) && dockOf(workspace, row.tab) == dock;
-        if (!panelItem(row.label, nullptr, here))
-            continue;
-        if (here)
-            closeTab(workspace, row.tab);
-        else
-            moveTab(workspace, row.tab, dock);
+        const bool here = isOpen(shown, row.tab) && dockOf(shown, row.tab) == dock;
+        if (panelItem(row.label, nullptr, here))
+            rearrange(session, [=, &row](Workspace& workspace) {
+                if (here)
+                    closeTab(workspace, row.tab);
+                else
+                    moveTab(workspace, row.tab, dock);
+            });
     }
 }
 
-void panelsMenu(Session& session) {
+void panelsMenu(const Session& session) {
     if (!panelSubmenu("Panels"))
         return;
-    Workspace& workspace = session.window.settings.workspace;
-    if (panelItem("Parameters", nullptr, workspace.parameters))
-        workspace.parameters = !workspace.parameters;
+    if (panelItem("Parameters", nullptr, session.window.settings.workspace.parameters))
+        rearrange(session, [](Workspace& workspace) { workspace.parameters = !workspace.parameters; });
     if (panelSubmenu("Texture space")) {
-        textureSpaceItems(workspace);
+        textureSpaceItems(session);
         ImGui::EndMenu();
     }
     ImGui::Separator();
     for (const TabRow& row : tabRows) {
         if (!panelSubmenu(row.label))
             continue;
-        tabMenuItems(workspace, row.tab);
+        tabMenuItems(session, row.tab);
         ImGui::EndMenu();
     }
     ImGui::EndMenu();
 }
 
-void layoutsMenu(Session& session) {
+void layoutsMenu(const Session& session) {
     if (!panelSubmenu("Layout"))
         return;
-    Workspace& workspace = session.window.settings.workspace;
+    const LayoutRow* now = layoutOf(session.window.settings.workspace);
     for (const LayoutRow& row : layoutRows) {
-        const LayoutRow* now = layoutOf(workspace);
         if (panelItem(row.label, nullptr, now && now->name == row.name))
-            chooseLayout(workspace, row);
+            rearrange(session, [&row](Workspace& workspace) { chooseLayout(workspace, row); });
         helpTip(row.help);
     }
     ImGui::EndMenu();

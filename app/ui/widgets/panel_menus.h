@@ -7,19 +7,19 @@ namespace texplorer::ui {
 // Menus for opening and moving panels: of View, and of the tabs themselves.
 
 /// The menu items for one tab: the docks, maximise, close. Call it in an open menu.
-void tabMenuItems(Workspace& workspace, Tab tab);
+void tabMenuItems(const Session& session, Tab tab);
 
 /// The title of the texture space at the top of its panel, with its menu: a right click opens it, a double
 /// click maximises the panel. `room`: in pixels; a longer title is cut.
-void textureSpaceTitle(Session& session, float room);
+void textureSpaceTitle(const Session& session, float room);
 
 /// View › Panels: each panel, and a menu for each tab.
-void panelsMenu(Session& session);
+void panelsMenu(const Session& session);
 
 /// View › Layout.
-void layoutsMenu(Session& session);
+void layoutsMenu(const Session& session);
 
 /// The choice of the tabs in a dock, for the button at the end of its tabs.
-void dockMenuItems(Workspace& workspace, Dock dock);
+void dockMenuItems(const Session& session, Dock dock);
 
 } // namespace texplorer::ui

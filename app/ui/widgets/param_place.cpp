@@ -47,7 +47,7 @@ int placeCount(const Value& value) {
                                                       : 1;
 }
 
-void assignCoord(Session& session, const ParamPlace& place, int component, float number) {
+void assignCoord(const Session& session, const ParamPlace& place, int component, float number) {
     const Model& model = *static_cast<const Model*>(place.owner.values);
     const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
     if (*place.vertex >= coords.size() || component < 0 || component > 3)
@@ -109,7 +109,7 @@ float numberAt(const ParamPlace& place, int component) {
     return numbers ? numbers[std::clamp(component, 0, placeCount(value) - 1)] : 0.0F;
 }
 
-void assignNumber(Session& session, const ParamPlace& place, int component, float number) {
+void assignNumber(const Session& session, const ParamPlace& place, int component, float number) {
     const Range range = rangeOf(place);
     number = std::clamp(number, range.min, range.max);
     if (place.vertex)

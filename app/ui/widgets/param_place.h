@@ -22,7 +22,7 @@ struct ParamPlace {
 [[nodiscard]] float numberAt(const ParamPlace& place, int component);
 
 /// Submits another number as its control does: clamped to the row's range.
-void assignNumber(Session& session, const ParamPlace& place, int component, float number);
+void assignNumber(const Session& session, const ParamPlace& place, int component, float number);
 
 /// The range and step of a drag.
 [[nodiscard]] Range rangeOf(const ParamPlace& place);

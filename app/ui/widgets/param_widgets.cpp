@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/pinned.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/enum_control.h"
@@ -75,7 +76,7 @@ bool intWidget(const ParamRow& row, int& value, const char* instead) {
 }
 
 /// Draws the control; returns true if the line's value changed.
-bool control(Session& session, const Owner& owner, const ParamRow& row, Line& line) {
+bool control(const Session& session, const Owner& owner, const ParamRow& row, Line& line) {
     Value& value = line.value;
     switch (row.kind) {
     case Kind::Bool:
@@ -126,12 +127,13 @@ std::string wordsOfEdit(const ParamRow& row, const Value& value) {
 
 } // namespace
 
-void assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
+void assignParam(const Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
     if (value == row.read(owner.values))
         return;
     if (const Result<void> fits = checkValue(row, value); !fits) {
-        session.window.notice = {fmt::format("{}: {}", row.label, fits.error().message), {}};
-        return;
+        return act(session, [text = fmt::format("{}: {}", row.label, fits.error().message)](Session& told) {
+            say(told, text);
+        });
     }
     if (owner.accepts && !owner.accepts(row, value))
         return;
@@ -142,7 +144,7 @@ void assignParam(Session& session, const Owner& owner, const ParamRow& row, cons
                      .continues = isContinuous(row.kind)});
 }
 
-void sealAfterItem(Session& session) {
+void sealAfterItem(const Session& session) {
     if (ImGui::IsItemActivated() || ImGui::IsItemDeactivated())
         sealEdit(session);
 }
@@ -185,10 +187,13 @@ Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
 }
 
 /// Scrolls to a requested control and frames it.
-void showWanted(Session& session, const Line& line) {
+void showWanted(const Session& session, const Line& line) {
     if (line.path == session.window.wantedParam) {
         ImGui::SetScrollHereY(0.4F);
-        session.window.wantedParam.clear();
+        change(session, [path = line.path](WindowState& window) {
+            if (window.wantedParam == path)
+                window.wantedParam.clear();
+        });
     }
     if (line.path != session.window.shownParam)
         return;
@@ -211,7 +216,7 @@ std::string backTo(const ParamRow& row, const Line& line) {
 }
 
 /// Menu items for the key frames of a row.
-void keyItems(Session& session, const Line& line) {
+void keyItems(const Session& session, const Line& line) {
     const Timeline& timeline = presentScene(session).timeline;
     const float time = presentKeyTime(session);
     ImGui::Separator();
@@ -228,7 +233,7 @@ void keyItems(Session& session, const Line& line) {
     if (!hasKeys(timeline, line.path))
         return;
     if (ImGui::MenuItem(label("Show its key frames")))
-        session.window.wantedTab = Tab::Timeline;
+        change(session, [](WindowState& window) { window.wantedTab = Tab::Timeline; });
     noteItem(line.path + "#menu:timeline");
     if (ImGui::MenuItem(label("Remove its key frames")))
         removeKeys(session, line.path);
@@ -237,7 +242,7 @@ void keyItems(Session& session, const Line& line) {
 }
 
 /// A diamond after the label of a parameter with key frames: filled if there is one at the present time.
-void keySign(Session& session, const Line& line) {
+void keySign(const Session& session, const Line& line) {
     const Timeline& timeline = presentScene(session).timeline;
     if (!hasKeys(timeline, line.path))
         return;
@@ -273,19 +278,18 @@ void keySign(Session& session, const Line& line) {
 constexpr std::array sheetSides{"Vary on a sheet: rows", "Vary on a sheet: columns"};
 
 /// The menu of a row.
-void rowMenu(Session& session, const ParamRow& row, Line& line) {
+void rowMenu(const Session& session, const ParamRow& row, Line& line) {
     if (!ImGui::BeginPopup("row"))
         return;
-    Settings& settings = session.window.settings;
     caption(glNameOf(row).empty() ? std::string(row.label)
                                   : fmt::format("{} · {}", row.label, glNameOf(row)));
     line.reset |= ImGui::MenuItem(label(backTo(row, line)).c_str(), nullptr, false, line.changed);
     noteItem(line.path + "#menu:reset");
     const bool isThere = isEssential(line.path);
-    const bool pinned = isPinned(settings, line.path);
+    const bool pinned = isPinned(session.window.settings, line.path);
     if (ImGui::MenuItem(label(pinned ? "Unpin from Essentials" : "Pin to Essentials"), nullptr, false,
                         !isThere))
-        togglePin(settings, line.path);
+        change(session, [path = line.path](WindowState& window) { togglePin(window.settings, path); });
     noteItem(line.path + "#menu:pin");
     helpTip(isThere  ? "It is in Essentials already"
             : pinned ? "Removes it from Essentials"
@@ -295,7 +299,7 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
         ImGui::Separator();
         for (std::size_t side = 0; side < sheetSides.size(); ++side) {
             if (ImGui::MenuItem(label(sheetSides[side])))
-                varyOnSheet(session, line.path, side);
+                act(session, [path = line.path, side](Session& s) { varyOnSheet(s, path, side); });
             noteItem(fmt::format("{}#menu:{}", line.path, side == 0 ? "rows" : "columns"));
             helpTip("Shows the scene with each of its values on the sheet of variations.");
         }
@@ -303,7 +307,7 @@ void rowMenu(Session& session, const ParamRow& row, Line& line) {
     ImGui::EndPopup();
 }
 
-void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
+void drawControl(const Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
                  ImU32 ink) {
     constexpr float dimShare = 0.35F; // of a swatch, which has no text to dim
     ImGui::SetNextItemWidth(width);
@@ -328,7 +332,7 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
 }
 
 /// Submits the user's change of a line.
-void finish(Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
+void finish(const Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
     if (line.edited && !line.reset)
         assignParam(session, owner, row, line.value);
     if (!line.reset)
@@ -356,7 +360,7 @@ void resetSign(const ParamRow& row, Line& line) {
 }
 
 /// `sign`: the room for ↺ next to it; 0: the colour shows the change, for buttons that of the chosen one.
-void controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width,
+void controlAlone(const Session& session, const Owner& owner, const ParamRow& row, Line line, float width,
                   float sign = 0) {
     ImGui::PushID(line.path.c_str());
     line.hasSign = sign > 0;
@@ -382,7 +386,8 @@ void controlAlone(Session& session, const Owner& owner, const ParamRow& row, Lin
 
 } // namespace
 
-void paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
+void paramControl(const Session& session, const Owner& owner, const ParamRow& row, float width,
+                  std::size_t lines) {
     Line line = lineOf(session, owner, row);
     const float sign = ImGui::GetFontSize() * resetRoom;
     line.plan = planChoices(session, owner, row, width, lines);
@@ -393,13 +398,13 @@ void paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
     controlAlone(session, owner, row, std::move(line), width, sign);
 }
 
-void paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
+void paramSlider(const Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
     Line line = lineOf(session, owner, row);
     line.slidesTo = end;
     controlAlone(session, owner, row, std::move(line), width);
 }
 
-void paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
+void paramWidget(const Session& session, const Owner& owner, const ParamRow& row) {
     if (isList(row.kind))
         return;
     Line line = lineOf(session, owner, row);
@@ -472,7 +477,7 @@ bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row)
 namespace {
 
 /// One below the other, or in two columns if there is room.
-void drawRows(Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
+void drawRows(const Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
     const bool two = ImGui::GetContentRegionAvail().x >= wideColumn * ImGui::GetFontSize() && rows.size() > 1;
     if (!two) {
         for (const ParamRow* row : rows)
@@ -491,7 +496,7 @@ void drawRows(Session& session, const Owner& owner, const std::vector<const Para
 }
 
 /// Rows without effect are folded: still available, but out of the way.
-void drawFolded(Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
+void drawFolded(const Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
     if (rows.empty())
         return;
     const auto isAskedFor = [&](const ParamRow* row) {
@@ -514,7 +519,8 @@ void drawFolded(Session& session, const Owner& owner, const std::vector<const Pa
 
 } // namespace
 
-void paramRows(Session& session, const Owner& owner, const StructTable& table, const RowOptions& options) {
+void paramRows(const Session& session, const Owner& owner, const StructTable& table,
+               const RowOptions& options) {
     const bool hasGroups = std::ranges::any_of(
         table.params, [&](const ParamRow& row) { return row.group != table.params.front().group; });
     std::vector<const ParamRow*> folded;

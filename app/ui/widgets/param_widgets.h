@@ -30,18 +30,18 @@ struct Owner {
 
 /// One line: label, control, and a sign to reset it if it differs from the initial value; a right click opens
 /// a menu to reset and pin it. The control depends on the row's kind. Submits edits.
-void paramWidget(Session& session, const Owner& owner, const ParamRow& row);
+void paramWidget(const Session& session, const Owner& owner, const ParamRow& row);
 
 /// The control alone, for panels with their own lines. `lines`: the maximum number of lines for the buttons
 /// of a choice.
-void paramControl(Session& session, const Owner& owner, const ParamRow& row, float width,
+void paramControl(const Session& session, const Owner& owner, const ParamRow& row, float width,
                   std::size_t lines = 1);
 
 /// The control alone, for a Float on a scale of powers: a slider from the least value to `end`.
-void paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end);
+void paramSlider(const Session& session, const Owner& owner, const ParamRow& row, float width, float end);
 
 /// Submits another value as its control does: validated and confirmed.
-void assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value);
+void assignParam(const Session& session, const Owner& owner, const ParamRow& row, const Value& value);
 
 /// Options for the rows of a table.
 struct RowOptions {
@@ -56,7 +56,7 @@ struct RowOptions {
 
 /// Every row of a table: those that may have an effect with these values, group by group, and below them the
 /// others, folded.
-void paramRows(Session& session, const Owner& owner, const StructTable& table,
+void paramRows(const Session& session, const Owner& owner, const StructTable& table,
                const RowOptions& options = {});
 
 /// Whether a row's value can have an effect with the values of the others: the slices of a cube cannot.
@@ -66,7 +66,7 @@ void paramRows(Session& session, const Owner& owner, const StructTable& table,
 bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled);
 
 /// Ends an undo step when the last widget is released.
-void sealAfterItem(Session& session);
+void sealAfterItem(const Session& session);
 
 /// Help for the last widget while the pointer rests on it: in the status bar, or as a tooltip if it does not
 /// fit there.

@@ -11,7 +11,7 @@
 
 namespace texplorer::ui {
 
-void problemSign(Session& session, const std::string& path, const Finding& problem) {
+void problemSign(const Session& session, const std::string& path, const Finding& problem) {
     const ImVec2 place = ImGui::GetCursorPos();
     if (problem.severity <= Severity::Warning)
         warningSign();

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/program_file.h"
+#include "app/ui/model/session.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 
@@ -9,10 +10,10 @@
 
 namespace texplorer::ui {
 
-void programMenuItems(Session& session) {
+void programMenuItems(const Session& session) {
     for (const EnumRow& row : emit::flavourRows) {
         if (ImGui::MenuItem(label(row.label).c_str()))
-            askSaveProgram(session, static_cast<emit::Flavour>(row.value));
+            act(session, [&row](Session& s) { askSaveProgram(s, static_cast<emit::Flavour>(row.value)); });
         noteItem(fmt::format("menu:{}", row.label));
         helpTip(std::string(row.help));
     }

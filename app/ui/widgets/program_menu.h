@@ -5,6 +5,6 @@
 namespace texplorer::ui {
 
 /// Menu items for exporting the scene.
-void programMenuItems(Session& session);
+void programMenuItems(const Session& session);
 
 } // namespace texplorer::ui

@@ -16,7 +16,7 @@ constexpr std::array axisLetters{"x", "y", "z", "w"};
 constexpr std::array coordinateLetters{"s", "t", "r", "q"};
 
 template<class Vector>
-bool vectorNumbers(Session& session, const ParamRow& row, Vector& value, const std::string& path) {
+bool vectorNumbers(const Session& session, const ParamRow& row, Vector& value, const std::string& path) {
     constexpr int count = Vector::length();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = std::floor((ImGui::CalcItemWidth() - gap * (count - 1)) / count);
@@ -49,7 +49,7 @@ bool colorControl(glm::vec4& value) {
     return false;
 }
 
-bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
+bool colorPopup(const Session& session, glm::vec4& value, const std::string& path) {
     bool changed = false;
     if (ImGui::BeginPopup("picker")) {
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 15);
@@ -64,15 +64,15 @@ bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
     return changed;
 }
 
-bool vectorControl(Session& session, const ParamRow& row, glm::vec3& value, const std::string& path) {
+bool vectorControl(const Session& session, const ParamRow& row, glm::vec3& value, const std::string& path) {
     return vectorNumbers(session, row, value, path);
 }
 
-bool vectorControl(Session& session, const ParamRow& row, glm::vec4& value, const std::string& path) {
+bool vectorControl(const Session& session, const ParamRow& row, glm::vec4& value, const std::string& path) {
     return vectorNumbers(session, row, value, path);
 }
 
-bool matrixControl(Session& session, const ParamRow& row, glm::mat4& value, const std::string& path) {
+bool matrixControl(const Session& session, const ParamRow& row, glm::mat4& value, const std::string& path) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = std::floor((ImGui::CalcItemWidth() - gap * 3) / 4);
     bool changed = false;

@@ -13,16 +13,16 @@ namespace texplorer::ui {
 // returns true if `value` changed.
 
 /// A number for each component, with its letter: x, y, z, w.
-bool vectorControl(Session& session, const ParamRow& row, glm::vec3& value, const std::string& path);
-bool vectorControl(Session& session, const ParamRow& row, glm::vec4& value, const std::string& path);
+bool vectorControl(const Session& session, const ParamRow& row, glm::vec3& value, const std::string& path);
+bool vectorControl(const Session& session, const ParamRow& row, glm::vec4& value, const std::string& path);
 
 /// Rows as in written mathematics, although OpenGL stores columns. A row has the letter of the coordinate
 /// that it computes.
-bool matrixControl(Session& session, const ParamRow& row, glm::mat4& value, const std::string& path);
+bool matrixControl(const Session& session, const ParamRow& row, glm::mat4& value, const std::string& path);
 
 /// A swatch that opens colorPopup when pressed; the popup is separate so that the swatch stays the "last
 /// item" of the line.
 bool colorControl(glm::vec4& value);
-bool colorPopup(Session& session, glm::vec4& value, const std::string& path);
+bool colorPopup(const Session& session, glm::vec4& value, const std::string& path);
 
 } // namespace texplorer::ui

@@ -82,10 +82,10 @@ Decision decisionButtons(bool readable) {
 
 } // namespace
 
-void drawChangedFile(Session& session) {
+void drawChangedFile(const Session& session) {
     const std::shared_ptr<const ChangedFile> changed = session.document.changedFile;
     if (!changed) { // another document is shown
-        session.window.dialog = Dialog::None;
+        change(session, [](WindowState& window) { window.dialog = Dialog::None; });
         return;
     }
     if (!beginModal("The file has changed"))
@@ -112,7 +112,7 @@ void drawChangedFile(Session& session) {
         ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     if (decision != Decision::None)
-        decide(session, decision);
+        act(session, [decision](Session& s) { decide(s, decision); });
 }
 
 } // namespace texplorer::ui

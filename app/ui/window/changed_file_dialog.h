@@ -5,6 +5,6 @@
 namespace texplorer::ui {
 
 /// Dialog::FileHasChanged.
-void drawChangedFile(Session& session);
+void drawChangedFile(const Session& session);
 
 } // namespace texplorer::ui

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace texplorer::ui {
 namespace {
@@ -58,7 +57,7 @@ void changeTextSize(Session& session, int steps) {
         std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(textSizes.size()) - 1))];
 }
 
-void resizeTextByWheel(Session& session, float& turned, const Layout& layout) {
+void resizeTextByWheel(const Session& session, float& turned, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     const Workspace& workspace = session.window.settings.workspace;
     const auto isOver = [&](const Rect& rect) { return rect.contains(io.MousePos.x, io.MousePos.y); };
@@ -72,49 +71,50 @@ void resizeTextByWheel(Session& session, float& turned, const Layout& layout) {
     const int steps = static_cast<int>(turned);
     turned -= static_cast<float>(steps);
     if (steps != 0)
-        changeTextSize(session, steps);
+        act(session, [steps](Session& s) { changeTextSize(s, steps); });
 }
 
-void comfortItems(Session& session) {
-    Settings& settings = session.window.settings;
+void comfortItems(const Session& session) {
+    const Settings& settings = session.window.settings;
     if (comfortMenu("Theme")) {
         for (const ThemeRow& row : themeRows) {
             if (comfortItem(row.label, {}, settings.theme == row.theme))
-                settings.theme = row.theme;
+                change(session, [&row](WindowState& window) { window.settings.theme = row.theme; });
         }
         ImGui::EndMenu();
     }
     if (comfortMenu("Language")) {
         for (const LanguageRow& row : languageRows) {
             if (comfortItem(row.label, {}, settings.language == row.language))
-                settings.language = row.language;
+                change(session, [&row](WindowState& window) { window.settings.language = row.language; });
         }
         ImGui::EndMenu();
     }
     if (comfortMenu("Text size")) {
         if (comfortItem("Larger", keysOf(session, "larger text"), false,
                         settings.textPercent < Settings::maxText))
-            changeTextSize(session, 1);
+            act(session, [](Session& s) { changeTextSize(s, 1); });
         if (comfortItem("Smaller", keysOf(session, "smaller text"), false,
                         settings.textPercent > Settings::minText))
-            changeTextSize(session, -1);
+            act(session, [](Session& s) { changeTextSize(s, -1); });
         if (comfortItem("Usual", keysOf(session, "usual text")))
-            settings.textPercent = Settings{}.textPercent;
+            change(session,
+                   [](WindowState& window) { window.settings.textPercent = Settings{}.textPercent; });
         ImGui::Separator();
         for (const int size : textSizes) {
             if (comfortItem(fmt::format("{} %", size), {}, settings.textPercent == size))
-                settings.textPercent = size;
+                change(session, [size](WindowState& window) { window.settings.textPercent = size; });
         }
         ImGui::EndMenu();
     }
     if (comfortItem("Help in the status bar", {}, settings.helpBelow))
-        settings.helpBelow = !settings.helpBelow;
+        change(session, [](WindowState& window) { window.settings.helpBelow = !window.settings.helpBelow; });
     helpTip("Explains what is under the pointer at the lower edge of the window, not in a tooltip.");
     if (comfortItem("Full screen", keysOf(session, "full screen"), session.window.fillsScreen))
-        session.window.fillsScreen = !session.window.fillsScreen;
+        change(session, [](WindowState& window) { window.fillsScreen = !window.fillsScreen; });
     if (comfortItem("View alone", keysOf(session, "view alone"),
                     maximisedOf(settings.workspace) == Maximised::View))
-        toggleMaximised(settings.workspace, Maximised::View);
+        rearrange(session, [](Workspace& workspace) { toggleMaximised(workspace, Maximised::View); });
 }
 
 void copyTexshotCommand(Session& session, const Layout& layout) {
@@ -144,25 +144,22 @@ void pasteScene(Session& session) {
         say(session, fmt::format("The scene can't be pasted: {}.", describe(opened.error())));
 }
 
-void recentItems(Session& session) {
-    Settings& settings = session.window.settings;
+void recentItems(const Session& session) {
+    const Settings& settings = session.window.settings;
     if (settings.recentFiles.empty()) {
         dimText("No files opened yet");
         return;
     }
-    std::optional<std::filesystem::path> chosen;
     for (const std::filesystem::path& file : settings.recentFiles) {
         ImGui::PushID(static_cast<int>(&file - settings.recentFiles.data()));
         if (fileItem(file))
-            chosen = file;
+            act(session, [file](Session& s) { requestOpen(s, {file}); });
         helpTip(file.string());
         ImGui::PopID();
     }
     ImGui::Separator();
     if (comfortItem("Forget these files"))
-        settings.recentFiles.clear();
-    if (chosen)
-        requestOpen(session, {*chosen});
+        change(session, [](WindowState& window) { window.settings.recentFiles.clear(); });
 }
 
 } // namespace texplorer::ui

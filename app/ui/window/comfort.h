@@ -9,10 +9,10 @@ void changeTextSize(Session& session, int steps);
 
 /// Ctrl and the wheel do the same, unless they zoom the item under the pointer. `turned`: the rest of a step,
 /// from frame to frame.
-void resizeTextByWheel(Session& session, float& turned, const Layout& layout);
+void resizeTextByWheel(const Session& session, float& turned, const Layout& layout);
 
 /// Menu items: themes, text sizes, the place of help, full screen and pictures to write.
-void comfortItems(Session& session);
+void comfortItems(const Session& session);
 
 /// Copies a command line that draws the view's picture to the clipboard.
 void copyTexshotCommand(Session& session, const Layout& layout);
@@ -24,6 +24,6 @@ void copySceneLink(Session& session);
 void pasteScene(Session& session);
 
 /// Menu items: recently opened files.
-void recentItems(Session& session);
+void recentItems(const Session& session);
 
 } // namespace texplorer::ui

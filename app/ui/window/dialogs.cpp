@@ -98,7 +98,7 @@ void beginBrowsing(DialogsState& state, const Session& session) {
         state.browser.typed = programFileName(document, session.window.flavour);
 }
 
-void drawDiscard(Session& session) {
+void drawDiscard(const Session& session) {
     const Document& document = session.document;
     const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
     const std::string name = printable(file.filename().string());
@@ -119,19 +119,21 @@ void drawDiscard(Session& session) {
     noteItem("discard:cancel");
     if (keep || drop || stay) {
         ImGui::CloseCurrentPopup();
-        session.window.dialog = Dialog::None;
+        act(session, [stay, drop](Session& s) {
+            s.window.dialog = Dialog::None;
+            if (stay)
+                s.window.pending = {};
+            else if (drop)
+                finishPending(s);
+            else
+                save(s);
+        });
     }
     ImGui::EndPopup();
-    if (stay)
-        session.window.pending = {};
-    else if (drop)
-        finishPending(session);
-    else if (keep)
-        save(session);
 }
 
 /// A picture by texshot is an image, too.
-void drawPictureQuestion(Session& session) {
+void drawPictureQuestion(const Session& session) {
     if (!beginModal("A picture with its scene"))
         return;
     const std::string name = session.window.askedPicture.file.filename().string();
@@ -147,19 +149,21 @@ void drawPictureQuestion(Session& session) {
     noteItem("picture:cancel");
     if (open || use || stay) {
         ImGui::CloseCurrentPopup();
-        session.window.dialog = Dialog::None;
+        act(session, [open, use](Session& s) {
+            s.window.dialog = Dialog::None;
+            if (open)
+                askPictureScene(s);
+            else if (use)
+                usePicture(s);
+            else
+                s.window.askedPicture = {};
+        });
     }
     ImGui::EndPopup();
-    if (open)
-        askPictureScene(session);
-    else if (use)
-        usePicture(session);
-    else if (stay)
-        session.window.askedPicture = {};
 }
 
 /// One line per file with its reason: there may be hundreds.
-void drawRefused(Session& session) {
+void drawRefused(const Session& session) {
     if (!beginModal("Files that could not be opened"))
         return;
     const float em = ImGui::GetFontSize();
@@ -183,8 +187,10 @@ void drawRefused(Session& session) {
         dialogButton("Close") || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false);
     noteItem("refused:close");
     if (read) {
-        session.window.refused.clear();
-        session.window.dialog = Dialog::None;
+        change(session, [](WindowState& window) {
+            window.refused.clear();
+            window.dialog = Dialog::None;
+        });
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -226,31 +232,33 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
     return {};
 }
 
-void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pictures) {
+void drawBrowserDialog(const Session& session, DialogsState& state, const Pictures& pictures) {
     beginBrowsing(state, session);
     std::filesystem::path chosen;
     const Dialog dialog = session.window.dialog;
     const Browsing browsing = drawFileBrowser(state.browser, session.services.files, pictures, chosen);
     if (browsing == Browsing::Open)
         return;
-    session.window.dialog = Dialog::None;
-    if (browsing == Browsing::Cancelled) {
-        session.window.pending = {};
-        return;
-    }
-    session.window.notice = {};
-    const Result<void> result = answer(session, dialog, chosen, state.browser.overwrites);
-    if (!result) { // back to the list, which shows the error
-        session.window.dialog = dialog;
-        state.browser.error = result.error().message;
-        state.browser.focusName = true;
-    }
+    if (browsing == Browsing::Cancelled)
+        return change(session, [](WindowState& window) {
+            window.dialog = Dialog::None;
+            window.pending = {};
+        });
+    act(session, [&state, dialog, chosen](Session& s) {
+        s.window.dialog = Dialog::None;
+        s.window.notice = {};
+        const Result<void> result = answer(s, dialog, chosen, state.browser.overwrites);
+        if (!result) { // back to the list, which shows the error
+            s.window.dialog = dialog;
+            state.browser.error = result.error().message;
+            state.browser.focusName = true;
+        }
+    });
 }
 
 } // namespace
 
-void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures) {
-    openWaitingDialog(session);
+void drawDialogs(const Session& session, DialogsState& state, const Pictures& pictures) {
     const Dialog dialog = session.window.dialog;
     if (std::ranges::find(browserRows, dialog, &BrowserRow::dialog) != browserRows.end())
         drawBrowserDialog(session, state, pictures);
@@ -268,8 +276,9 @@ void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures
         drawRestore(session, pictures);
     else if (dialog == Dialog::Refused)
         drawRefused(session);
-    if (session.window.dialog != state.browsed) // the next one starts again
+    if (dialog != state.browsed) // the next one starts again
         state.browsed = Dialog::None;
+    act(session, openWaitingDialog); // after the answer of the last one
 }
 
 } // namespace texplorer::ui

@@ -13,6 +13,6 @@ struct DialogsState {
 };
 
 /// Draws the dialog WindowState::dialog.
-void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures);
+void drawDialogs(const Session& session, DialogsState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -295,7 +295,7 @@ void drawHelpColumns(const HelpPlan& plan, float room) {
 
 } // namespace
 
-void drawHelp(Session& session) {
+void drawHelp(const Session& session) {
     if (!beginModal("Texplorer"))
         return;
     const std::string intro =
@@ -314,7 +314,7 @@ void drawHelp(Session& session) {
     helpText(intro, color::text, count * plan.width + (count - 1) * 2 * style.ItemSpacing.x);
     drawHelpColumns(plan, room);
     if (dialogButton("Close") || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false)) {
-        session.window.dialog = Dialog::None;
+        change(session, [](WindowState& window) { window.dialog = Dialog::None; });
         ImGui::CloseCurrentPopup();
     }
     noteItem("help:close");

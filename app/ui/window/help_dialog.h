@@ -4,6 +4,6 @@
 
 namespace texplorer::ui {
 
-void drawHelp(Session& session); ///< the help of F1: keys, mouse and colours
+void drawHelp(const Session& session); ///< the help of F1: keys, mouse and colours
 
 } // namespace texplorer::ui

@@ -30,6 +30,10 @@ void listChanges(Session& session) {
     session.window.wantedTab = Tab::Kept;
 }
 
+void takeAll(Session& session) {
+    takeAllFromKept(session);
+}
+
 constexpr std::array keptRows{
     KeptRow{"keep", "Keep as A", "Keep as A", "keep",
             "Keeps the present scene as A, to compare later changes with it.", false, keepAsA, never},
@@ -52,7 +56,7 @@ constexpr std::array keptRows{
             {},
             "Restores A, seen from the present camera. Undo reverts it.",
             true,
-            takeAllFromKept,
+            takeAll,
             never},
     KeptRow{"forget", "Forget A", nullptr, {}, "Ends the comparison.", true, forgetKept, never},
 };
@@ -73,11 +77,11 @@ std::string helpOf(const Session& session, const KeptRow& row) {
 
 } // namespace
 
-void drawKeptMenu(Session& session) {
+void drawKeptMenu(const Session& session) {
     for (const KeptRow& row : keptRows) {
         if (ImGui::MenuItem(label(row.label), keyOf(session, row).c_str(), row.isOn(session),
                             !row.needsKept || session.document.kept.scene))
-            row.act(session);
+            act(session, row.act);
         noteItem(fmt::format("a-b:{}", row.name));
         helpTip(row.help);
     }
@@ -91,7 +95,7 @@ float keptControlsWidth(const Session& session) {
     return width;
 }
 
-void drawKeptControls(Session& session, float available) {
+void drawKeptControls(const Session& session, float available) {
     if (keptControlsWidth(session) > available)
         return;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
@@ -103,7 +107,7 @@ void drawKeptControls(Session& session, float available) {
         ImGui::PushStyleColor(ImGuiCol_Button,
                               row.isOn(session) ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ImU32{0});
         if (ImGui::Button(label(row.brief)))
-            row.act(session);
+            act(session, row.act);
         ImGui::PopStyleColor();
         noteItem(fmt::format("a-b row:{}", row.name));
         helpTip(helpOf(session, row));

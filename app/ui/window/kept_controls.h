@@ -5,11 +5,11 @@
 namespace texplorer::ui {
 
 /// The contents of the menu "A/B".
-void drawKeptMenu(Session& session);
+void drawKeptMenu(const Session& session);
 
 /// Controls in the menu bar: one button while no state is kept, else the choice of what the view shows. Does
 /// nothing if there is less room; the menu has everything.
-void drawKeptControls(Session& session, float available);
+void drawKeptControls(const Session& session, float available);
 
 /// Their width.
 [[nodiscard]] float keptControlsWidth(const Session& session);

@@ -52,10 +52,9 @@ void focusNextPanel(int steps) {
 
 } // namespace
 
-void moveKeyboardFocus(Session& session, KeyboardFocus& focus) {
+void moveKeyboardFocus(const Session& session, KeyboardFocus& focus) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool isFree =
-        session.window.dialog == Dialog::None && !io.WantTextInput && !session.window.keyTaken;
+    const bool isFree = session.window.dialog == Dialog::None && !io.WantTextInput && !session.out.keyTaken;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || session.window.dialog != Dialog::None)
         focus.walks = false;
     if (isFree && isKeyPressed(key::f6, false)) {
@@ -63,10 +62,10 @@ void moveKeyboardFocus(Session& session, KeyboardFocus& focus) {
         focus.walks = true;
     } else if (focus.walks && isFree && isKeyPressed(key::escape, false)) {
         focus.walks = false;
-        session.window.keyTaken = true;
+        session.out.keyTaken = true;
     }
     if (focus.walks && std::ranges::any_of(walkingKeys, [](int each) { return isKeyPressed(each); }))
-        session.window.keyTaken = true;
+        session.out.keyTaken = true;
 }
 
 } // namespace texplorer::ui

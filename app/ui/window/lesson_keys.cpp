@@ -37,7 +37,7 @@ constexpr float framesASecond = 60;
 
 bool areKeysFree(const Session& session, bool popup) {
     const ImGuiIO& io = ImGui::GetIO();
-    return !popup && session.window.dialog == Dialog::None && !session.window.keyTaken && !io.WantTextInput &&
+    return !popup && session.window.dialog == Dialog::None && !session.out.keyTaken && !io.WantTextInput &&
            !io.KeyCtrl && !io.KeyShift && !io.KeyAlt && !io.KeySuper && !ImGui::IsAnyItemActive();
 }
 
@@ -57,7 +57,7 @@ void takeLessonKeys(Session& session, bool popup) {
             const int code = codeOfKey(each.key);
             if (!isUsable(*run, i) || !isKeyDown(code))
                 continue;
-            session.window.keyTaken = true;
+            session.out.keyTaken = true;
             run->heldKey = i;
             const bool pressed = isKeyPressed(code, false);
             const bool goesOn = std::holds_alternative<lesson::Addition>(each.effect);

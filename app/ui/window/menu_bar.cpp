@@ -69,96 +69,93 @@ void resetEverything(Scene& scene) {
     scene.material = {};
 }
 
-void examplesMenu(Session& session) {
+void examplesMenu(const Session& session) {
     if (!menu("Examples"))
         return;
     for (const Example& example : examples()) {
         if (item(example.title))
-            askExample(session, example.file);
+            act(session, [&example](Session& s) { askExample(s, example.file); });
         helpTip(example.help);
     }
     ImGui::EndMenu();
 }
 
-void drawLessonsMenu(Session& session) {
+void drawLessonsMenu(const Session& session) {
     const Language language = catalogueInUse() ? catalogueInUse()->language() : Language::English;
-    std::string wanted;
     for (const LessonTitle& each : lessonTitles(language)) {
         const LessonProgress progress = progressOf(session, each.name, each.steps);
         const bool isOpen = session.window.lesson && session.window.lesson->key == each.name;
         const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
         if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
-            wanted = each.name;
+            act(session, [name = each.name](Session& s) { askLesson(s, name); });
         noteItem("menu:lesson:" + each.name);
         helpTip(each.about);
     }
     ImGui::Separator();
     if (item("Leave the lesson", {}, session.window.lesson != nullptr))
-        closeLesson(session);
+        act(session, [](Session& s) { closeLesson(s); });
     if (item("Save my answers…", {}, !session.window.settings.lessons.empty()))
-        askSaveAnswers(session);
+        act(session, askSaveAnswers);
     if (item("Copy my answers", {}, !session.window.settings.lessons.empty())) {
         ImGui::SetClipboardText(answersText(session).c_str());
-        tell(session, "Copied your answers of all lessons as JSON.");
+        act(session, [](Session& s) { tell(s, "Copied your answers of all lessons as JSON."); });
     }
-    if (!wanted.empty())
-        askLesson(session, wanted);
 }
 
 /// `hasLessons`: lessons have no menu of their own and are listed here.
-void fileMenu(Session& session, bool hasLessons) {
+void fileMenu(const Session& session, bool hasLessons) {
     if (item("New"))
-        askNewScene(session);
+        act(session, askNewScene);
     examplesMenu(session);
     if (hasLessons && menu("Lessons")) {
         drawLessonsMenu(session);
         ImGui::EndMenu();
     }
     if (item("Open scene…", keysOf(session, "open scene")))
-        askOpenScene(session);
+        act(session, askOpenScene);
     if (item("Open image…", keysOf(session, "open image")))
-        askOpenImage(session);
+        act(session, [](Session& s) { askOpenImage(s); });
     if (menu("Open recent")) {
         recentItems(session);
         ImGui::EndMenu();
     }
     ImGui::Separator();
     if (item("Save", keysOf(session, "save")))
-        save(session);
+        act(session, save);
     if (item("Save as…", keysOf(session, "save as")))
-        askSaveAs(session);
+        act(session, askSaveAs);
     if (menu("Export as program")) {
         programMenuItems(session);
         ImGui::EndMenu();
     }
     ImGui::Separator();
     if (item("Picture of the view", keysOf(session, "view picture")))
-        session.window.wantedCapture = Capture::View;
+        change(session, [](WindowState& window) { window.wantedCapture = Capture::View; });
     helpTip("Writes the view as a PNG file to your pictures folder.");
     if (item("Picture of the window", keysOf(session, "window picture")))
-        session.window.wantedCapture = Capture::Window;
+        change(session, [](WindowState& window) { window.wantedCapture = Capture::Window; });
     helpTip("Writes the whole window as a PNG file to your pictures folder.");
     if (item("Sheet of variations…"))
-        showSheet(session);
+        act(session, showSheet);
     helpTip("Draws the scene with every pair of values of two parameters. Right-click a parameter to put it "
             "there.");
     if (item("Record animation…"))
-        session.window.dialog = Dialog::Record;
+        change(session, [](WindowState& window) { window.dialog = Dialog::Record; });
     helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
     if (item("Copy link to this scene"))
-        copySceneLink(session);
+        act(session, copySceneLink);
     helpTip("Copies the scene as a text for a mail or a chat. Paste it to open the scene. Image files are "
             "named, not included.");
     if (item("Paste scene", keysOf(session, "paste")))
-        pasteScene(session);
+        act(session, pasteScene);
     helpTip("Opens the scene of a copied link.");
     ImGui::Separator();
     if (item("Quit", keysOf(session, "quit")))
-        requestQuit(session);
+        act(session, requestQuit);
 }
 
 /// Its tooltip says what would be lost.
-void resetItem(Session& session) {
+void resetItem(const Session& session) {
     const Document& document = session.document;
     const std::size_t count = changesBetween(document.saved, document.scene).size();
     if (item(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
@@ -168,19 +165,19 @@ void resetItem(Session& session) {
                 : fmt::format("Reverts the changes of {}. Undo restores them.", countOf(count, "setting")));
 }
 
-void editMenu(Session& session, const Layout& layout) {
+void editMenu(const Session& session, const Layout& layout) {
     const History& history = session.document.history;
     const std::string_view undone = history.undoName();
     const std::string_view redone = history.redoName();
     if (item(undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone), keysOf(session, "undo"),
              history.canUndo()))
-        session.requests.emplace_back(Undo{});
+        session.out.requests.emplace_back(Undo{});
     if (item(redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone), keysOf(session, "redo"),
              history.canRedo()))
-        session.requests.emplace_back(Redo{});
+        session.out.requests.emplace_back(Redo{});
     ImGui::Separator();
     if (item("Copy as texshot command"))
-        copyTexshotCommand(session, layout);
+        act(session, [layout](Session& s) { copyTexshotCommand(s, layout); });
     helpTip("Copies a command that draws this view without a window, for scripts.");
     ImGui::Separator();
     resetItem(session);
@@ -206,32 +203,32 @@ std::string_view shortcutOf(RendererKind renderer) {
 }
 
 /// For presentations.
-void presentingItems(Session& session) {
-    ViewNotes& notes = session.window.notes;
+void presentingItems(const Session& session) {
     if (item("Note", keysOf(session, "note")))
-        addNoteInTheMiddle(session);
+        act(session, addNoteInTheMiddle);
     helpTip("Adds a text over the view. Drag it, double-click to edit, Delete removes it. The key adds it "
             "at the pointer.");
-    if (item("Clear notes", {}, !notes.list.empty()))
-        clearNotes(session);
+    if (item("Clear notes", {}, !session.window.notes.list.empty()))
+        act(session, clearNotes);
     if (item("Spotlight", keysOf(session, "spotlight"), true, session.window.spotlight))
-        session.window.spotlight = !session.window.spotlight;
+        change(session, [](WindowState& window) { window.spotlight = !window.spotlight; });
     helpTip("Dims everything except the surroundings of the pointer, for presentations.");
 }
 
 /// A choice that OpenGL leaves open and the reference supports both ways; `title` has a placeholder for its
 /// label.
 template<Enumerated E>
-void methodItems(const char* title, E& chosen) {
+void methodItems(const Session& session, const char* title, E ViewSettings::*chosen) {
     for (const EnumRow& row : EnumTable<E>::rows) {
         const auto method = static_cast<E>(row.value);
-        if (item(fmt::format(fmt::runtime(title), row.label), {}, true, chosen == method))
-            chosen = method;
+        if (item(fmt::format(fmt::runtime(title), row.label), {}, true,
+                 session.window.view.*chosen == method))
+            change(session, [chosen, method](WindowState& window) { window.view.*chosen = method; });
         helpTip(row.help);
     }
 }
 
-void viewMenu(Session& session, const Layout& layout) {
+void viewMenu(const Session& session, const Layout& layout) {
     const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
         if (item(fmt::format("Show {}", row.label), {}, true, shown == row.show))
@@ -244,29 +241,29 @@ void viewMenu(Session& session, const Layout& layout) {
             !comparesRenderers(session.window.view) && session.window.view.renderer == renderer;
         if (item(fmt::format("Drawn by: {}", row.label), keysOf(session, shortcutOf(renderer)),
                  session.window.view.offered.has(renderer), chosen))
-            showOne(session.window.view, renderer);
+            change(session, [renderer](WindowState& window) { showOne(window.view, renderer); });
         helpTip(helpOf(session.window.view, row));
     }
     if (item("Compare", keysOf(session, "compare"), canCompare(session.window.view),
              comparesRenderers(session.window.view)))
-        showComparison(session.window.view);
-    methodItems("Anisotropy of the reference: {}", session.window.view.anisotropy);
-    methodItems("rho of the reference: {}", session.window.view.rho);
+        change(session, [](WindowState& window) { showComparison(window.view); });
+    methodItems(session, "Anisotropy of the reference: {}", &ViewSettings::anisotropy);
+    methodItems(session, "rho of the reference: {}", &ViewSettings::rho);
     ImGui::Separator();
     if (menu("Picture or false colours")) {
-        shownItems(session.window.view);
+        shownItems(session);
         ImGui::EndMenu();
     }
     if (item("Magnifier", keysOf(session, "magnifier"), true, session.window.view.magnifies))
-        session.window.view.magnifies = !session.window.view.magnifies;
+        change(session, [](WindowState& window) { window.view.magnifies = !window.view.magnifies; });
     if (item("Picture pixel for pixel", keysOf(session, "pixel for pixel"),
              session.window.view.zoom.factor > 1))
-        session.window.view.zoom = {};
+        change(session, [](WindowState& window) { window.view.zoom = {}; });
     ImGui::Separator();
     presentingItems(session);
     ImGui::Separator();
-    if (bool& glNames = session.window.settings.glNames; item("OpenGL's names", {}, true, glNames))
-        glNames = !glNames;
+    if (item("OpenGL's names", {}, true, session.window.settings.glNames))
+        change(session, [](WindowState& window) { window.settings.glNames = !window.settings.glNames; });
     helpTip("Shows OpenGL's names for parameters and choices.");
     comfortItems(session);
     ImGui::Separator();
@@ -281,7 +278,7 @@ void viewMenu(Session& session, const Layout& layout) {
 
 /// The choice of the renderer, and A: as large as the room next to the clock allows. If there is little room,
 /// only the renderer is shown, and the clock has only buttons; A has its menu.
-void drawChoices(Session& session) {
+void drawChoices(const Session& session) {
     constexpr float minList = 4.5F; // in heights of a letter
     const ViewSettings& settings = session.window.view;
     const float whole = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
@@ -290,20 +287,20 @@ void drawChoices(Session& session) {
         const float width = rendererChoiceWidth(settings, form);
         if (width + keptControlsWidth(session) > available)
             continue;
-        drawRendererChoice(session.window.view, form, width);
+        drawRendererChoice(session, form, width);
         return drawKeptControls(session, available - width);
     }
     const float min = ImGui::GetFontSize() * minList;
     const float max = available >= min ? available : whole - playbackButtonsWidth();
     if (max >= min)
-        drawRendererChoice(session.window.view, RendererForm::List, max);
+        drawRendererChoice(session, RendererForm::List, max);
 }
 
 constexpr float minWidthWithLessons = 46; // in heights of a letter
 
 } // namespace
 
-void drawMenuBar(Session& session, const Layout& layout) {
+void drawMenuBar(const Session& session, const Layout& layout) {
     ImGui::PushStyleVar(
         ImGuiStyleVar_FramePadding,
         {ImGui::GetStyle().FramePadding.x,
@@ -341,9 +338,9 @@ void drawMenuBar(Session& session, const Layout& layout) {
         }
         if (menu("Help")) {
             if (item("Keys and mouse, about…", keysOf(session, "help")))
-                session.window.dialog = Dialog::Help;
+                change(session, [](WindowState& window) { window.dialog = Dialog::Help; });
             if (item("Tour"))
-                session.window.tour = 0;
+                change(session, [](WindowState& window) { window.tour = 0; });
             helpTip("Explains the window in five steps");
             ImGui::EndMenu();
         }

@@ -4,6 +4,6 @@
 
 namespace texplorer::ui {
 
-void drawMenuBar(Session& session, const Layout& layout);
+void drawMenuBar(const Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace texplorer::ui {
@@ -57,25 +58,37 @@ float fieldWidth(const ViewNote& note, const Rect& canvas, float em) {
     return std::min(std::max(words, minFieldWidth * em), static_cast<float>(canvas.width));
 }
 
+/// Does nothing if an earlier request has removed the note.
+void changeNote(const Session& session, std::size_t index, std::function<void(ViewNotes&)> make) {
+    change(session, [index, make = std::move(make)](WindowState& window) {
+        if (index < window.notes.list.size())
+            make(window.notes);
+    });
+}
+
 /// The selected note as a text field. Enter and a click elsewhere end the edit, Escape restores the words; an
 /// empty note is then removed.
-void noteField(ViewNotes& notes, ViewNote& note, float width) {
+void noteField(const Session& session, std::size_t index, float width) {
+    const ViewNotes& notes = session.window.notes;
     ImGui::SetNextItemWidth(width);
-    if (std::exchange(notes.wantsKeyboard, false)) {
+    if (notes.wantsKeyboard) {
         ImGui::SetWindowFocus();
         focusNextWidget();
+        changeNote(session, index, [](ViewNotes& changed) { changed.wantsKeyboard = false; });
     }
-    textField("##words", note.text, ImGuiInputTextFlags_AutoSelectAll, "Text over the view");
-    shortenNote(note.text);
+    std::string words = notes.list[index].text;
+    textField("##words", words, ImGuiInputTextFlags_AutoSelectAll, "Text over the view");
+    shortenNote(words);
     noteItem("note:field");
+    if (words != notes.list[index].text)
+        changeNote(session, index, [index, words](ViewNotes& changed) { changed.list[index].text = words; });
     if (ImGui::IsItemDeactivated())
-        notes.isEdited = false;
+        changeNote(session, index, [](ViewNotes& changed) { changed.isEdited = false; });
 }
 
 /// Returns true if the pointer is on it.
-bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, const std::string& lines,
+bool noteButton(const Session& session, std::size_t index, const Rect& canvas, const std::string& lines,
                 ImVec2 size) {
-    ViewNote& note = notes.list[index];
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + size.x, low.y + size.y);
     ImGui::InvisibleButton("note", size);
@@ -84,16 +97,18 @@ bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, const s
     if (hovered || ImGui::IsItemActive())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActivated())
-        notes.chosen = index;
+        changeNote(session, index, [index](ViewNotes& notes) { notes.chosen = index; });
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const ImVec2 way = ImGui::GetIO().MouseDelta;
-        note.at = glm::clamp(shareOfCanvas({low.x + way.x, low.y + way.y}, canvas), 0.0F, 1.0F);
+        const glm::vec2 at = glm::clamp(shareOfCanvas({low.x + way.x, low.y + way.y}, canvas), 0.0F, 1.0F);
+        changeNote(session, index, [index, at](ViewNotes& notes) { notes.list[index].at = at; });
     }
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        editNote(notes, index);
+        changeNote(session, index, [index](ViewNotes& notes) { editNote(notes, index); });
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (hovered || notes.chosen == index)
-        draw.AddRect(low, high, notes.chosen == index ? color::accent : color::dim);
+    const bool chosen = session.window.notes.chosen == index;
+    if (hovered || chosen)
+        draw.AddRect(low, high, chosen ? color::accent : color::dim);
     const float pad = ImGui::GetFontSize() * 0.25F;
     haloedText(draw, {low.x + pad, low.y + pad / 2}, lines);
     return hovered;
@@ -101,12 +116,13 @@ bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, const s
 
 /// Each note is a window, so that it is over the view and gets the pointer first. Returns true if the pointer
 /// is on it.
-bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
+bool drawNote(const Session& session, std::size_t index, const Rect& canvas) {
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus;
-    ViewNote& note = notes.list[index];
+    const ViewNotes& notes = session.window.notes;
+    const ViewNote& note = notes.list[index];
     const bool isEdited = notes.isEdited && notes.chosen == index;
     const float em = ImGui::GetFontSize() * noteScale;
     ImVec2 size(fieldWidth(note, canvas, em), em * 1.5F);
@@ -123,12 +139,17 @@ bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
     ImGui::SetWindowFontScale(noteScale);
     bool hovered = false;
     if (isEdited)
-        noteField(notes, note, size.x);
+        noteField(session, index, size.x);
     else
-        hovered = noteButton(notes, index, canvas, lines, size);
+        hovered = noteButton(session, index, canvas, lines, size);
     ImGui::End();
     ImGui::PopStyleVar(2);
     return hovered || isEdited;
+}
+
+void removeChosenIfEmpty(ViewNotes& notes) {
+    if (!notes.isEdited && notes.chosen && notes.list[*notes.chosen].text.empty())
+        removeNote(notes, *notes.chosen);
 }
 
 } // namespace
@@ -148,27 +169,23 @@ void clearNotes(Session& session) {
     session.window.notes = {};
 }
 
-void drawNotes(Session& session, const Layout& layout) {
-    ViewNotes& notes = session.window.notes;
+void drawNotes(const Session& session, const Layout& layout) {
+    const ViewNotes& notes = session.window.notes;
     if (notes.list.empty() || layout.canvas.isEmpty())
         return;
     bool any = false;
     for (std::size_t i = 0; i < notes.list.size(); ++i)
-        any |= drawNote(notes, i, layout.canvas);
+        any |= drawNote(session, i, layout.canvas);
     if (!any && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        notes.chosen.reset();
-    const bool isFree = !notes.isEdited && session.window.dialog == Dialog::None &&
-                        !session.window.keyTaken && !ImGui::GetIO().WantTextInput &&
-                        !ImGui::IsAnyItemActive();
+        change(session, [](WindowState& window) { window.notes.chosen.reset(); });
+    const bool isFree = !notes.isEdited && session.window.dialog == Dialog::None && !session.out.keyTaken &&
+                        !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
     if (notes.chosen && isFree && isKeyPressed(key::del, false)) {
-        session.window.keyTaken = true;
-        removeNote(notes, *notes.chosen);
+        session.out.keyTaken = true;
+        change(session, [index = *notes.chosen](WindowState& window) { removeNote(window.notes, index); });
     }
-    if (notes.isEdited)
-        return;
-    const bool chosenIsEmpty = notes.chosen && notes.list[*notes.chosen].text.empty();
-    if (chosenIsEmpty)
-        removeNote(notes, *notes.chosen);
+    if (notes.chosen) // after the other changes, which may end the edit or select another note
+        change(session, [](WindowState& window) { removeChosenIfEmpty(window.notes); });
 }
 
 } // namespace texplorer::ui

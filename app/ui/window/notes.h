@@ -13,6 +13,6 @@ void clearNotes(Session& session);
 
 /// Draws the notes over the view. A drag moves a note, a double click edits it, Delete removes the selected
 /// one.
-void drawNotes(Session& session, const Layout& layout);
+void drawNotes(const Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

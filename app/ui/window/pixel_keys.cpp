@@ -37,21 +37,25 @@ bool ownsArrows(const Session& session, const Layout& layout) {
 
 } // namespace
 
-void movePixelWithKeys(Session& session, const Layout& layout, view::Size picture) {
+void movePixelWithKeys(const Session& session, const Layout& layout, view::Size picture) {
     const ImGuiIO& io = ImGui::GetIO();
-    std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
     const bool walks = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; // arrows move the focus
-    if (walks || !pixel || !session.window.explaining.isOpen || session.window.dialog != Dialog::None ||
-        session.window.keyTaken || io.WantTextInput || io.KeyCtrl || ImGui::IsAnyItemActive() ||
-        !ownsArrows(session, layout) ||
+    if (walks || !session.window.explaining.pixel || !session.window.explaining.isOpen ||
+        session.window.dialog != Dialog::None || session.out.keyTaken || io.WantTextInput || io.KeyCtrl ||
+        ImGui::IsAnyItemActive() || !ownsArrows(session, layout) ||
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
     const int step = io.KeyShift ? shiftedStep : 1;
     for (const ArrowRow& row : arrowRows) {
         if (!isKeyPressed(row.key))
             continue;
-        pixel->x = std::clamp(pixel->x + row.x * step, 0, std::max(0, picture.width - 1));
-        pixel->y = std::clamp(pixel->y + row.y * step, 0, std::max(0, picture.height - 1));
+        change(session, [&row, step, picture](WindowState& window) {
+            std::optional<reference::PixelPlace>& pixel = window.explaining.pixel;
+            if (!pixel)
+                return;
+            pixel->x = std::clamp(pixel->x + row.x * step, 0, std::max(0, picture.width - 1));
+            pixel->y = std::clamp(pixel->y + row.y * step, 0, std::max(0, picture.height - 1));
+        });
     }
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/window/playback_controls.h"
 
+#include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/animation.h"
@@ -99,8 +100,8 @@ float playbackButtonsWidth() {
     return 3 * ImGui::GetFrameHeight() * 1.2F + ImGui::GetFontSize();
 }
 
-void drawPlaybackControls(Session& session) {
-    Playback& playback = session.window.playback;
+void drawPlaybackControls(const Session& session) {
+    const Playback& playback = session.window.playback;
     const float em = ImGui::GetFontSize();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
@@ -115,20 +116,21 @@ void drawPlaybackControls(Session& session) {
 
     const bool animated = isAnimated(session.document.scene);
     if (signButton("rewind", playback.time != 0, rewindSign))
-        playback.time = 0;
+        change(session, [](WindowState& window) { window.playback.time = 0; });
     helpTip("Go to time 0");
     ImGui::SameLine(0, 0);
     const bool running = playback.playing && animated;
     if (signButton("play", animated, running ? pauseSign : playSign))
-        playback.playing = !playback.playing;
+        change(session, [](WindowState& window) { window.playback.playing = !window.playback.playing; });
     helpTip(!animated          ? "Nothing moves. Add a rate, a spin or key frames."
             : playback.playing ? "Pause (Space)"
                                : "Play (Space)");
     ImGui::SameLine(0, 0);
-    if (signButton("step", true, stepSign)) {
-        playback.playing = false;
-        playback.time += static_cast<double>(stepSeconds);
-    }
+    if (signButton("step", true, stepSign))
+        change(session, [](WindowState& window) {
+            window.playback.playing = false;
+            window.playback.time += static_cast<double>(stepSeconds);
+        });
     helpTip("Pause and advance by 0.1 s");
     if (!hasClock)
         return;
@@ -138,10 +140,8 @@ void drawPlaybackControls(Session& session) {
     auto shown = static_cast<float>(playback.time);
     const float last = std::max(shown, static_cast<float>(lengthOf(session.document.scene.timeline)));
     const float end = std::max(scrubSeconds, std::ceil(last / scrubSeconds) * scrubSeconds);
-    if (ImGui::SliderFloat("##time", &shown, 0, end, "%.2f s", ImGuiSliderFlags_AlwaysClamp)) {
-        playback.playing = false;
-        playback.time = static_cast<double>(shown);
-    }
+    if (ImGui::SliderFloat("##time", &shown, 0, end, "%.2f s", ImGuiSliderFlags_AlwaysClamp))
+        act(session, [shown](Session& s) { goToTime(s, static_cast<double>(shown)); });
     noteItem("time");
     markKeys(session, end);
     helpTip("The scene's time. Drag to change it.");
@@ -151,7 +151,7 @@ void drawPlaybackControls(Session& session) {
     if (ImGui::BeginCombo("##speed", speedName(playback.speed).c_str())) {
         for (const float speed : speeds) {
             if (ImGui::Selectable(speedName(speed).c_str(), speed == playback.speed))
-                playback.speed = speed;
+                change(session, [speed](WindowState& window) { window.playback.speed = speed; });
             noteItem("speed:" + speedName(speed));
         }
         ImGui::EndCombo();
@@ -160,7 +160,7 @@ void drawPlaybackControls(Session& session) {
     helpTip("The speed of the scene's time");
     ImGui::SameLine(0, gap);
     if (signButton("timeline", true, keysSign))
-        session.window.wantedTab = Tab::Timeline;
+        change(session, [](WindowState& window) { window.wantedTab = Tab::Timeline; });
     helpTip("Timeline: shows which parameters move and when");
 }
 

@@ -4,7 +4,7 @@
 
 namespace texplorer::ui {
 
-void drawPlaybackControls(Session& session);
+void drawPlaybackControls(const Session& session);
 [[nodiscard]] float minPlaybackWidth();     ///< with less room they are only buttons
 [[nodiscard]] float playbackButtonsWidth(); ///< with less room they are left out
 

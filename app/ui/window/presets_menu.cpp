@@ -9,7 +9,7 @@
 
 namespace texplorer::ui {
 
-void drawPresetsMenu(Session& session) {
+void drawPresetsMenu(const Session& session) {
     std::string_view group;
     for (const Preset& preset : presets()) {
         if (preset.group != group) {

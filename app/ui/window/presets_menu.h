@@ -5,6 +5,6 @@
 namespace texplorer::ui {
 
 /// The contents of the menu "Presets": grouped, each previewed while the pointer rests on it.
-void drawPresetsMenu(Session& session);
+void drawPresetsMenu(const Session& session);
 
 } // namespace texplorer::ui

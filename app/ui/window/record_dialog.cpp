@@ -38,20 +38,22 @@ bool secondsField(const char* id, float& value, float min) {
     return changed;
 }
 
-void extentField(const char* id, int& value) {
+void extentField(const Session& session, const char* id, int RecordingChoice::*extent) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
-    ImGui::DragInt(id, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp);
+    int value = session.window.recording.*extent;
+    if (ImGui::DragInt(id, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp))
+        change(session, [extent, value](WindowState& window) { window.recording.*extent = value; });
     markDraggable();
     noteItem(fmt::format("record:{}", id + 2));
 }
 
-void formatLine(RecordingChoice& choice) {
+void formatLine(const Session& session) {
     lineName("Format");
     for (const animation::FormatRow& row : animation::formatRows) {
         if (&row != &animation::formatRows.front())
             ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
-        if (ImGui::RadioButton(std::string(row.name).c_str(), choice.format == row.format))
-            choice.format = row.format;
+        if (ImGui::RadioButton(std::string(row.name).c_str(), session.window.recording.format == row.format))
+            change(session, [&row](WindowState& window) { window.recording.format = row.format; });
         noteItem(fmt::format("record:{}", row.name));
         helpTip(row.format == animation::Format::Gif
                     ? "Supported everywhere. At most 256 colours in each picture and 50 pictures a second."
@@ -60,20 +62,22 @@ void formatLine(RecordingChoice& choice) {
     }
 }
 
-void lengthLines(Session& session) {
-    RecordingChoice& choice = session.window.recording;
+void lengthLines(const Session& session) {
+    const RecordingChoice& choice = session.window.recording;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     lineName("Begins at");
-    secondsField("##begin", choice.begin, 0);
+    float begin = choice.begin;
+    if (secondsField("##begin", begin, 0))
+        change(session, [begin](WindowState& window) { window.recording.begin = begin; });
     lineName("Length");
     float seconds = recordedSeconds(session);
     if (secondsField("##seconds", seconds, 0.01F))
-        choice.seconds = seconds;
+        change(session, [seconds](WindowState& window) { window.recording.seconds = seconds; });
     if (lengthOf(session.document.scene.timeline) > 0) {
         ImGui::SameLine(0, inner);
         ImGui::BeginDisabled(!choice.seconds);
         if (ImGui::Button(label("As the key frames")))
-            choice.seconds.reset();
+            change(session, [](WindowState& window) { window.recording.seconds.reset(); });
         ImGui::EndDisabled();
         noteItem("record:as keys");
         helpTip("Up to the last key frame. If its values are those of the first one, the animation loops "
@@ -81,7 +85,9 @@ void lengthLines(Session& session) {
     }
     lineName("Pictures a second");
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
-    ImGui::DragFloat("##perSecond", &choice.perSecond, 0.2F, 1, 100, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    float perSecond = choice.perSecond;
+    if (ImGui::DragFloat("##perSecond", &perSecond, 0.2F, 1, 100, "%.4g", ImGuiSliderFlags_AlwaysClamp))
+        change(session, [perSecond](WindowState& window) { window.recording.perSecond = perSecond; });
     markDraggable();
     noteItem("record:perSecond");
 }
@@ -116,20 +122,19 @@ void copyCommand(Session& session) {
 
 } // namespace
 
-void drawRecord(Session& session) {
+void drawRecord(const Session& session) {
     if (!beginModal("Record an animation"))
         return;
-    RecordingChoice& choice = session.window.recording;
     const float em = ImGui::GetFontSize();
     ImGui::Dummy({em * 34, 0}); // wide enough for its sentences
-    formatLine(choice);
+    formatLine(session);
     lengthLines(session);
     lineName("Each picture");
-    extentField("##width", choice.width);
+    extentField(session, "##width", &RecordingChoice::width);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::TextUnformatted("×");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    extentField("##height", choice.height);
+    extentField(session, "##height", &RecordingChoice::height);
     ImGui::Dummy({0, em * 0.3F});
     const Result<Recording> recording = recordingOf(session);
     summary(session, recording);
@@ -149,9 +154,11 @@ void drawRecord(Session& session) {
     const bool stays = dialogButton("Cancel") || (!typing && isKeyPressed(key::escape, false));
     noteItem("record:cancel");
     if (copies)
-        copyCommand(session);
+        act(session, copyCommand);
     if (goesOn || copies || stays) {
-        session.window.dialog = goesOn ? Dialog::SaveRecording : Dialog::None;
+        change(session, [goesOn](WindowState& window) {
+            window.dialog = goesOn ? Dialog::SaveRecording : Dialog::None;
+        });
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

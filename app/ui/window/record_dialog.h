@@ -5,6 +5,6 @@
 namespace texplorer::ui {
 
 /// Dialog::Record: the options of an animation, before its file is chosen.
-void drawRecord(Session& session);
+void drawRecord(const Session& session);
 
 } // namespace texplorer::ui

@@ -33,7 +33,7 @@ std::string timeText(std::filesystem::file_time_type written) {
     return text.data();
 }
 
-void drawPicture(Session& session, const Pictures& pictures) {
+void drawPicture(const Session& session, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const ImVec2 size(em * 20, em * 15);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -49,10 +49,21 @@ void drawPicture(Session& session, const Pictures& pictures) {
         ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, high, {0, 1}, {1, 0});
 }
 
+void decide(Session& session, bool restore, bool discard) {
+    session.window.dialog = Dialog::None; // opened again for the next one
+    Recovery& recovery = session.services.unsaved->recovery;
+    if (restore)
+        restoreUnsaved(session, recovery.restore());
+    else if (discard)
+        recovery.discard();
+    else
+        recovery.later();
+}
+
 } // namespace
 
-void drawRestore(Session& session, const Pictures& pictures) {
-    Recovery& recovery = session.services.unsaved->recovery;
+void drawRestore(const Session& session, const Pictures& pictures) {
+    const Recovery& recovery = session.services.unsaved->recovery;
     if (!beginModal("Unsaved work"))
         return;
     const float em = ImGui::GetFontSize();
@@ -100,15 +111,9 @@ void drawRestore(Session& session, const Pictures& pictures) {
     helpTip("Asks again at the next start.");
     if (restore || discard || later) {
         ImGui::CloseCurrentPopup();
-        session.window.dialog = Dialog::None; // opened again for the next one
+        act(session, [restore, discard](Session& s) { decide(s, restore, discard); });
     }
     ImGui::EndPopup();
-    if (restore)
-        restoreUnsaved(session, recovery.restore());
-    else if (discard)
-        recovery.discard();
-    else if (later)
-        recovery.later();
 }
 
 } // namespace texplorer::ui

@@ -5,6 +5,6 @@
 
 namespace texplorer::ui {
 
-void drawRestore(Session& session, const Pictures& pictures); ///< there must be an offer
+void drawRestore(const Session& session, const Pictures& pictures); ///< there must be an offer
 
 } // namespace texplorer::ui

@@ -43,11 +43,11 @@ void letGo(Session& session, const Layout& /*layout*/) {
 
 constexpr std::array shortcutRows{
     Shortcut{"undo", 'Z', true, false, "undo the last edit",
-             [](Session& s, const Layout&) { s.requests.emplace_back(Undo{}); }, true},
+             [](Session& s, const Layout&) { s.out.requests.emplace_back(Undo{}); }, true},
     Shortcut{"redo", 'Z', true, true, "redo the last undone edit",
-             [](Session& s, const Layout&) { s.requests.emplace_back(Redo{}); }, true},
+             [](Session& s, const Layout&) { s.out.requests.emplace_back(Redo{}); }, true},
     Shortcut{"", 'Y', true, false, "redo the last undone edit",
-             [](Session& s, const Layout&) { s.requests.emplace_back(Redo{}); }, true},
+             [](Session& s, const Layout&) { s.out.requests.emplace_back(Redo{}); }, true},
     Shortcut{"open scene", 'O', true, false, "open a scene",
              [](Session& s, const Layout&) { askOpenScene(s); }},
     Shortcut{"open image", 'I', true, false, "open an image",
@@ -82,8 +82,10 @@ constexpr std::array shortcutRows{
     Shortcut{"note", 'N', false, false, "add a note over the view at the pointer", addNoteAtPointer},
     Shortcut{"spotlight", 'L', false, false, "spotlight: dim everything except near the pointer",
              [](Session& s, const Layout&) { s.window.spotlight = !s.window.spotlight; }},
-    Shortcut{"frame", 'F', false, false, "frame all models", frameAll},
-    Shortcut{"reset camera", key::home, false, false, "reset the camera", resetCamera},
+    Shortcut{"frame", 'F', false, false, "frame all models",
+             [](Session& s, const Layout& layout) { frameAll(s, layout); }},
+    Shortcut{"reset camera", key::home, false, false, "reset the camera",
+             [](Session& s, const Layout& layout) { resetCamera(s, layout); }},
     Shortcut{
         "let go", key::escape, false, false,
         "release the spotlight, the maximised panel, the picked texel, the pinned pixel or the explained "
@@ -167,16 +169,16 @@ std::string keysOf(const Session& session, std::string_view name) {
     return isTaken(session, *row) ? std::string() : labelOf(*row);
 }
 
-void handleShortcuts(Session& session, const Layout& layout) {
+void handleShortcuts(const Session& session, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     // A dialog has its own keys, a text field its own undo, and undo must not interfere with a drag.
     if (session.window.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive() ||
-        session.window.keyTaken)
+        session.out.keyTaken)
         return;
     for (const Shortcut& row : shortcutRows) {
         if (io.KeyCtrl == row.control && io.KeyShift == row.shift && !io.KeyAlt && !io.KeySuper &&
             isKeyPressed(row.key, row.repeats))
-            row.act(session, layout);
+            act(session, [&row, layout](Session& s) { row.act(s, layout); });
     }
 }
 

@@ -14,9 +14,9 @@ struct Shortcut {
     int key;               ///< see keys.h
     bool control;
     bool shift;
-    const char* effect; ///< "play or pause"
-    void (*act)(Session& session, const Layout& layout);
-    bool repeats = false; ///< repeats while the key is held
+    const char* effect;                                  ///< "play or pause"
+    void (*act)(Session& session, const Layout& layout); ///< at the end of the frame
+    bool repeats = false;                                ///< repeats while the key is held
 };
 
 [[nodiscard]] std::span<const Shortcut> shortcuts();
@@ -31,6 +31,6 @@ struct Shortcut {
 [[nodiscard]] std::string keysOf(const Session& session, std::string_view name);
 
 /// Handles the keys of this frame. Call it after the panels.
-void handleShortcuts(Session& session, const Layout& layout);
+void handleShortcuts(const Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

@@ -22,10 +22,10 @@ namespace texplorer::ui {
 namespace {
 
 /// "Reading brick.bmp · 34 %", and a button to cancel.
-void drawProgress(Session& session, const ImageLoader::Progress& progress) {
+void drawProgress(const Session& session, const ImageLoader::Progress& progress) {
     using Step = ImageLoader::Step;
     if (ImGui::SmallButton(label("Cancel")))
-        cancelLoad(session, progress.ticket);
+        act(session, [ticket = progress.ticket](Session& s) { cancelLoad(s, ticket); });
     noteItem("cancel load");
     ImGui::SameLine();
     const std::string name = printable(progress.path.filename().string());
@@ -40,7 +40,7 @@ void drawProgress(Session& session, const ImageLoader::Progress& progress) {
 }
 
 /// The same for levels that are made from a loaded image.
-void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
+void drawProgress(const Session& session, const LevelsWorker::Progress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
         session.services.levels.cancel(progress.ticket);
     noteItem("cancel levels");
@@ -54,7 +54,7 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
 }
 
 /// The same for a file that is being written.
-void drawProgress(Session& session, const FileProgress& progress) {
+void drawProgress(const Session& session, const FileProgress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
         session.services.writing.cancel();
     noteItem("cancel writing");
@@ -72,7 +72,7 @@ void drawProgress(Session& session, const FileProgress& progress) {
     helpTip(printable(progress.file.string()));
 }
 
-void drawNotice(Session& session) {
+void drawNotice(const Session& session) {
     const ThemeColor ink = session.window.notice.isGood ? color::text : color::problem;
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     const bool dismissed = ImGui::SmallButton("✕");
@@ -80,7 +80,7 @@ void drawNotice(Session& session) {
     ImGui::SameLine();
     if (!session.window.notice.file.empty()) {
         if (ImGui::SmallButton(label("Look inside")))
-            lookInto(session, session.window.notice.file);
+            act(session, [file = session.window.notice.file](Session& s) { lookInto(s, file); });
         noteItem("look inside");
         helpTip("Shows the bytes of the file and their meaning, up to the damage");
         ImGui::SameLine();
@@ -90,12 +90,12 @@ void drawNotice(Session& session) {
     noteItem("notice");
     helpTip(session.window.notice.text);
     if (dismissed)
-        session.window.notice = {};
+        change(session, [](WindowState& window) { window.notice = {}; });
 }
 
 /// The first error or warning of the diagnosis: a click goes to its control, other buttons fix it. Fixes that
 /// do not fit into a small window are offered at the control.
-void drawFinding(Session& session, const Finding& finding, std::size_t count) {
+void drawFinding(const Session& session, const Finding& finding, std::size_t count) {
     const float forSentence = ImGui::GetFontSize() * 12;
     for (const Fix& fix : finding.fixes) {
         const float width = buttonWidth(fix.label.c_str()) + forSentence;
@@ -114,7 +114,7 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     helpTip(fmt::format("{}\n{}\n{}", finding.path, sentence, "Click: show the setting"));
     if (ImGui::IsItemClicked())
-        reveal(session, finding.path);
+        act(session, [path = finding.path](Session& s) { reveal(s, path); });
 }
 
 /// "llvmpipe · pretending: no-s3tc · 583 × 682 · 3.1 ms"
@@ -168,7 +168,7 @@ void drawProblems(std::span<const std::string> problems) {
 }
 
 /// The most important message: problems go before the result of a probed pixel.
-void drawNews(Session& session, const Pictures& pictures) {
+void drawNews(const Session& session, const Pictures& pictures) {
     const std::vector<Finding>& findings = session.document.findings;
     const auto wrong = static_cast<std::size_t>(std::ranges::count_if(
         findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
@@ -181,7 +181,7 @@ void drawNews(Session& session, const Pictures& pictures) {
     else if (!session.window.notice.text.empty())
         drawNotice(session);
     else if (wrong > 0 && (pictures.problems.empty() || findings.front().reportedByRenderer))
-        drawFinding(session, Finding(findings.front()), wrong);
+        drawFinding(session, findings.front(), wrong);
     else if (!pictures.problems.empty())
         drawProblems(pictures.problems);
     else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {
@@ -214,7 +214,7 @@ float hintRoom(const Layout& layout) {
     return static_cast<float>(layout.status.width) * (1 - newsShare - factsShare);
 }
 
-void drawStatusBar(Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
+void drawStatusBar(const Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
                    const Layout& layout, const Hint& said) {
     const float em = ImGui::GetFontSize();
     const float top = (static_cast<float>(layout.status.height) - em) / 2;

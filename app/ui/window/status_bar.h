@@ -11,7 +11,7 @@ namespace texplorer::ui {
 [[nodiscard]] float hintRoom(const Layout& layout);
 
 /// First the consequence or another message; then help for the item under the pointer; the driver last.
-void drawStatusBar(Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
+void drawStatusBar(const Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
                    const Layout& layout, const Hint& said);
 
 } // namespace texplorer::ui

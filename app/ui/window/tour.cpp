@@ -98,8 +98,8 @@ TourAnswer drawCard(int step, const TourRow& row) {
 
 } // namespace
 
-void drawTour(Session& session, const Layout& layout, bool takesEscape) {
-    std::optional<int>& shown = session.window.tour;
+void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
+    const std::optional<int>& shown = session.window.tour;
     if (!shown || session.window.dialog != Dialog::None)
         return;
     const int step = std::clamp(*shown, 0, tourSteps - 1);
@@ -127,19 +127,20 @@ void drawTour(Session& session, const Layout& layout, bool takesEscape) {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
-    if (takesEscape && isKeyPressed(key::escape, false) && !session.window.keyTaken &&
+    if (takesEscape && isKeyPressed(key::escape, false) && !session.out.keyTaken &&
         !ImGui::GetIO().WantTextInput) {
-        session.window.keyTaken = true;
+        session.out.keyTaken = true;
         answer = TourAnswer::Skip;
     }
     if (answer == TourAnswer::Back)
-        shown = step - 1;
+        change(session, [step](WindowState& window) { window.tour = step - 1; });
     else if (answer == TourAnswer::Next && step + 1 < tourSteps)
-        shown = step + 1;
-    else if (answer != TourAnswer::None) {
-        shown.reset();
-        session.window.settings.hasSeenTour = true;
-    }
+        change(session, [step](WindowState& window) { window.tour = step + 1; });
+    else if (answer != TourAnswer::None)
+        change(session, [](WindowState& window) {
+            window.tour.reset();
+            window.settings.hasSeenTour = true;
+        });
 }
 
 } // namespace texplorer::ui

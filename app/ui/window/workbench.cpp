@@ -1,17 +1,17 @@
 #include "app/ui/window/workbench.h"
 
-#include "app/ui/details/level_edits.h"
 #include "app/ui/editor/editor.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/document_names.h"
 #include "app/ui/model/findings.h"
+#include "app/ui/model/inspected_file.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/model/level_edits.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/model/unsaved_work.h"
 #include "app/ui/model/unseen.h"
 #include "app/ui/view/view_panel.h"
-#include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
@@ -74,7 +74,7 @@ constexpr std::array seamRows{
             }},
 };
 
-void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
+void drawSeam(const Session& session, const SeamRow& row, const Layout& layout) {
     const Rect& rect = layout.*row.rect;
     if (rect.isEmpty())
         return;
@@ -90,9 +90,11 @@ void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
     const float way = row.vertical ? delta.x : delta.y;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        workspace.seams.*row.member = 0;
+        rearrange(session, [&row](Workspace& workspace) { workspace.seams.*row.member = 0; });
     else if (ImGui::IsItemActive() && way != 0)
-        workspace.seams.*row.member = row.moved(layout, way);
+        rearrange(session, [&row, to = row.moved(layout, way)](Workspace& workspace) {
+            workspace.seams.*row.member = to;
+        });
     ImGui::End();
     ImGui::PopStyleVar();
 }
@@ -127,14 +129,14 @@ bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
     forgetPlaces();
     if (catalogueInUse())
         keepNames(namesIn(session.document));
-    session.window.keyTaken = false;
-    session.window.movesVertices = false;
+    session.out.keyTaken = false;
+    session.out.movesVertices = false;
     // A key that closes it is not a shortcut as well; Dear ImGui may have closed it before this frame began.
     const bool popup = isPopupOpen() || (states.hadPopup && !states.keyboard.walks);
     if (!popup)
         moveKeyboardFocus(session, states.keyboard);
     takeLessonKeys(session, popup);
-    turnHover(session.window);
+    session.window.hoveredParam = std::exchange(session.out.hoveredParam, {});
     const bool helpsBelow = session.window.settings.helpBelow && session.window.dialog == Dialog::None;
     beginHints(helpsBelow ? hintRoom(layout) : 0);
     return popup;
@@ -161,32 +163,36 @@ void followDocument(Session& session, PanelStates& states, const Pictures& pictu
         forgetDocument(states);
     session.window.explaining.isOpen = isShown(session.window.settings.workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
+    followForced(session);
+    if (isShown(session.window.settings.workspace, Tab::File))
+        followFile(session);
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
     restUnseen(session);
 }
 
-void drawPanels(Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout) {
+void drawPanels(const Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout) {
     if (!layout.parameters.isEmpty())
         drawParametersPanel(session, states.parameters, pictures, layout);
     if (!layout.view.isEmpty())
         drawViewPanel(session, pictures, layout);
+    else if (session.window.levels.hovered)
+        change(session, [](WindowState& window) { window.levels.hovered.reset(); });
     drawNotes(session, layout);
     if (!layout.texture.isEmpty())
         drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
-    followForced(session);
     for (const DockRow& row : dockRows)
         drawDock(session, states.details, pictures, layout, row.dock);
 }
 
-void drawSeams(Session& session, PanelStates& states, const Layout& layout) {
+void drawSeams(const Session& session, PanelStates& states, const Layout& layout) {
     for (const SeamRow& row : seamRows)
-        drawSeam(session.window.settings.workspace, row, layout);
+        drawSeam(session, row, layout);
     drawDraggedTab(session, states.details, layout);
 }
 
 /// After the panels: a key may arrive together with a mouse release.
-void handleKeys(Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout,
+void handleKeys(const Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout,
                 bool popup) {
     movePixelWithKeys(session, layout, pictures.frames.front().frame.size);
     drawTour(session, layout, !popup);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <random>
+#include <type_traits>
 
 namespace texplorer::ui::editor_test {
 namespace {
@@ -93,6 +94,33 @@ TEST_F(Editor, ForgetsTheStepsOfAnotherDocument) {
     takeRequests(session);
     EXPECT_NE(scene().view.azimuth, 10);
 }
+
+TEST_F(Editor, DoesWhatAnActionRequestsInTheSameFrame) {
+    submit(session, set("view.azimuth", "10"));
+    act(session, [](Session& acting) {
+        EXPECT_EQ(acting.document.scene.view.azimuth, 10) << "after the earlier step";
+        submit(acting, set("view.azimuth", "20"));
+    });
+    change(session, [](WindowState& window) { window.view.magnifies = true; });
+    EXPECT_FALSE(session.window.view.magnifies) << "not before the end of the frame";
+    takeRequests(session);
+    EXPECT_EQ(scene().view.azimuth, 20);
+    EXPECT_TRUE(session.window.view.magnifies);
+    EXPECT_TRUE(session.out.requests.empty());
+}
+
+TEST_F(Editor, MakesNoStepInADocumentThatAnActionHasOpened) {
+    act(session, [](Session& acting) { replaceDocument(acting, Document(defaultScene(), ImageSource{})); });
+    submit(session, set("view.azimuth", "10"));
+    change(session, [](WindowState& window) { window.view.magnifies = true; });
+    takeRequests(session);
+    EXPECT_NE(scene().view.azimuth, 10);
+    EXPECT_TRUE(session.window.view.magnifies) << "the window stays";
+}
+
+/// What panels get: they can request, and write nothing else.
+static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().document.scene)), Scene>);
+static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().window.dialog)), Dialog>);
 
 /// Any steps, undone and redone, lead to the same scenes.
 TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {

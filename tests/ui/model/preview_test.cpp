@@ -1,3 +1,4 @@
+#include "app/ui/editor/editor.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/shown_passes.h"
@@ -10,10 +11,14 @@ namespace {
 class PreviewTest : public testing::Test {
 protected:
     void hover() {
-        preview(session, "wrap", "Wrap s: Clamp", [this](Scene& scene) {
+        hover("wrap", "Wrap s: Clamp", [this](Scene& scene) {
             ++edits;
             scene.textures[0].wrapS = Wrap::Clamp;
         });
+    }
+    void hover(const char* choice, const char* text, const std::function<void(Scene&)>& edit) {
+        preview(session, choice, text, edit);
+        takeRequests(session);
     }
 
     ServicesAtOnce services;
@@ -46,14 +51,13 @@ TEST_F(PreviewTest, FollowsTheDocument) {
 
 TEST_F(PreviewTest, TheNextChoiceTakesItsPlace) {
     hover();
-    preview(session, "filter", "Nearest",
-            [](Scene& scene) { scene.textures[0].magFilter = MagFilter::Nearest; });
+    hover("filter", "Nearest", [](Scene& scene) { scene.textures[0].magFilter = MagFilter::Nearest; });
     EXPECT_EQ(shownScene(session).textures[0].magFilter, MagFilter::Nearest);
     EXPECT_EQ(shownScene(session).textures[0].wrapS, Wrap::Repeat);
 }
 
 TEST_F(PreviewTest, NoFileIsReadForIt) {
-    preview(session, "file", "Image file", [](Scene& scene) {
+    hover("file", "Image file", [](Scene& scene) {
         scene.textures[0].source = SourceKind::File;
         scene.textures[0].file = "nowhere.png";
     });
@@ -63,7 +67,7 @@ TEST_F(PreviewTest, NoFileIsReadForIt) {
 
 TEST_F(PreviewTest, PlaysWhereItMoves) {
     EXPECT_FALSE(isMoving(session));
-    preview(session, "scroll", "Scroll", [](Scene& scene) {
+    hover("scroll", "Scroll", [](Scene& scene) {
         scene.passes[0].units[0].matrix = {{.op = MatrixOp::Translate, .rate = {1, 0, 0}}};
     });
     EXPECT_TRUE(isMoving(session));
@@ -73,7 +77,7 @@ TEST_F(PreviewTest, PlaysWhereItMoves) {
 }
 
 TEST_F(PreviewTest, ShowsItsOwnPasses) {
-    preview(session, "pass", "Another pass", [](Scene& scene) { scene.passes.push_back(scene.passes[0]); });
+    hover("pass", "Another pass", [](Scene& scene) { scene.passes.push_back(scene.passes[0]); });
     EXPECT_EQ(shownPasses(session), 2U);
     session.window.view.stepsThroughPasses = true;
     Scene stepped;

@@ -234,7 +234,7 @@ TEST_F(OpeningAScene, UndoAndRedoSelectNoPassThatThereIsNotAtAnyTime) {
     const auto havePasses = [&](std::size_t count) {
         scene().passes.resize(count);
         recordEdit(*session, "Passes");
-        sealEdit(*session);
+        take(*session, EndStep{});
     };
     havePasses(3);
     havePasses(1);

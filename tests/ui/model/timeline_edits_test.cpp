@@ -141,6 +141,7 @@ TEST_F(TimelineEdits, KeysAreAddedMovedAndRemovedOneStepEach) {
     takeRequests(session);
     EXPECT_EQ(keys().size(), 1U);
     addKey(session, "view.nothing", 0);
+    takeRequests(session);
     EXPECT_THAT(session.window.notice.text, HasSubstr("A key frame can't be added: "));
 }
 
@@ -192,6 +193,7 @@ TEST_F(TimelineEdits, APreviewOfWhatMovesIsSeen) {
     turn();
     at(2);
     preview(session, "azimuth", "", [](Scene& edited) { edited.view.azimuth = 77; });
+    takeRequests(session);
     EXPECT_EQ(sceneAt(shownScene(session), 2).view.azimuth, 77);
     EXPECT_EQ(keys().size(), 2U);
 }

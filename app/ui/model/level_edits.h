@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/details/levels_tab.h"
+#include "app/ui/model/session.h"
 
 namespace texplorer::ui {
 
@@ -16,17 +16,17 @@ void toggleForced(Session& session, int level);
 /// it reads other levels.
 void followForced(Session& session);
 
-void setBaseLevel(Session& session, int level);
-void setMaxLevel(Session& session, int level);
-void setMinLod(Session& session, float lod);
-void setMaxLod(Session& session, float lod);
-void setTextureBias(Session& session, float bias);
-void setUnitBias(Session& session, float bias);
+void setBaseLevel(const Session& session, int level);
+void setMaxLevel(const Session& session, int level);
+void setMinLod(const Session& session, float lod);
+void setMaxLod(const Session& session, float lod);
+void setTextureBias(const Session& session, float bias);
+void setUnitBias(const Session& session, float bias);
 
 /// Whether base and max level, the limits of λ or a bias differ from GL's initial values.
 [[nodiscard]] bool limitsLevels(const Session& session);
 /// Restores those; one undo step.
-void readAllLevels(Session& session);
+void readAllLevels(const Session& session);
 
 /// GL_TEXTURE_LOD_BIAS of the texture and of the unit.
 [[nodiscard]] float biasOf(const Session& session);

@@ -4,12 +4,15 @@
 #include "core/scene/edit/edit.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace texplorer::ui {
+
+struct Session;
 
 /// An action of the user that edits the scene: a step of undo. Panels submit steps; the editor makes them at
 /// the end of the frame, so that the scene stays the same while panels are drawn.
@@ -31,7 +34,17 @@ struct GoToStep {
     std::size_t step = 0;
 };
 
-/// What panels ask the editor for.
-using EditRequest = std::variant<Step, EndStep, DropStep, Undo, Redo, GoToStep>;
+/// Anything but an edit: changes the window's state, opens, saves or starts something.
+using Action = std::function<void(Session&)>;
+
+using Request = std::variant<Step, EndStep, DropStep, Undo, Redo, GoToStep, Action>;
+
+/// What panels say while they are drawn. They only read the rest of the session.
+struct Outbox {
+    std::vector<Request> requests; ///< made at the end of the frame, in this order
+    std::string hoveredParam;      ///< under the pointer: all panels highlight it in the next frame
+    bool keyTaken = false;         ///< a panel has used a key of this frame: it is not a shortcut
+    bool movesVertices = false;    ///< vertices are being moved in texture space: other edits wait
+};
 
 } // namespace texplorer::ui

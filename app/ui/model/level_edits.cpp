@@ -1,4 +1,4 @@
-#include "app/ui/details/level_edits.h"
+#include "app/ui/model/level_edits.h"
 
 #include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
@@ -12,7 +12,7 @@ namespace texplorer::ui {
 namespace {
 
 /// Continues the step of a drag.
-void drag(Session& session, std::string name, std::string path, std::string value) {
+void drag(const Session& session, std::string name, std::string path, std::string value) {
     submit(session, {.name = std::move(name),
                      .edits = {edit::Set{path, std::move(value)}},
                      .path = path,
@@ -20,7 +20,7 @@ void drag(Session& session, std::string name, std::string path, std::string valu
 }
 
 template<auto Member, class Value>
-void setOfTexture(Session& session, Value value, const char* name) {
+void setOfTexture(const Session& session, Value value, const char* name) {
     const Texture* texture = boundTexture(session);
     if (!texture || texture->*Member == value)
         return;
@@ -69,27 +69,27 @@ void toggleForced(Session& session, int level) {
            });
 }
 
-void setBaseLevel(Session& session, int level) {
+void setBaseLevel(const Session& session, int level) {
     setOfTexture<&Texture::baseLevel>(session, level, "Set base level");
 }
 
-void setMaxLevel(Session& session, int level) {
+void setMaxLevel(const Session& session, int level) {
     setOfTexture<&Texture::maxLevel>(session, level, "Set max level");
 }
 
-void setMinLod(Session& session, float lod) {
+void setMinLod(const Session& session, float lod) {
     setOfTexture<&Texture::minLod>(session, lod, "Set min LOD");
 }
 
-void setMaxLod(Session& session, float lod) {
+void setMaxLod(const Session& session, float lod) {
     setOfTexture<&Texture::maxLod>(session, lod, "Set max LOD");
 }
 
-void setTextureBias(Session& session, float bias) {
+void setTextureBias(const Session& session, float bias) {
     setOfTexture<&Texture::lodBias>(session, bias, "Set LOD bias");
 }
 
-void setUnitBias(Session& session, float bias) {
+void setUnitBias(const Session& session, float bias) {
     if (selectedUnit(session).lodBias != bias)
         drag(session, "Set LOD bias of the unit",
              fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::lodBias>()), formatNumber(bias));
@@ -108,7 +108,7 @@ bool limitsLevels(const Session& session) {
                        texture->maxLod != noMaxLod || texture->lodBias != 0 || biasOf(session) != 0);
 }
 
-void readAllLevels(Session& session) {
+void readAllLevels(const Session& session) {
     const Selection& at = session.window.selection;
     submit(session, "Read all levels", [&at](Scene& scene) {
         Unit& unit = selectedUnit(scene, at);
