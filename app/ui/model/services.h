@@ -42,25 +42,27 @@ struct Services {
     Captures* captures = nullptr;     ///< nullptr: no pictures are written
 };
 
-/// Services that work in the background on their own threads; `wake` is called on those when the next frame
-/// has something new. Textures that are compressed at run time are kept in `cache`.
-class ServicesBeside {
+/// The services of a window, which reads files with a `FilesKind`.
+template<class FilesKind>
+class OwnedServices {
 public:
-    explicit ServicesBeside(const std::function<void()>& wake = {}, const BlockCache& cache = {})
-        : files_(wake)
-        , levels_(LevelsWorker::When::WhenReady, wake, {cache})
-        , reference_(reference::DrawWorker::When::WhenReady, wake, {cache})
-        , kept_(reference::DrawWorker::When::WhenReady, wake, {cache})
-        , probe_(reference::ProbeWorker::When::WhenReady, wake, {cache})
-        , levelMap_(reference::LevelMapWorker::When::WhenReady, wake, {cache})
-        , patterns_(When::WhenReady, wake)
-        , levelPictures_(When::WhenReady, wake)
-        , lessons_(When::WhenReady, wake)
-        , environments_(When::WhenReady, wake)
-        , plainProbe_(When::WhenReady, wake, {cache})
-        , sheet_(When::WhenReady, wake, {cache})
-        , programs_(When::WhenReady, wake, {cache})
-        , writing_(When::WhenReady, wake, {cache}) {}
+    /// `wake` is called on the workers' threads when the next frame has something new; `work`: how textures
+    /// are compressed at run time.
+    OwnedServices(When when, const std::function<void()>& wake, const LevelWork& work, auto&&... files)
+        : files_(files...)
+        , levels_(when, wake, work)
+        , reference_(when, wake, work)
+        , kept_(when, wake, work)
+        , probe_(when, wake, work)
+        , levelMap_(when, wake, work)
+        , patterns_(when, wake)
+        , levelPictures_(when, wake)
+        , lessons_(when, wake)
+        , environments_(when, wake)
+        , plainProbe_(when, wake, work)
+        , sheet_(when, wake, work)
+        , programs_(when, wake, work)
+        , writing_(when, wake, work) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
         return {files_,   levels_,       reference_,  kept_,  probe_,    levelMap_, patterns_, levelPictures_,
@@ -68,7 +70,7 @@ public:
     }
 
 private:
-    FilesBeside files_;
+    FilesKind files_;
     LevelsWorker levels_;
     reference::DrawWorker reference_;
     reference::DrawWorker kept_;
@@ -84,45 +86,17 @@ private:
     FileWriting writing_;
 };
 
-/// The same without threads: every call blocks. For programs without a user. `work`: how textures are
-/// compressed at run time.
-class ServicesAtOnce {
-public:
+/// Services that work in the background on their own threads. Textures that are compressed at run time are
+/// kept in `cache`.
+struct ServicesBeside : OwnedServices<FilesBeside> {
+    explicit ServicesBeside(const std::function<void()>& wake = {}, const BlockCache& cache = {})
+        : OwnedServices(When::WhenReady, wake, {cache}, wake) {}
+};
+
+/// The same without threads: every call blocks. For programs without a user.
+struct ServicesAtOnce : OwnedServices<FilesAtOnce> {
     explicit ServicesAtOnce(const LevelWork& work = {})
-        : levels_(LevelsWorker::When::AtOnce, {}, work)
-        , reference_(reference::DrawWorker::When::AtOnce, {}, work)
-        , kept_(reference::DrawWorker::When::AtOnce, {}, work)
-        , probe_(reference::ProbeWorker::When::AtOnce, {}, work)
-        , levelMap_(reference::LevelMapWorker::When::AtOnce, {}, work)
-        , patterns_(When::AtOnce)
-        , levelPictures_(When::AtOnce)
-        , lessons_(When::AtOnce)
-        , environments_(When::AtOnce)
-        , plainProbe_(When::AtOnce, {}, work)
-        , sheet_(When::AtOnce, {}, work)
-        , programs_(When::AtOnce, {}, work)
-        , writing_(When::AtOnce, {}, work) {}
-
-    [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,   levels_,       reference_,  kept_,  probe_,    levelMap_, patterns_, levelPictures_,
-                lessons_, environments_, plainProbe_, sheet_, programs_, writing_,  unsaved};
-    }
-
-private:
-    FilesAtOnce files_;
-    LevelsWorker levels_;
-    reference::DrawWorker reference_;
-    reference::DrawWorker kept_;
-    reference::ProbeWorker probe_;
-    reference::LevelMapWorker levelMap_;
-    PatternPictures patterns_;
-    LevelPictures levelPictures_;
-    LessonWork lessons_;
-    EnvironmentPictures environments_;
-    reference::ProbeWorker plainProbe_;
-    SheetPictures sheet_;
-    emit::ProgramWorker programs_;
-    FileWriting writing_;
+        : OwnedServices(When::AtOnce, {}, work) {}
 };
 
 } // namespace texplorer::ui
