@@ -119,7 +119,7 @@ LayoutTrial::LayoutTrial(unsigned seed, int number, Journal& journal)
 
 void LayoutTrial::run() {
     for (const SectionRow& section : sectionRows) {
-        session->window.wantedSection = section.section;
+        session->out.wantedSection = section.section;
         frames(3);
         expectFilledWindow();
         expectNothingTooWide();

@@ -303,9 +303,9 @@ void Workbench::open(std::string_view section) {
     const auto row = std::ranges::find(sectionRows, section,
                                        [](const SectionRow& each) { return std::string_view(each.title); });
     ASSERT_NE(row, sectionRows.end()) << section;
-    session->window.wantedSection = row->section;
+    session->out.wantedSection = row->section;
     frames(1);
-    session->window.wantedSection = row->section; // its place is known now
+    session->out.wantedSection = row->section; // its place is known now
     frames(2);
 }
 

@@ -129,8 +129,8 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     session.window.showsFrameTime = false;
     stage::Loop loop(**graphics, session, {request.size, request.size, request.scale});
     for (int frame = 0, last = settlingFrames; frame < std::min(last, maxFrames); ++frame) {
-        session.window.wantedSection = request.section; // where it is, is known once the panel has its size
-        if (loop.step(0, {}).unfinished)                // the scene's time stands still
+        session.out.wantedSection = request.section; // where it is, is known once the panel has its size
+        if (loop.step(0, {}).unfinished)             // the scene's time stands still
             last = frame + 1 + settlingFrames;
     }
 

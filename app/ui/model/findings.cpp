@@ -72,7 +72,7 @@ void reveal(Session& session, const std::string& path) {
             }
         }
     }
-    session.window.wantedParam = path;
+    session.out.wantedParam = path;
     session.window.shownParam = path;
 }
 

@@ -347,6 +347,8 @@ void goToLessonStep(Session& session, std::size_t step) {
 }
 
 void answerQuestion(Session& session, std::size_t answer) {
+    if (!session.window.lesson)
+        return;
     LessonRun& run = *session.window.lesson;
     const auto* predict = std::get_if<Predict>(&stepOf(run).task);
     if (!predict || answer >= predict->answers.size())

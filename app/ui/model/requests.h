@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/model/sections.h"
 #include "app/ui/model/selection.h"
 #include "core/scene/edit/edit.h"
 
@@ -41,10 +42,13 @@ using Request = std::variant<Step, EndStep, DropStep, Undo, Redo, GoToStep, Acti
 
 /// What panels say while they are drawn. They only read the rest of the session.
 struct Outbox {
-    std::vector<Request> requests; ///< made at the end of the frame, in this order
-    std::string hoveredParam;      ///< under the pointer: all panels highlight it in the next frame
-    bool keyTaken = false;         ///< a panel has used a key of this frame: it is not a shortcut
-    bool movesVertices = false;    ///< vertices are being moved in texture space: other edits wait
+    std::vector<Request> requests;          ///< made at the end of the frame, in this order
+    std::string hoveredParam;               ///< under the pointer: all panels highlight it in the next frame
+    std::string wantedParam;                ///< the parameter to scroll to, until it is shown; empty: none
+    std::optional<Section> wantedSection{}; ///< to open and scroll to, until it is shown
+    bool wantsSearch = false;               ///< the parameter search gets the keyboard
+    bool keyTaken = false;                  ///< a panel has used a key of this frame: it is not a shortcut
+    bool movesVertices = false;             ///< vertices are being moved in texture space: other edits wait
 };
 
 } // namespace texplorer::ui

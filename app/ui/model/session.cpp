@@ -90,7 +90,9 @@ void replaceDocument(Session& session, Document document) {
 
 void exchangeDocument(Session& session, Document document) {
     cancelLoads(session);
-    session.out.requests.clear(); // they are for the other document
+    std::erase_if(session.out.requests, [](const Request& each) { // they are for the other document
+        return !std::holds_alternative<Action>(each);
+    });
     session.document = std::move(document);
     ++session.documents;
     showPresent(session);

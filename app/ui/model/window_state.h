@@ -10,7 +10,6 @@
 #include "app/ui/model/notes.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/recording_file.h"
-#include "app/ui/model/sections.h"
 #include "app/ui/model/selection.h"
 #include "app/ui/model/settings.h"
 #include "app/ui/model/sheet_choice.h"
@@ -145,9 +144,7 @@ struct WindowState : DocumentLook {
     bool showsFrameTime = true; ///< false for reproducible pictures of the window
     bool showRq = false;        ///< whether the vertex list shows r and q
 
-    std::optional<Tab> wantedTab;         ///< opened and brought to the front in the next frame
-    std::string wantedParam;              ///< the parameter to scroll to in the next frame; empty: none
-    std::optional<Section> wantedSection; ///< opened and scrolled to in the next frame
+    std::optional<Tab> wantedTab; ///< opened and brought to the front in the next frame
     std::string hoveredParam; ///< under the pointer in the last frame, in any panel: all panels highlight it
 
     Dialog dialog = Dialog::None;
@@ -161,8 +158,6 @@ struct WindowState : DocumentLook {
     bool fillsScreen = false;             ///< the host shows the window in full screen
     std::optional<int> tour;              ///< the current step of the tour, from 0
     std::optional<Capture> wantedCapture; ///< read back and written in the next frame
-
-    bool wantsSearch = false; ///< the parameter search gets the keyboard in the next frame
 
     int textureUnits = maxUnits;          ///< of the driver, as far as known
     std::shared_ptr<LessonRun> lesson;    ///< nullptr: none is open

@@ -202,7 +202,7 @@ void matrixBlock(const Session& session) {
     if (!steps.empty()) {
         ImGui::SameLine();
         if (ImGui::SmallButton(label("Edit")))
-            change(session, [](WindowState& window) { window.wantedSection = Section::Matrix; });
+            session.out.wantedSection = Section::Matrix;
         noteItem("edit matrix");
         helpTip("Shows the steps of the texture matrix");
     }

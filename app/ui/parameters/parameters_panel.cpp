@@ -74,8 +74,8 @@ void drawMarks(const std::vector<Mark>& marks) {
 bool section(const Session& session, Section which, const std::vector<Mark>& marks = {},
              const char* idle = nullptr) {
     const SectionRow& row = rowOf(which);
-    const bool named = session.window.wantedSection == which;
-    if (named || (!session.window.wantedParam.empty() && sectionOf(session.window.wantedParam) == which))
+    const bool named = session.out.wantedSection == which;
+    if (named || (!session.out.wantedParam.empty() && sectionOf(session.out.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
     ImGui::PushID(idle ? "idle" : "in use"); // it opens when it has an effect
@@ -179,10 +179,8 @@ void searchLine(const Session& session, ParametersState& state) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float button = ImGui::CalcTextSize(names).x + 2 * ImGui::GetStyle().FramePadding.x;
     const float clear = state.search.empty() ? 0 : ImGui::GetFrameHeight() + gap;
-    if (session.window.wantsSearch) {
+    if (std::exchange(session.out.wantsSearch, false))
         focusNextWidget();
-        change(session, [](WindowState& window) { window.wantsSearch = false; });
-    }
     const float width = ImGui::GetContentRegionAvail().x - button - gap - clear;
     constexpr std::array hints{"Search parameters (Ctrl+F)", "Search (Ctrl+F)", "Search"};
     const auto* hint =
@@ -279,12 +277,12 @@ void drawParametersPanel(const Session& session, ParametersState& state, const P
     searchLine(session, state);
     passChoice(session);
     unitBar(session, pictures);
-    const WindowState& shown = session.window;
-    if (shown.wantedSection)
-        bringForth(state, *shown.wantedSection);
-    else if (!shown.wantedParam.empty() &&
-             (!isEssentialsShown(state) || state.notEssential == shown.wantedParam))
-        bringForth(state, sectionOf(shown.wantedParam));
+    Outbox& wanted = session.out;
+    const std::optional<Section> asked = wanted.wantedSection;
+    if (wanted.wantedSection)
+        bringForth(state, *wanted.wantedSection);
+    else if (!wanted.wantedParam.empty() && !isEssentialsShown(state)) // which may have it
+        bringForth(state, sectionOf(wanted.wantedParam));
     tabBar(state);
     ImGui::Dummy({0, 0});
 
@@ -309,18 +307,12 @@ void drawParametersPanel(const Session& session, ParametersState& state, const P
     ImGui::EndChild();
     if (tight)
         ImGui::PopStyleVar(2);
-    if (shown.wantedSection)
-        change(session, [done = shown.wantedSection](WindowState& window) {
-            if (window.wantedSection == done)
-                window.wantedSection.reset();
-        });
-    state.notEssential =
-        essential ? shown.wantedParam : std::string(); // if it is still wanted in the next frame
-    if (!essential && !shown.wantedParam.empty()) // a parameter without its own control is not waited for
-        change(session, [done = shown.wantedParam](WindowState& window) {
-            if (window.wantedParam == done)
-                window.wantedParam.clear();
-        });
+    if (wanted.wantedSection == asked) // else a button asked for another one
+        wanted.wantedSection.reset();
+    if (essential && !wanted.wantedParam.empty())
+        bringForth(state, sectionOf(wanted.wantedParam)); // it is visible in the next frame
+    else
+        wanted.wantedParam.clear(); // a parameter without its own control is not waited for
     ImGui::End();
 }
 

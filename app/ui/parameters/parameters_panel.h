@@ -10,8 +10,7 @@ namespace texplorer::ui {
 /// The state of the panel.
 struct ParametersState {
     ParameterTab tab = ParameterTab::Essentials; ///< in front
-    std::string search;         ///< the search text; its results are shown instead of the tab
-    std::string notEssential{}; ///< the wanted parameter that Essentials did not have in the last frame
+    std::string search; ///< the search text; its results are shown instead of the tab
 };
 
 void drawParametersPanel(const Session& session, ParametersState& state, const Pictures& pictures,

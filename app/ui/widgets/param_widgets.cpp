@@ -188,12 +188,9 @@ Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
 
 /// Scrolls to a requested control and frames it.
 void showWanted(const Session& session, const Line& line) {
-    if (line.path == session.window.wantedParam) {
+    if (line.path == session.out.wantedParam) {
         ImGui::SetScrollHereY(0.4F);
-        change(session, [path = line.path](WindowState& window) {
-            if (window.wantedParam == path)
-                window.wantedParam.clear();
-        });
+        session.out.wantedParam.clear();
     }
     if (line.path != session.window.shownParam)
         return;
@@ -500,7 +497,7 @@ void drawFolded(const Session& session, const Owner& owner, const std::vector<co
     if (rows.empty())
         return;
     const auto isAskedFor = [&](const ParamRow* row) {
-        return owner.pathOf(*row) == session.window.wantedParam;
+        return owner.pathOf(*row) == session.out.wantedParam;
     };
     if (std::ranges::any_of(rows, isAskedFor))
         ImGui::SetNextItemOpen(true);

@@ -58,7 +58,7 @@ constexpr std::array shortcutRows{
     Shortcut{"paste", 'V', true, false, "open the scene of a link in the clipboard",
              [](Session& s, const Layout&) { pasteScene(s); }},
     Shortcut{"search", 'F', true, false, "search the parameters",
-             [](Session& s, const Layout&) { s.window.wantsSearch = true; }},
+             [](Session& s, const Layout&) { s.out.wantsSearch = true; }},
     Shortcut{"quit", 'Q', true, false, "quit Texplorer", [](Session& s, const Layout&) { requestQuit(s); }},
     Shortcut{"play", key::space, false, false, "play or pause",
              [](Session& s, const Layout&) { s.window.playback.playing = !s.window.playback.playing; }},

@@ -149,7 +149,7 @@ void showWanted(Session& session) {
     Workspace& workspace = session.window.settings.workspace;
     if (const std::optional<Tab> wanted = std::exchange(session.window.wantedTab, std::nullopt))
         showTab(workspace, *wanted);
-    if (session.window.wantedSection || !session.window.wantedParam.empty() || session.window.wantsSearch) {
+    if (session.out.wantedSection || !session.out.wantedParam.empty() || session.out.wantsSearch) {
         workspace.parameters = true;
         if (workspace.maximised == Maximised::View)
             workspace.maximised = Maximised::None;

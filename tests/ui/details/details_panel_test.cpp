@@ -154,7 +154,7 @@ TEST_F(Docks, TheTextureSpaceIsMaximisedAndClosed) {
 TEST_F(Docks, WhatIsWantedOfTheParametersOpensThem) {
     workspace() = workspaceOf(layoutRows[2]);
     frames(2);
-    session->window.wantedSection = Section::Matrix;
+    session->out.wantedSection = Section::Matrix;
     frames(2);
     EXPECT_FALSE(layout.parameters.isEmpty());
 }

@@ -386,9 +386,9 @@ TEST_F(ParametersPanel, ASectionThatIsInUseSaysSoEvenShut) {
 TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
     for (const SectionRow& row : sectionRows) {
         start(defaultScene());
-        session->window.wantedSection = row.section;
+        session->out.wantedSection = row.section;
         frames(1);
-        session->window.wantedSection = row.section; // where it is, is known now
+        session->out.wantedSection = row.section; // where it is, is known now
         frames(2);
         EXPECT_EQ(states.parameters.tab, row.tab);
         const std::string name = "section:" + std::string(row.title);
@@ -453,21 +453,21 @@ TEST_F(ParametersPanel, WhatIsWorthKnowingHasASignAndAFix) {
 }
 
 TEST_F(ParametersPanel, WhatIsAskedForIsShownWhereItIs) {
-    session->window.wantedParam = "textures[0].wrapS"; // Essentials have it
+    session->out.wantedParam = "textures[0].wrapS"; // Essentials have it
     frames(2);
     EXPECT_EQ(states.parameters.tab, ParameterTab::Essentials);
-    EXPECT_EQ(session->window.wantedParam, "");
-    session->window.wantedParam = "passes[0].blendSrc";
+    EXPECT_EQ(session->out.wantedParam, "");
+    session->out.wantedParam = "passes[0].blendSrc";
     frames(3);
     EXPECT_EQ(states.parameters.tab, ParameterTab::Pass);
     EXPECT_TRUE(places.items.at("passes[0].blendSrc").visible);
-    EXPECT_EQ(session->window.wantedParam, "");
-    session->window.wantedParam = "textures[0].depthSize"; // folded
+    EXPECT_EQ(session->out.wantedParam, "");
+    session->out.wantedParam = "textures[0].depthSize"; // folded
     frames(3);
     EXPECT_TRUE(has("textures[0].depthSize"));
-    session->window.wantedParam = "nothing.of.the.kind";
+    session->out.wantedParam = "nothing.of.the.kind";
     frames(3);
-    EXPECT_EQ(session->window.wantedParam, "") << "it is not waited for";
+    EXPECT_EQ(session->out.wantedParam, "") << "it is not waited for";
 }
 
 TEST_F(ParametersPanel, WhatHasNoEffectIsFoldedAndDoesntVanish) {

@@ -192,7 +192,7 @@ TEST_F(LessonKeys, GoBeforeTheWindowsOwn) {
 
 TEST_F(LessonKeys, AreLettersWhereOneTypes) {
     open();
-    session->window.wantsSearch = true;
+    session->out.wantsSearch = true;
     frames(4);
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     key('M');

@@ -28,7 +28,7 @@ protected:
         for (const TabRow& tab : tabRows) {
             session->window.wantedTab = tab.tab;
             for (const SectionRow& section : sectionRows) {
-                session->window.wantedSection = section.section;
+                session->out.wantedSection = section.section;
                 draw(1);
             }
             draw(2);
