@@ -1,12 +1,17 @@
 #include "app/explorer/loop.h"
 
+#include "app/explorer/reopening.h"
 #include "app/opengl/window_graphics.h"
 #include "app/stage/loop.h"
+#include "app/ui/editor/received_files.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/scene_paths.h"
 #include "app/ui/model/session.h"
+#include "app/ui/model/unsaved_work.h"
 
 #include <atomic>
+#include <cstdlib>
 #include <optional>
 
 namespace texplorer::explorer {
@@ -48,6 +53,25 @@ private:
     Signals& signals_;
 };
 
+/// While an object of this class exists, unsaved work is written before the program starts again because the
+/// driver hangs.
+class KeptWhenHanging {
+public:
+    KeptWhenHanging(const Host& host, Autosave& autosave)
+        : watch_(host.watch) {
+        watch_.whenHanging([&autosave, &restart = host.restart](double seconds) {
+            (void)autosave.flush();
+            restart.run(seconds);
+        });
+    }
+    KeptWhenHanging(const KeptWhenHanging&) = delete;
+    KeptWhenHanging& operator=(const KeptWhenHanging&) = delete;
+    ~KeptWhenHanging() { watch_.whenHanging({}); }
+
+private:
+    FrameWatch& watch_;
+};
+
 /// Sleeps until an event or until `wake`, but at least for one frame of the display: the driver may not wait
 /// for it, and the mouse may report a thousand times a second.
 void rest(Window& window, std::optional<double> wake, double last) {
@@ -62,12 +86,52 @@ void rest(Window& window, std::optional<double> wake, double last) {
     while (Window::now() < due);
 }
 
+/// The events since the last frame. Loaded files are received here, not in the frame: if that hangs, they are
+/// what has to be shown again.
+std::vector<stage::Event> nextEvents(Window& window, ui::Session& session) {
+    std::vector<stage::Event> events = window.takeEvents();
+    if (ui::receiveFiles(session)) {
+        events.emplace_back(stage::Refresh{});
+        ui::followEdits(session);
+    }
+    return events;
+}
+
+/// Draws a frame, watched. Showing it is not: the display may take it only when it is seen.
+stage::Step drawFrame(const Host& host, stage::Loop& loop, double now,
+                      const std::vector<stage::Event>& events) {
+    host.watch.begin();
+    stage::Step done = loop.step(now, events);
+    if (!done.drawn) {
+        host.watch.end();
+        return done;
+    }
+    opengl::finishDrawing();
+    host.watch.drawn();
+    return done;
+}
+
+void showFrame(Window& window, const ui::Session& session, const stage::Step& done) {
+    window.setTitle(done.title);
+    window.setCursor(done.cursor);
+    window.fillScreen(session.window.fillsScreen);
+    window.swap();
+}
+
 } // namespace
 
-Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::filesystem::path>& files,
-                     const std::string& lesson, const std::filesystem::path& shaders,
-                     const view::Pretence& pretence) {
-    const auto graphics = opengl::createWindowGraphics({shaders, Window::wake}, pretence);
+std::vector<std::string> argumentsOf(const Beginning& beginning) {
+    std::vector<std::string> arguments;
+    for (const std::filesystem::path& file : beginning.files)
+        arguments.push_back(ui::absolutePath(file).string()); // a name may begin with a dash
+    if (!beginning.lesson.empty())
+        arguments.insert(arguments.end(), {"--lesson", beginning.lesson});
+    return arguments;
+}
+
+Result<void> runLoop(const Host& host, const Beginning& beginning) {
+    Window& window = host.window;
+    const auto graphics = opengl::createWindowGraphics({beginning.shaders, Window::wake}, beginning.pretence);
     if (!graphics)
         return fail(graphics.error());
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
@@ -86,27 +150,30 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
                      {[&window] { return window.clipboard(); },
                       [&window](const std::string& text) { window.setClipboard(text); }});
     const KeptWithoutDisplay withoutDisplay(unsaved.autosave);
-    const KeptOnSignal onSignal(signals, unsaved.autosave);
-    ui::report(session, ui::openArguments(session, files));
-    if (!lesson.empty())
-        ui::report(session, ui::openLessonNamed(session, lesson));
+    const KeptOnSignal onSignal(host.signals, unsaved.autosave);
+    const KeptWhenHanging whenHanging(host, unsaved.autosave);
+    ui::report(session, ui::openArguments(session, beginning.files));
+    if (!beginning.lesson.empty())
+        ui::report(session, ui::openLessonNamed(session, beginning.lesson));
+    Reopening reopening(session, **graphics, beginning);
+    reopening.begin();
 
     for (;;) {
-        if (signals.received() != 0) {
+        if (host.signals.received() != 0) {
             (void)unsaved.autosave.flush(); // including the changes of the last frame
             return {};
         }
         const double now = Window::now();
-        const stage::Step done = loop.step(now, window.takeEvents());
-        if (done.drawn) {
-            window.setTitle(done.title);
-            window.setCursor(done.cursor);
-            window.fillScreen(session.window.fillsScreen);
-            window.swap();
-        }
+        const std::vector<stage::Event> events = nextEvents(window, session);
+        reopening.receive(events);
+        host.restart.note(reopening.reopened());
+        const stage::Step done = drawFrame(host, loop, now, events);
+        if (done.drawn)
+            showFrame(window, session, done);
         if (done.quit) {
             unsaved.autosave.forget(); // the user has decided
             (void)unsaved.autosave.flush();
+            host.signals.endSoon(EXIT_SUCCESS);
             return {};
         }
         rest(window, done.wake, now);

@@ -4,6 +4,8 @@
 #include "app/opengl/opengl_graphics.h"
 #include "app/render/capabilities.h"
 
+#include <GL/glew.h>
+
 #include <utility>
 
 namespace texplorer::opengl {
@@ -16,6 +18,10 @@ Result<std::unique_ptr<stage::Graphics>> createWindowGraphics(render::ShaderOpti
     if (render::hasFixedFunctions())
         return fail(whole.error());
     return std::make_unique<CoreGraphics>();
+}
+
+void finishDrawing() {
+    glFinish();
 }
 
 } // namespace texplorer::opengl

@@ -13,4 +13,7 @@ namespace texplorer::opengl {
 [[nodiscard]] Result<std::unique_ptr<stage::Graphics>>
 createWindowGraphics(render::ShaderOptions shaders = {}, const view::Pretence& pretence = {});
 
+/// Waits until the driver has drawn everything in the current context.
+void finishDrawing();
+
 } // namespace texplorer::opengl

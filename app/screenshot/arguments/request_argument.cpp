@@ -1,6 +1,6 @@
 #include "app/screenshot/arguments/request_argument.h"
 
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/outputs_apart.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "app/screenshot/arguments/scene_argument.h"
 
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/messages.h"
 #include "app/ui/language/lesson_catalogue.h"

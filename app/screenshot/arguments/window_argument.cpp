@@ -1,6 +1,6 @@
 #include "app/screenshot/arguments/window_argument.h"
 
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/arguments/renderer_argument.h"
 

@@ -1,4 +1,4 @@
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/image_files.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"

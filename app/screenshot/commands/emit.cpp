@@ -1,6 +1,6 @@
 // A scene as a program.
 
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/commands/all_commands.h"

@@ -1,4 +1,4 @@
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/commands/all_commands.h"

@@ -1,5 +1,5 @@
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/axes_argument.h"
-#include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/arguments/request_argument.h"

@@ -1,6 +1,6 @@
+#include "app/command_line/choice_argument.h"
 #include "app/lettering/font_lettering.h"
 #include "app/screenshot/arguments/axes_argument.h"
-#include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/request_argument.h"

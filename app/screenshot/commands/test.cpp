@@ -1,4 +1,4 @@
-#include "app/screenshot/arguments/choice_argument.h"
+#include "app/command_line/choice_argument.h"
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/criterion_argument.h"
 #include "app/screenshot/arguments/input.h"

@@ -18,6 +18,9 @@ class Command(unittest.TestCase):
         text = run("--help").stdout
         self.assertIn("FILE", text)
         self.assertIn("variable TEXPLORER_SHADERS", text)
+        words = " ".join(text.split())
+        self.assertIn("$TEXPLORER_FRAME_SECONDS (default 10,", words)
+        self.assertIn("one of fixed, shader, reference.", words)
         self.assertIn("no-multitexture", text)
         self.assertLessEqual(max(map(len, text.splitlines())), 80)
         version = run("--version")
@@ -30,6 +33,11 @@ class Command(unittest.TestCase):
                           ', found "no-unit"')
         self.one_sentence(run("--pretend", "units=0"), 2, "a whole number from 1 to 4")
         self.one_sentence(run("--context", "glx"), 2, 'texplorer: --context: expected native or egl, found "glx"')
+        self.one_sentence(run("--renderer", "fastest"), 2,
+                          'texplorer: --renderer: expected one of fixed, shader, reference, found "fastest"')
+        for time in ("", "ten", "-1", "10s", "nan", "1e9"):
+            self.one_sentence(run(TEXPLORER_FRAME_SECONDS=time), 2, "texplorer: TEXPLORER_FRAME_SECONDS: expected seconds",
+                              f'found "{time}"')
         self.one_sentence(run("--context", "osmesa"), 2, "texplorer: --context: OSMesa", "texshot --context osmesa")
 
     def test_without_a_display_it_names_texshot(self):

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace texplorer::screenshot {
+namespace texplorer {
 
 /// The names that an option accepts, and what was found instead.
 [[nodiscard]] inline tl::unexpected<Error> refuseChoice(const std::string& names, std::string_view found,
@@ -56,4 +56,4 @@ template<Enumerated E>
     return text;
 }
 
-} // namespace texplorer::screenshot
+} // namespace texplorer

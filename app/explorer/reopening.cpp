@@ -1,0 +1,105 @@
+#include "app/explorer/reopening.h"
+
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/model/scene_files.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace texplorer::explorer {
+namespace {
+
+/// Another tab comes to the front: the driver makes what the tab GLSL shows.
+void coverShaders(ui::WindowState& window) {
+    if (window.wantedTab == ui::Tab::Glsl)
+        window.wantedTab.reset();
+    ui::Workspace& workspace = window.settings.workspace;
+    if (!ui::isShown(workspace, ui::Tab::Glsl))
+        return;
+    const auto isBeside = [&](const ui::TabRow& row) {
+        return row.tab != ui::Tab::Glsl && ui::isOpen(workspace, row.tab) &&
+               ui::dockOf(workspace, row.tab) == ui::dockOf(workspace, ui::Tab::Glsl);
+    };
+    const auto other = std::ranges::find_if(ui::tabRows, isBeside);
+    if (other != ui::tabRows.end())
+        ui::showTab(workspace, other->tab);
+    else
+        ui::closeTab(workspace, ui::Tab::Glsl);
+}
+
+bool isPressed(const stage::Event& event) {
+    const auto* input = std::get_if<stage::Input>(&event);
+    return input && (std::holds_alternative<stage::ButtonChanged>(*input) ||
+                     std::holds_alternative<stage::KeyChanged>(*input));
+}
+
+} // namespace
+
+Reopening::Reopening(ui::Session& session, const stage::Graphics& graphics, const Beginning& beginning)
+    : session_(session)
+    , graphics_(graphics)
+    , beginning_(beginning) {}
+
+void Reopening::begin() {
+    if (beginning_.renderer) {
+        session_.window.view.arrangement = ui::Arrangement::One; // a lesson may have chosen others
+        ui::showOne(session_.window.view, *beginning_.renderer);
+    }
+    if (beginning_.renderer == RendererKind::Reference)
+        coverShaders(session_.window);
+    if (!beginning_.hungFor)
+        return;
+    notice_ =
+        fmt::format("The driver did not finish a picture within {:g} s. The reference renderer draws now; "
+                    "choose another one to try again.",
+                    *beginning_.hungFor);
+    ui::say(session_, notice_);
+    documents_ = session_.documents;
+}
+
+void Reopening::receive(const std::vector<stage::Event>& events) {
+    hasActed_ = hasActed_ || std::ranges::any_of(events, isPressed);
+    keepNotice();
+}
+
+/// A document that replaces the first one, read from its file or restored, would hide the notice.
+void Reopening::keepNotice() {
+    if (notice_.empty())
+        return;
+    if (session_.window.notice.text.empty() && session_.documents != documents_)
+        ui::say(session_, notice_);
+    if (session_.window.notice.text != notice_)
+        notice_.clear(); // dismissed, or there is another one
+    documents_ = session_.documents;
+}
+
+bool Reopening::driverDraws() const {
+    const view::OfferedRenderers& offered = graphics_.renderers();
+    const auto isLive = [&](RendererKind kind) {
+        return kind != RendererKind::Reference && offered.has(kind);
+    };
+    return std::ranges::any_of(ui::shownRenderers(session_.window.view), isLive) ||
+           (ui::isShown(session_.window.settings.workspace, ui::Tab::Glsl) &&
+            offered.has(RendererKind::Shader));
+}
+
+std::vector<std::string> Reopening::shown() const {
+    const ui::Document& document = session_.document;
+    if (ui::isDirty(document))
+        return {}; // it is offered as unsaved work
+    if (const auto& lesson = session_.window.lesson) {
+        const lesson::LessonFolder& folder = lesson->folder;
+        return {"--lesson", folder.path().empty() ? folder.name() : folder.path().string()};
+    }
+    if (!document.file.empty())
+        return {document.file.string()};
+    return hasActed_ ? std::vector<std::string>() : argumentsOf(beginning_);
+}
+
+Restart::Reopened Reopening::reopened() const {
+    return {shown(), driverDraws() && (!beginning_.hungFor || hasActed_)};
+}
+
+} // namespace texplorer::explorer
