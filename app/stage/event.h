@@ -2,9 +2,11 @@
 
 // Events of a window as values, in their order. Every host creates them from its own events.
 
+#include "app/stage/file_requests.h"
 #include "app/stage/surface.h"
 
 #include <filesystem>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -69,12 +71,18 @@ struct FilesDropped {
     std::vector<std::filesystem::path> files;
 };
 
+/// Files with their content, from a host without folders: the answer to a request, or dropped files.
+struct FilesGiven {
+    std::vector<NamedFile> files;
+    std::optional<FileWish> answers{}; ///< nothing: the user has dropped them
+};
+
 /// The user wants to close the window.
 struct CloseAsked {};
 
 /// The window may be out of date: a worker has a result, or the window was covered.
 struct Refresh {};
 
-using Event = std::variant<Input, SurfaceChanged, FilesDropped, CloseAsked, Refresh>;
+using Event = std::variant<Input, SurfaceChanged, FilesDropped, FilesGiven, CloseAsked, Refresh>;
 
 } // namespace texplorer::stage

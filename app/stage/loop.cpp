@@ -1,5 +1,6 @@
 #include "app/stage/loop.h"
 
+#include "app/stage/given_files.h"
 #include "app/ui/editor/received_files.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/session.h"
@@ -24,11 +25,13 @@ bool isSeen(const Surface& surface) {
 
 } // namespace
 
-Loop::Loop(Graphics& graphics, ui::Session& session, const Surface& surface, Clipboard clipboard)
+Loop::Loop(Graphics& graphics, ui::Session& session, const Surface& surface, Clipboard clipboard,
+           FileRequests files)
     : session_(session)
     , surface_(surface)
     , stage_(graphics, surface.scale)
     , clipboard_(std::move(clipboard))
+    , files_(std::move(files))
     , settling_(settlingFrames) {
     if (!clipboard_.read || !clipboard_.write)
         return;
@@ -55,6 +58,8 @@ void Loop::receive(const Event& event) {
         surface_ = changed->surface;
     else if (const auto* dropped = std::get_if<FilesDropped>(&event))
         ui::requestOpen(session_, dropped->files);
+    else if (const auto* given = std::get_if<FilesGiven>(&event))
+        openGivenFiles(session_, *given);
     else if (std::holds_alternative<CloseAsked>(event))
         ui::requestQuit(session_);
 }
@@ -76,6 +81,7 @@ Step Loop::step(double now, const std::vector<Event>& events) {
         settling_ = settlingFrames;
     if (!input_.empty()) // frames follow even the last input
         settling_ = settlingFrames;
+    requestFiles(session_, files_);
     if (!first)
         ui::advance(session_, std::min(seconds, maxStep));
     const ui::Requests requests =

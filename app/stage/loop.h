@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/stage/event.h"
+#include "app/stage/file_requests.h"
 #include "app/stage/input_queue.h"
 #include "app/stage/stage.h"
 
@@ -35,7 +36,8 @@ struct Clipboard {
 class Loop {
 public:
     /// `graphics` and `session` must outlive it.
-    Loop(Graphics& graphics, ui::Session& session, const Surface& surface, Clipboard clipboard = {});
+    Loop(Graphics& graphics, ui::Session& session, const Surface& surface, Clipboard clipboard = {},
+         FileRequests files = {});
     Loop(const Loop&) = delete;
     Loop& operator=(const Loop&) = delete;
     ~Loop();
@@ -55,6 +57,7 @@ private:
     Surface surface_;
     Stage stage_;
     Clipboard clipboard_;
+    FileRequests files_;
     std::string pasted_; ///< the text that Dear ImGui got last
     InputQueue input_;
     int settling_;               ///< frames to draw until the layout is final

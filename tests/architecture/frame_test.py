@@ -1,4 +1,5 @@
-"""The calls of a frame are those of the table in docs/develop/panel.md, in its order, and few; panels change nothing."""
+"""The calls of a frame are those of the table in docs/develop/panel.md, in its order, and few; panels change nothing,
+and need no OpenGL and no thread."""
 
 import pathlib
 import re
@@ -20,7 +21,7 @@ class Frame(unittest.TestCase):
 
     def test_panels_only_read_the_session(self):
         """They request what they want changed."""
-        acting = {"workbench.h", "shortcuts.h", "comfort.h", "notes.h", "lesson_keys.h"}  # the frame, and actions
+        acting = {"workbench.h", "shortcuts.h", "text_size.h", "notes.h", "lesson_keys.h"}  # the frame, and actions
         for folder in "details figures language parameters texture_space view widgets window".split():
             for header in sorted((ROOT / "app/ui" / folder).glob("*.h")):
                 if header.parent.name == "window" and header.name in acting:
@@ -28,6 +29,17 @@ class Frame(unittest.TestCase):
                 text = header.read_text()
                 found = re.findall(r"(?<!const )\b(?:Session|WindowState|Document|Workspace|Settings|Playback)&", text)
                 self.assertEqual(found, [], header)
+
+    def test_the_window_needs_no_opengl_and_no_thread(self):
+        """A browser could be its host: it draws with stage::Graphics, and threads are those of core/base/worker.h."""
+        foreign = re.compile(r'^\s*#\s*include\s+(?:"app/(?:render|opengl|offscreen|explorer)/|'
+                             r"<(?:GL|GLES\d*|GLFW|EGL|KHR)/|<(?:thread|pthread\.h)>).*", re.M)
+        self.assertTrue(foreign.search('#include <GL/glew.h>'))
+        self.assertTrue(foreign.search('#include "app/render/gl_handle.h"'))
+        for folder in "ui stage view".split():
+            for source in sorted((ROOT / "app" / folder).rglob("*.*")):
+                if source.suffix in (".h", ".cpp", ".inl"):
+                    self.assertEqual(foreign.findall(source.read_text()), [], source)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,116 @@
+#include "app/stage/file_requests.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_progress.h"
+#include "app/ui/model/program_file.h"
+#include "app/ui/model/recording_file.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/session.h"
+#include "app/ui/model/sheet_file.h"
+#include "core/base/parallel.h"
+#include "core/files/file_io.h"
+#include "core/scene/params/json.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <utility>
+
+namespace texplorer::stage {
+namespace {
+
+using ui::Dialog;
+
+Bytes bytesOf(std::string_view text) {
+    const ByteView view = viewBytes(text);
+    return {view.begin(), view.end()};
+}
+
+std::string sceneNameOf(const ui::Document& document) {
+    const std::string name = nameOf(document);
+    return (name.empty() ? "scene" : name) + std::string(sceneExtension);
+}
+
+/// The scene, and the images that are in no folder either.
+void saveScene(ui::Session& session, const FileRequests& host) {
+    ui::Document& document = session.document;
+    std::vector<NamedFile> files{{sceneNameOf(document), bytesOf(writeScene(document.scene))}};
+    for (const std::string& file : filesOf(document.scene)) {
+        if (const std::shared_ptr<const Bytes> image = document.images.fileInMemory(file))
+            files.push_back({file, *image});
+    }
+    document.suggested = files.front().name;
+    document.saved = document.scene;
+    host.save(std::move(files));
+    session.window.notice = {};
+    ui::finishPending(session);
+}
+
+/// Makes a file and waits for it.
+void saveOrder(ui::Session& session, const FileRequests& host, const Result<ui::FileOrder>& order) {
+    if (!order)
+        return ui::say(session, order.error());
+    Result<ui::MadeFile> made =
+        order->make({.threads = processorThreads(), .report = [](float /*share*/) {}});
+    if (!made)
+        return ui::say(session, fmt::format(fmt::runtime(order->failure), describe(made.error())));
+    host.save({{order->file.string(), std::move(made->bytes)}});
+    if (!made->remark.empty())
+        ui::say(session, made->remark);
+}
+
+Result<ui::FileOrder> sheetFileOf(const ui::Session& session) {
+    return ui::sheetOrder(session).and_then([&](ui::SheetOrder sheet) {
+        return ui::fileOrder(std::move(sheet), ui::sheetFileName(session.document));
+    });
+}
+
+Result<ui::FileOrder> animationFileOf(const ui::Session& session) {
+    return ui::recordingOf(session).map([&](ui::Recording recording) {
+        return ui::fileOrder(std::move(recording), ui::recordingFileName(session));
+    });
+}
+
+/// Returns false for a dialog that is not about a file.
+bool answered(ui::Session& session, const FileRequests& host, Dialog dialog) {
+    switch (dialog) {
+    case Dialog::OpenScene:
+        host.open({.isScene = true});
+        return true;
+    case Dialog::OpenImage:
+        host.open({.param = std::exchange(session.window.imageParam, {})});
+        return true;
+    case Dialog::SaveScene:
+        saveScene(session, host);
+        return true;
+    case Dialog::SaveAnswers:
+        host.save({{"answers.json", bytesOf(ui::answersText(session))}});
+        return true;
+    case Dialog::SaveSheet:
+        saveOrder(session, host, sheetFileOf(session));
+        return true;
+    case Dialog::SaveProgram:
+        saveOrder(session, host,
+                  ui::programOrder(session, ui::programFileName(session.document, session.window.flavour)));
+        return true;
+    case Dialog::SaveRecording:
+        saveOrder(session, host, animationFileOf(session));
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+void requestFiles(ui::Session& session, const FileRequests& host) {
+    if (!host.open || !host.save)
+        return;
+    Dialog dialog = Dialog::None;
+    do { // an action that has waited for the file may open another dialog
+        dialog = std::exchange(session.window.dialog, Dialog::None);
+    } while (answered(session, host, dialog));
+    session.window.dialog = dialog; // not about a file
+}
+
+} // namespace texplorer::stage

@@ -1,0 +1,300 @@
+// The window in a host as bare as a browser.
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/widgets/widget_places.h"
+#include "core/files/file_io.h"
+#include "core/reference/draw.h"
+#include "core/scene/params/json.h"
+#include "tests/stage/bare_host.h"
+#include "tests/stage/no_files.h"
+#include "tests/support/no_threads.h"
+#include "tests/support/small_bmp.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace texplorer::stage::bare_host_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::Gt;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr Surface wide{{1280, 800}, {1280, 800}};
+constexpr int control = 341;
+
+NamedFile named(std::string name, std::string_view content) {
+    const ByteView bytes = viewBytes(content);
+    return {std::move(name), {bytes.begin(), bytes.end()}};
+}
+
+const std::string red = test::onePixelBmp(std::string("\x00\x00\xff", 3));
+const std::string blue = test::onePixelBmp(std::string("\xff\x00\x00", 3));
+
+/// The names of files that are not fonts, which a window looks for and does without.
+std::vector<std::string> besidesFonts(std::vector<std::string> files) {
+    std::erase_if(files, [](const std::string& file) { return file.starts_with("/usr/share/fonts/"); });
+    return files;
+}
+
+class BareHostTest : public testing::Test {
+protected:
+    BareHostTest() { host.run(); }
+    void TearDown() override {
+        EXPECT_THAT(besidesFonts(files.attempts), IsEmpty());
+        EXPECT_EQ(host.graphics.refusals, 0) << "renderers that were not offered";
+    }
+
+    [[nodiscard]] PointerMoved at(std::string_view name) const {
+        const auto found = places.items.find(name);
+        if (found == places.items.end()) {
+            ADD_FAILURE() << name << " is not in sight";
+            return {};
+        }
+        const ui::WidgetPlaces::Item& item = found->second;
+        return {(item.left + item.right) / 2, (item.top + item.bottom) / 2};
+    }
+    void click(std::string_view name) {
+        host.run({at(name), ButtonChanged{0, true}, ButtonChanged{0, false}});
+    }
+    void press(int key, const Modifiers& held = {.control = true}) {
+        using Kind = KeyChanged::Kind;
+        if (held.control)
+            host.run({KeyChanged{Kind::Press, control, held}});
+        host.run({KeyChanged{Kind::Press, key, held}, KeyChanged{Kind::Release, key, held}});
+        if (held.control)
+            host.run({KeyChanged{Kind::Release, control}});
+    }
+    [[nodiscard]] const Scene& scene() const { return host.session.document.scene; }
+    [[nodiscard]] const Texture& texture() const { return *ui::boundTexture(host.session); }
+
+    test::NoThreads threads;
+    NoFiles files;
+    ui::WidgetPlaces places;
+    BareHost host{wide};
+};
+
+TEST_F(BareHostTest, TheWindowOpensWithThePictureOfTheReferenceAndSleeps) {
+    EXPECT_THAT(host.last.title, HasSubstr("Untitled"));
+    EXPECT_EQ(host.last.wake, std::nullopt);
+    EXPECT_THAT(host.graphics.vertices, Gt(1000U)) << "panels";
+    const std::shared_ptr<const Image> shown = host.graphics.largest();
+    ASSERT_TRUE(shown);
+    const auto expected =
+        reference::drawReference({scene(), host.session.document.images, 0, shown->width, shown->height});
+    ASSERT_TRUE(expected);
+    EXPECT_EQ(*shown, expected->image);
+    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference);
+    EXPECT_THAT(host.loop.problems(), IsEmpty());
+}
+
+TEST_F(BareHostTest, AChoiceChangesThePictureAndUndoTakesItBack) {
+    const Image before = *host.graphics.largest();
+    click("textures[0].wrapS=GL_CLAMP");
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    EXPECT_NE(*host.graphics.largest(), before);
+    host.run({at("view")});
+    press('Z');
+    EXPECT_EQ(texture().wrapS, Wrap::Repeat);
+    EXPECT_EQ(*host.graphics.largest(), before);
+    EXPECT_EQ(host.last.wake, std::nullopt);
+}
+
+TEST_F(BareHostTest, ADroppedImageBecomesATexture) {
+    const Image before = *host.graphics.largest();
+    host.run({FilesGiven{{named("red.bmp", red)}}});
+    EXPECT_EQ(texture().source, SourceKind::File);
+    EXPECT_EQ(texture().file, "red.bmp");
+    EXPECT_NE(*host.graphics.largest(), before);
+    EXPECT_THAT(host.loop.problems(), IsEmpty());
+    EXPECT_EQ(host.session.window.notice.text, "");
+    press('Z');
+    EXPECT_EQ(*host.graphics.largest(), before) << "it is one undo step";
+}
+
+TEST_F(BareHostTest, AnotherImageOfTheSameNameGetsAnotherOne) {
+    host.run({FilesGiven{{named("image.bmp", red)}}});
+    host.run({FilesGiven{{named("image.bmp", red)}}});
+    EXPECT_EQ(texture().file, "image.bmp");
+    host.run({FilesGiven{{named("image.bmp", blue)}}});
+    EXPECT_EQ(texture().file, "image-2.bmp");
+    host.run({FilesGiven{{named("../../image-3.bmp", blue)}}});
+    EXPECT_EQ(texture().file, "image-3.bmp") << "names have no folder";
+}
+
+TEST_F(BareHostTest, SeveralImagesAreOneStepAndWhatIsRefusedIsListed) {
+    host.run({FilesGiven{{named("a.bmp", red), named("b.txt", "no image"), named("c.bmp", blue)}}});
+    EXPECT_EQ(texture().file, "a.bmp");
+    EXPECT_EQ(scene().textures.back().file, "c.bmp");
+    ASSERT_THAT(host.session.window.refused, SizeIs(1));
+    EXPECT_EQ(host.session.window.refused.front().where, "b.txt");
+    click("refused:close");
+    press('Z');
+    EXPECT_EQ(scene().textures, defaultScene().textures);
+    host.run({FilesGiven{{named("b.txt", "no image")}}});
+    EXPECT_THAT(host.session.window.notice.text, HasSubstr("b.txt"));
+    EXPECT_THAT(host.session.window.refused, IsEmpty());
+}
+
+TEST_F(BareHostTest, AnImageIsRequestedForAParameter) {
+    host.run({FilesGiven{{named("red.bmp", red)}}});
+    ui::askOpenImage(host.session, "textures[0].file");
+    host.run({Refresh{}});
+    ASSERT_THAT(host.wishes, SizeIs(1));
+    EXPECT_FALSE(host.wishes[0].isScene);
+    EXPECT_EQ(host.wishes[0].param, "textures[0].file");
+    EXPECT_EQ(host.session.window.dialog, ui::Dialog::None) << "no list of a folder";
+    EXPECT_EQ(host.last.wake, std::nullopt) << "it waits for the host";
+    host.run({FilesGiven{{named("blue.bmp", blue)}, host.wishes[0]}});
+    EXPECT_EQ(scene().textures[0].file, "blue.bmp");
+}
+
+TEST_F(BareHostTest, TheHostGetsWhatIsSaved) {
+    host.run({FilesGiven{{named("red.bmp", red)}}});
+    EXPECT_THAT(host.last.title, HasSubstr("•"));
+    press('S');
+    ASSERT_THAT(host.saved, SizeIs(1));
+    const std::vector<NamedFile>& written = host.saved[0];
+    ASSERT_THAT(written, SizeIs(2));
+    EXPECT_EQ(written[0].name, "scene.texplorer.json");
+    EXPECT_EQ(parseScene({reinterpret_cast<const char*>(written[0].bytes.data()), written[0].bytes.size()}),
+              scene());
+    EXPECT_EQ(written[1].name, "red.bmp");
+    EXPECT_EQ(written[1].bytes, named("", red).bytes);
+    EXPECT_EQ(host.last.title, "scene.texplorer.json - Texplorer");
+    EXPECT_TRUE(host.loop.step(host.now, {CloseAsked{}}).quit) << "nothing would be lost";
+}
+
+TEST_F(BareHostTest, WhatWasSavedIsOpenedAgainWithItsImage) {
+    host.run({FilesGiven{{named("red.bmp", red)}}});
+    const Scene before = scene();
+    press('S');
+    ui::askNewScene(host.session);
+    host.run({Refresh{}});
+    ASSERT_EQ(scene().textures, defaultScene().textures);
+    press('O');
+    ASSERT_THAT(host.wishes, SizeIs(1));
+    EXPECT_TRUE(host.wishes[0].isScene);
+    host.run({FilesGiven{host.saved.at(0), host.wishes[0]}});
+    EXPECT_EQ(scene(), before);
+    EXPECT_THAT(host.loop.problems(), IsEmpty());
+    EXPECT_EQ(host.session.window.notice.text, "");
+    EXPECT_EQ(host.last.title, "scene.texplorer.json - Texplorer");
+}
+
+TEST_F(BareHostTest, AnImageOfTheSceneMayArriveLaterOrFromTheHost) {
+    Scene given = defaultScene();
+    given.textures[0].source = SourceKind::File;
+    given.textures[0].file = "red.bmp";
+    const FilesGiven dropped{{named("a.json", writeScene(given))}};
+    host.run({dropped});
+    EXPECT_EQ(scene().textures, given.textures);
+    EXPECT_THAT(host.session.window.notice.text, HasSubstr("red.bmp: the host does not have it"));
+    host.run({FilesGiven{{named("red.bmp", red)}}});
+    EXPECT_EQ(scene().textures, given.textures) << "it names the image already";
+    EXPECT_THAT(host.loop.problems(), IsEmpty());
+    const Image complete = *host.graphics.largest();
+    ui::askNewScene(host.session);
+    host.run({Refresh{}});
+    host.known["red.bmp"] = named("", red).bytes;
+    host.run({dropped});
+    EXPECT_EQ(*host.graphics.largest(), complete);
+}
+
+TEST_F(BareHostTest, AQuestionComesBeforeADroppedSceneReplacesWork) {
+    click("textures[0].wrapS=GL_CLAMP");
+    host.run({FilesGiven{{named("a.json", writeScene(defaultScene()))}}});
+    EXPECT_EQ(host.session.window.dialog, ui::Dialog::Discard);
+    click("discard:save");
+    ASSERT_THAT(host.saved, SizeIs(1));
+    EXPECT_EQ(scene().textures, defaultScene().textures) << "then it is opened";
+    EXPECT_EQ(host.session.window.dialog, ui::Dialog::None);
+}
+
+TEST_F(BareHostTest, ARequestThatFollowsSavingReachesTheHostToo) {
+    click("textures[0].wrapS=GL_CLAMP");
+    press('O');
+    click("discard:save");
+    EXPECT_THAT(host.saved, SizeIs(1));
+    ASSERT_THAT(host.wishes, SizeIs(1));
+    EXPECT_EQ(host.session.window.dialog, ui::Dialog::None);
+}
+
+TEST_F(BareHostTest, OtherFilesAreSavedTheSameWay) {
+    for (const ui::Dialog dialog : {ui::Dialog::SaveProgram, ui::Dialog::SaveAnswers}) {
+        host.session.window.dialog = dialog;
+        host.run({Refresh{}});
+    }
+    ASSERT_THAT(host.saved, SizeIs(2));
+    EXPECT_EQ(host.saved[0].at(0).name, "scene.c");
+    EXPECT_THAT(host.saved[0].at(0).bytes, SizeIs(Gt(1000U)));
+    EXPECT_EQ(host.saved[1].at(0).name, "answers.json");
+}
+
+TEST_F(BareHostTest, ARendererThatIsNotThereIsNotOffered) {
+    for (const EnumRow& row : EnumTable<RendererKind>::rows)
+        click("renderer:" + std::string(row.label));
+    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference);
+    click("renderer:Compare");
+    EXPECT_FALSE(isComparing(host.session.window.view)) << "with one renderer there is nothing to compare";
+    host.run({at("view")});
+    for (const int key : {int{'1'}, int{'2'}, int{'4'}})
+        press(key, {});
+    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference) << "keys are no way around it";
+    EXPECT_FALSE(isComparing(host.session.window.view));
+    EXPECT_THAT(host.session.window.notice.text, HasSubstr("there is no OpenGL here"));
+}
+
+TEST_F(BareHostTest, ALessonThatShowsAnotherRendererShowsTheReference) {
+    for (const auto& [lesson, step] : {std::pair("laboratory", 1U), std::pair("environments", 6U)}) {
+        ASSERT_TRUE(ui::openLessonNamed(host.session, lesson, step));
+        host.run({Refresh{}});
+        EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference) << lesson;
+        EXPECT_FALSE(isComparing(host.session.window.view)) << lesson;
+        EXPECT_TRUE(host.graphics.largest()) << lesson;
+    }
+}
+
+TEST(BareHostsSettingsTest, ARendererThatWasChosenElsewhereIsReplacedByTheReference) {
+    const test::NoThreads threads;
+    const NoFiles files;
+    BareHost host(wide, RendererKind::Shader);
+    host.run();
+    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference);
+    EXPECT_THAT(host.session.window.notice.text, HasSubstr("there is no OpenGL here"));
+    EXPECT_TRUE(host.graphics.largest());
+    EXPECT_EQ(host.graphics.refusals, 0);
+}
+
+TEST_F(BareHostTest, ALessonIsOpenedAndAnsweredByMouse) {
+    ui::askLesson(host.session, "first-texture");
+    host.run({Refresh{}});
+    ASSERT_TRUE(host.session.window.lesson);
+    click("lesson:Next");
+    click("answer:3");
+    EXPECT_EQ(host.session.window.lesson->answer, 2U);
+    EXPECT_TRUE(host.session.window.settings.lessons.at("first-texture").at(1).done);
+    EXPECT_TRUE(places.items.contains("reason"));
+    EXPECT_EQ(host.last.wake, std::nullopt);
+}
+
+TEST_F(BareHostTest, TheWindowKeepsItsOwnClipboard) {
+    EXPECT_EQ(ImGui::GetClipboardText(), nullptr);
+    ImGui::SetClipboardText("from here");
+    EXPECT_STREQ(ImGui::GetClipboardText(), "from here");
+}
+
+TEST_F(BareHostTest, TheHostHasIndeedNoFilesAndNoThreads) {
+    EXPECT_FALSE(readFile("/proc/self/status"));
+    EXPECT_THAT(besidesFonts(files.attempts), ElementsAre("/proc/self/status")) << "an attempt is noted";
+    EXPECT_THROW(std::thread([] {}).join(), std::system_error);
+    std::erase(files.attempts, "/proc/self/status");
+}
+
+} // namespace
+} // namespace texplorer::stage::bare_host_test
