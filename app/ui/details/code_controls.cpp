@@ -59,44 +59,39 @@ void codeUnderline(ImU32 ink) {
 }
 
 /// The tooltip of a value.
-void codeTip(const Session& session, const std::string& path, int component) {
+void codeTip(const Session& session, const ParamPlace& place, const std::string& path, int component) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
         return;
-    const std::optional<ParamPlace> place = placeOf(presentScene(session), path);
-    if (!place)
-        return;
     ImGui::PushFont(nullptr); // words, not code
-    if (place->vertex) {
+    if (place.vertex) {
         constexpr std::array names{"s", "t", "r", "q"};
         helpTip(component >= 0 && component < 4
                     ? fmt::format("Coordinate {} of vertex {}: drag it, or double-click to type",
-                                  names.at(static_cast<std::size_t>(component)), *place->vertex)
+                                  names.at(static_cast<std::size_t>(component)), *place.vertex)
                     : std::string("A coordinate of this vertex: drag it, or double-click to type"));
     } else {
-        const Value value = place->row->read(place->owner.values);
-        paramTip(*place->row, value, value, selectedUnit(session).target,
+        const Value value = place.row->read(place.owner.values);
+        paramTip(*place.row, value, value, selectedUnit(session).target,
                  idleReasonOf(session.document.findings, path), problemOf(session.document.findings, path));
     }
     ImGui::PopFont();
 }
 
 /// A number in code that can be dragged, and typed after a double click.
-float codeNumber(const Session& session, const emit::Part& part, const CodeLook& look) {
-    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
+float codeNumber(const Session& session, const emit::Part& part, const ParamPlace& place,
+                 const CodeLook& look) {
     const float width = codeWidth(part);
-    if (!place)
-        return width;
-    const Range range = rangeOf(*place);
-    const int decimals = place->row->kind == Kind::Int ? 0
-                         : range.step >= 0.5F          ? 1
-                         : range.step >= 0.01F         ? 2
-                                                       : 3;
+    const Range range = rangeOf(place);
+    const int decimals = place.row->kind == Kind::Int ? 0
+                         : range.step >= 0.5F         ? 1
+                         : range.step >= 0.01F        ? 2
+                                                      : 3;
     const std::string format = fmt::format("%.{}f", decimals);
     const bool isTyped = ImGui::TempInputIsActive(ImGui::GetID("##number"));
     const float sign = part.negated ? -1.0F : 1.0F;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = isTyped ? std::max(width, look.letter * digitsTyped) : width;
-    float shown = sign * numberAt(*place, part.component);
+    float shown = sign * numberAt(place, part.component);
     constexpr ImU32 unseen = 0;
     ImGui::SetNextItemWidth(room);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
@@ -116,11 +111,11 @@ float codeNumber(const Session& session, const emit::Part& part, const CodeLook&
     if (!isTyped) {
         const ImU32 ink = codeInk(part, look);
         ImGui::GetWindowDrawList()->AddText(at, ink, part.text.c_str());
-        const bool isCoordinate = part.component >= 0 && place->row->kind != Kind::Color;
+        const bool isCoordinate = part.component >= 0 && place.row->kind != Kind::Color;
         codeUnderline(isCoordinate && part.component < 4 ? componentColor(part.component) : ink);
     }
     if (edited && !(isTyped && ImGui::IsItemActive())) // a typed number is used when it is complete
-        assignNumber(session, *place, part.component, shown == 0 ? 0.0F : sign * shown);
+        assignNumber(session, place, part.component, shown == 0 ? 0.0F : sign * shown);
     sealAfterItem(session);
     return room;
 }
@@ -173,26 +168,20 @@ bool codeButton(const emit::Part& part, const CodeLook& look) {
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImGui::GetWindowDrawList()->AddText(at, ink, part.text.c_str());
+    if (part.kind == emit::Part::Kind::Choice || part.kind == emit::Part::Kind::Switch)
+        codeUnderline(ink);
     return pressed;
 }
 
-float codeChoice(const Session& session, const emit::Part& part, const CodeLook& look) {
-    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
-    const bool pressed = codeButton(part, look);
-    codeUnderline(codeInk(part, look));
-    if (place && place->row->kind == Kind::Enum && pressed)
+/// Goes to the control of a call, opens the list of a choice or turns a switch.
+void pressCode(const Session& session, const emit::Part& part, const ParamPlace* place) {
+    if (part.kind != emit::Part::Kind::Choice && part.kind != emit::Part::Kind::Switch)
+        return act(session, [path = part.path](Session& s) { reveal(s, path); });
+    if (place && part.kind == emit::Part::Kind::Choice && place->row->kind == Kind::Enum)
         ImGui::OpenPopup("choices");
-    return codeWidth(part);
-}
-
-void codeSwitch(const Session& session, const emit::Part& part, const CodeLook& look) {
-    const bool pressed = codeButton(part, look);
-    codeUnderline(codeInk(part, look));
-    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
-    if (!pressed || !place || place->row->kind != Kind::Bool)
-        return;
-    const bool on = std::get<bool>(place->row->read(place->owner.values));
-    assignParam(session, place->owner, *place->row, !on);
+    if (place && part.kind == emit::Part::Kind::Switch && place->row->kind == Kind::Bool)
+        assignParam(session, place->owner, *place->row,
+                    !std::get<bool>(place->row->read(place->owner.values)));
 }
 
 } // namespace
@@ -211,22 +200,20 @@ float codePart(const Session& session, const emit::Part& part, const CodeLook& l
     ImGui::PushID(part.component);
     ImGui::PushID(static_cast<int>(part.kind));
     ImGui::PushID(part.occurrence);
-    if (part.kind == Kind::Number)
-        width = codeNumber(session, part, look);
-    else if (part.kind == Kind::Choice)
-        codeChoice(session, part, look);
-    else if (part.kind == Kind::Switch)
-        codeSwitch(session, part, look);
-    else if (codeButton(part, look))
-        act(session, [path = part.path](Session& s) { reveal(s, path); });
+    const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path);
+    if (part.kind != Kind::Number) {
+        if (codeButton(part, look))
+            pressCode(session, part, place ? &*place : nullptr);
+    } else if (place) {
+        width = codeNumber(session, part, *place, look);
+    }
     if (part.occurrence == 0)
         noteItem(part.kind == Kind::Call ? fmt::format("call:{}", part.path) : codeName(part));
     linkHover(session, part.path);
-    codeTip(session, part.path, part.component);
-    if (part.kind == Kind::Choice) {
-        if (const std::optional<ParamPlace> place = placeOf(presentScene(session), part.path))
-            codeChoices(session, *place, part.path);
-    }
+    if (place)
+        codeTip(session, *place, part.path, part.component);
+    if (place && part.kind == Kind::Choice)
+        codeChoices(session, *place, part.path);
     for (int i = 0; i < 4; ++i)
         ImGui::PopID();
     return width;

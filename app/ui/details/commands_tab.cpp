@@ -5,7 +5,6 @@
 #include "app/ui/model/program_file.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/button_width.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/program_menu.h"
 #include "app/ui/widgets/theme.h"
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace texplorer::ui {

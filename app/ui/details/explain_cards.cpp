@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -17,36 +16,12 @@ using reference::Ink;
 using reference::StepKind;
 using reference::UnitExplanation;
 
-Stage stageOf(StepKind kind) {
-    switch (kind) {
-    case StepKind::Triangle:
-    case StepKind::PrimaryColor:
-        return Stage::Vertices;
-    case StepKind::Coordinates:
-        return Stage::Coordinates;
-    case StepKind::LevelOfDetail:
-        return Stage::LevelOfDetail;
-    case StepKind::Wrap:
-        return Stage::Texels;
-    case StepKind::Texels:
-        return Stage::Filter;
-    case StepKind::Environment:
-        return Stage::Environment;
-    case StepKind::IdleUnit:
-        return Stage::IdleUnit;
-    case StepKind::ColorSum:
-        return Stage::ColorSum;
-    case StepKind::Fog:
-        return Stage::Fog;
-    case StepKind::AlphaTest:
-    case StepKind::DepthTest:
-    case StepKind::Blending:
-        return Stage::Tests;
-    case StepKind::Framebuffer:
-        break;
-    }
-    return Stage::Pixel;
-}
+/// In the order of StepKind.
+constexpr std::array stageOfSteps{Stage::Vertices, Stage::Vertices, Stage::Coordinates, Stage::LevelOfDetail,
+                                  Stage::Texels,   Stage::Filter,   Stage::Environment, Stage::IdleUnit,
+                                  Stage::ColorSum, Stage::Fog,      Stage::Tests,       Stage::Tests,
+                                  Stage::Tests,    Stage::Pixel};
+static_assert(stageOfSteps.size() == static_cast<std::size_t>(StepKind::Framebuffer) + 1);
 
 using Lines = std::vector<CardLine>;
 
@@ -189,7 +164,7 @@ std::vector<Card> cardsOf(const FragmentExplanation& fragment, const reference::
     std::vector<Card> cards;
     for (std::size_t i = 0; i < steps.steps.size(); ++i) {
         const reference::Step& step = steps.steps[i];
-        const Stage stage = stageOf(step.kind);
+        const Stage stage = stageOfSteps.at(static_cast<std::size_t>(step.kind));
         if (!cards.empty() && cards.back().stage == stage && cards.back().unit == step.unit) {
             cards.back().steps.push_back(i);
             continue;

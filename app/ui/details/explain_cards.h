@@ -76,6 +76,11 @@ struct Card {
 [[nodiscard]] std::vector<Card> cardsOf(const reference::FragmentExplanation& fragment,
                                         const reference::FragmentSteps& steps);
 
+/// With components from 0 to 1.
+[[nodiscard]] inline glm::vec4 colorOfBytes(const reference::PixelBytes& bytes) {
+    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
+}
+
 /// The card of `cards` for the same stage of the same unit; nullptr: none.
 [[nodiscard]] const Card* sameCard(const std::vector<Card>& cards, const Card& card);
 

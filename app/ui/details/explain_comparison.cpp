@@ -1,23 +1,18 @@
 #include "app/ui/details/explain_comparison.h"
 
+#include "app/ui/details/explain_cards.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace texplorer::ui {
-namespace {
 
 using reference::Explanation;
 using reference::Ink;
 using reference::PixelBytes;
 using reference::StepRow;
-
-glm::vec4 comparedColor(const PixelBytes& bytes) {
-    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
-}
-
-} // namespace
 
 Comparison compareRenderers(const Session& session, const Pictures& pictures,
                             const Explanation& explanation) {
@@ -25,7 +20,7 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
     const auto add = [&](RendererKind renderer, const PixelBytes& bytes, reference::StepCell remark) {
         StepRow& row = comparison.rows.emplace_back();
         row.label = rowOf(renderer).label;
-        row.swatch = comparedColor(bytes);
+        row.swatch = colorOfBytes(bytes);
         row.cells = {{reference::bytesText(bytes), Ink::Plain}, std::move(remark)};
     };
     add(RendererKind::Reference, explanation.bytes, {});

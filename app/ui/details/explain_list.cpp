@@ -68,8 +68,7 @@ void drawFragment(const reference::FragmentSteps& fragment, const reference::Fra
                   std::size_t index, bool seen, const reference::FragmentSteps* other) {
     ImGui::PushID(seen ? -1 : static_cast<int>(index));
     ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
-    const std::string title =
-        fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
+    const std::string title = titleOf(fragment);
     ImGui::PushStyleColor(ImGuiCol_Text, fragment.drawn ? color::text : color::dim);
     const float room = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX() - ImGui::GetCursorPosX() -
                        ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.5F;
@@ -87,6 +86,10 @@ void drawFragment(const reference::FragmentSteps& fragment, const reference::Fra
 }
 
 } // namespace
+
+std::string titleOf(const reference::FragmentSteps& fragment) {
+    return fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
+}
 
 void drawFragmentList(const reference::Explanation& explanation,
                       const std::vector<reference::FragmentSteps>& fragments,

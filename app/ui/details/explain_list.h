@@ -2,9 +2,13 @@
 
 #include "core/reference/explain/explanation_steps.h"
 
+#include <string>
 #include <vector>
 
 namespace texplorer::ui {
+
+/// Its title, and what became of it unless it was drawn.
+[[nodiscard]] std::string titleOf(const reference::FragmentSteps& fragment);
 
 /// Every fragment of a pixel with its steps one below the other, for a narrow panel: first the visible one,
 /// then the others in drawing order. Differences of the visible one from `other` are marked; nullptr: none

@@ -6,7 +6,6 @@
 #include "app/ui/widgets/theme.h"
 #include "core/text/word.h"
 
-#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -59,13 +58,9 @@ ImU32 opaqueOf(glm::vec4 color) {
     return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
 }
 
-ImU32 sketchOutline() {
-    return color::outline;
-}
-
 void filledBox(const Sketch& box, glm::vec4 color) {
     box.draw.AddRectFilled(box.low, box.high, opaqueOf(color));
-    box.draw.AddRect(box.low, box.high, sketchOutline());
+    box.draw.AddRect(box.low, box.high, color::outline);
 }
 
 /// A small text centred at a position.
@@ -127,13 +122,13 @@ void drawVerticesSketch(const Sketch& whole, const FragmentExplanation& fragment
     const auto at = [&](glm::vec2 place) { return shape.at(place.x, place.y); };
     const ImVec2 here = at(count == 1 ? places[0] : glm::clamp(pixel, -0.1F, 1.1F));
     for (std::size_t i = 0; i < count; ++i) {
-        whole.draw.AddLine(at(places.at(i)), at(places.at((i + 1) % count)), sketchOutline(), sketchLine());
+        whole.draw.AddLine(at(places.at(i)), at(places.at((i + 1) % count)), color::outline, sketchLine());
         const float weight = std::clamp(fragment.vertices[i].weight, 0.0F, 1.0F);
         whole.draw.AddLine(here, at(places.at(i)), color::probed, sketchLine() + em * 0.3F * weight);
     }
     for (std::size_t i = 0; i < count; ++i) {
         whole.draw.AddCircleFilled(at(places.at(i)), em * 0.28F, opaqueOf(fragment.vertices[i].primary));
-        whole.draw.AddCircle(at(places.at(i)), em * 0.28F, sketchOutline());
+        whole.draw.AddCircle(at(places.at(i)), em * 0.28F, color::outline);
     }
     sketchDot(whole, here);
 }
@@ -159,7 +154,7 @@ void drawCoordinatesSketch(const Sketch& whole, const UnitExplanation& unit) {
     };
     const float line = sketchLine();
     whole.draw.AddRectFilled(at(0, 1), at(1, 0), ImGui::GetColorU32(ImGuiCol_FrameBgActive));
-    whole.draw.AddRect(at(0, 1), at(1, 0), sketchOutline());
+    whole.draw.AddRect(at(0, 1), at(1, 0), color::outline);
     whole.draw.AddLine(at(0, 0), at(1, 0), color::s, 2 * line);
     whole.draw.AddLine(at(0, 0), at(0, 1), color::t, 2 * line);
     whole.draw.AddLine(at(shown.x, 0), at(shown.x, shown.y), color::s, line);
@@ -326,7 +321,7 @@ void drawFilterSketch(const Sketch& whole, const UnitExplanation& unit) {
         whole.draw.AddRectFilled({left, y}, {left + 2 * half, next}, opaqueOf(bar.color));
         y = next;
     }
-    whole.draw.AddRect({left, top}, {left + 2 * half, top + 2 * half}, sketchOutline());
+    whole.draw.AddRect({left, top}, {left + 2 * half, top + 2 * half}, color::outline);
     sketchText(whole.draw, middle, "→", color::dim);
     const float right = middle.x + arrow / 2;
     filledBox({whole.draw, {right, top}, {right + 2 * half, top + 2 * half}}, unit.sample.color);
@@ -342,10 +337,6 @@ void drawEnvironmentSketch(const Sketch& whole, const UnitExplanation& unit) {
         colors.push_back({"·", "Cc", unit.inputs.constant});
     colors.push_back({"→", "Cv", unit.result});
     drawNamedColors(whole, colors);
-}
-
-glm::vec4 colorOfBytes(const reference::PixelBytes& bytes) {
-    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
 }
 
 void drawTestsSketch(const Sketch& whole, const FragmentExplanation& fragment) {

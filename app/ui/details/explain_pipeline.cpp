@@ -1,7 +1,6 @@
 #include "app/ui/details/explain_pipeline.h"
 
 #include "app/ui/details/explain_pictures.h"
-#include "app/ui/details/open_cards.h"
 #include "app/ui/details/step_rows.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
@@ -72,8 +71,6 @@ struct CardLines {
             left = left.subspan(here);
         }
     }
-    [[nodiscard]] std::size_t count() const { return lines.size(); }
-    [[nodiscard]] std::span<const Card> line(std::size_t index) const { return lines[index]; }
 
 private:
     /// For the remaining cards in this many lines.
@@ -227,14 +224,11 @@ CardClick drawCard(const Lane& lane, const Card& card, const Card* other, bool o
 
 void drawArrow(const CardMeasure& measure) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float y = low.y + measure.height() / 2;
-    const float half = measure.em * 0.28F;
-    const float x = low.x + (measure.arrow - half) / 2;
-    ImGui::GetWindowDrawList()->AddTriangleFilled({x, y - half}, {x, y + half}, {x + half, y}, color::dim);
+    drawStageArrow(low.x, low.y + measure.height() / 2, measure.arrow);
     ImGui::Dummy({measure.arrow, measure.height()});
 }
 
-void drawCards(PipelineState& state, const Lane& lane, std::span<const Card> line, const Lane* other,
+void drawCards(OpenCards& cards, const Lane& lane, std::span<const Card> line, const Lane* other,
                const CardMeasure& measure, float available) {
     const bool first = line.data() == lane.cards.data();
     const std::vector<float> widths = widthsOf(line, first, measure, available);
@@ -248,14 +242,14 @@ void drawCards(PipelineState& state, const Lane& lane, std::span<const Card> lin
         }
         const std::pair key(card.stage, card.unit);
         ImGui::PushID(static_cast<int>(card.stage) * 16 + card.unit);
-        const bool open = state.open.contains(key);
+        const bool open = cards.contains(key);
         const Card* against = other ? sameCard(other->cards, card) : nullptr;
         const CardClick click = drawCard(lane, card, against, open, widths[i], measure);
         if (click.pressed) {
             if (open)
-                state.open.erase(key);
+                cards.erase(key);
             else
-                state.open.insert(key);
+                cards.insert(key);
         }
         noteItem((other || lane.title.empty() ? "card:" : "pinned card:") + card.name);
         helpTip(click.cut ? wordsOf(card) : std::string(rowOf(card.stage).help));
@@ -263,18 +257,21 @@ void drawCards(PipelineState& state, const Lane& lane, std::span<const Card> lin
     }
 }
 
-bool isAnyOpen(const PipelineState& state, const Lane& lane) {
-    return std::ranges::any_of(
-        lane.cards, [&](const Card& card) { return state.open.contains(std::pair(card.stage, card.unit)); });
-}
-
 } // namespace
 
-void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
+void drawStageArrow(float left, float y, float room) {
+    const float half = ImGui::GetFontSize() * 0.28F;
+    const float x = left + (room - half) / 2;
+    ImGui::GetWindowDrawList()->AddTriangleFilled({x, y - half}, {x, y + half}, {x + half, y}, color::dim);
+}
+
+void drawPipeline(OpenCards& cards, std::span<const Lane> lanes) {
     CardMeasure measure;
     const bool titled = lanes.size() > 1;
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    const bool open = isAnyOpen(state, lanes.back());
+    const bool open = std::ranges::any_of(lanes.back().cards, [&](const Card& card) {
+        return cards.contains({card.stage, card.unit});
+    });
     const ImVec2 available = ImGui::GetContentRegionAvail();
     const auto isTooWide = [&](const Lane& lane) {
         return naturalWidth(lane.cards, true, measure) > available.x;
@@ -284,7 +281,7 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
     std::vector<CardLines> split;
     float count = 0; // lines of cards
     for (const Lane& lane : lanes)
-        count += static_cast<float>(split.emplace_back(lane, measure, available.x).count());
+        count += static_cast<float>(split.emplace_back(lane, measure, available.x).lines.size());
     const auto lanesHeight = [&] {
         const float titles = titled ? static_cast<float>(lanes.size()) * (measure.line + gap) : 0;
         return titles + count * (measure.height() + gap) - gap;
@@ -299,16 +296,15 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
         const bool compared = titled && i + 1 == lanes.size();
         ImGui::PushID(i + 1 == lanes.size() ? "explained" : "pinned");
         if (titled)
-            inkText(lanes[i].title, compared ? color::probed : color::dim);
-        for (std::size_t line = 0; line < split[i].count(); ++line)
-            drawCards(state, lanes[i], split[i].line(line), compared ? &lanes.front() : nullptr, measure,
-                      available.x);
+            text(lanes[i].title, compared ? color::probed : color::dim);
+        for (const std::span<const Card> line : split[i].lines)
+            drawCards(cards, lanes[i], line, compared ? &lanes.front() : nullptr, measure, available.x);
         ImGui::PopID();
     }
     if (open) {
         const float rest = std::max(ImGui::GetContentRegionAvail().y, minOpen * measure.em);
         ImGui::BeginChild("open", {0, rest});
-        drawOpenCards(state, lanes, ImGui::GetContentRegionAvail().y);
+        drawOpenCards(cards, lanes, ImGui::GetContentRegionAvail().y);
         ImGui::EndChild();
     }
 }

@@ -81,12 +81,8 @@ void drawStage(const StagesPlan& plan, const StageRow& row, ImVec2 low, ImVec2 h
                  {low.x + plan.pad, low.y + plan.pad + plan.title}, color::dim,
                  wrappedLines(tr(row.help), wrap / plan.scale).c_str());
     noteDrawn(fmt::format("stage:{}", row.name), low, high);
-    if (&row == &stageRows.back())
-        return;
-    const float half = plan.em * 0.28F;
-    const float x = high.x + (plan.arrow - half) / 2;
-    const float y = (low.y + high.y) / 2;
-    draw.AddTriangleFilled({x, y - half}, {x, y + half}, {x + half, y}, color::dim);
+    if (&row != &stageRows.back())
+        drawStageArrow(high.x, (low.y + high.y) / 2, plan.arrow);
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
@@ -14,7 +13,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -58,12 +56,12 @@ void drawInLine(const std::vector<StepRow>& rows, float reserved) {
         sameLineFor(width + reserved, ImGui::GetFontSize() * 1.2F);
         swatch(*row.swatch);
         ImGui::SameLine(0, gap);
-        inkText(row.label, color::dim);
+        text(row.label, color::dim);
         for (const reference::StepCell& cell : row.cells) {
             if (cell.text.empty())
                 continue;
             ImGui::SameLine(0, gap);
-            inkText(cell.text, tintOf(cell.ink));
+            text(cell.text, tintOf(cell.ink));
         }
     }
 }
@@ -102,7 +100,7 @@ void pixelButtons(const Session& session) {
 }
 
 void drawHead(const Session& session, const Pictures& pictures, const Explanation& explanation, bool wide) {
-    inkText(pixelText(explanation), color::probed);
+    text(pixelText(explanation), color::probed);
     noteItem("explain:pixel");
     helpTip(fmt::format("Counted from the upper left. In OpenGL's window coordinates, from the lower left: "
                         "{},{}. Click in the picture or press an arrow key for another pixel, with Shift for "
@@ -155,10 +153,6 @@ void drawTexelLine(const Session& session) {
         act(session, clearTexel);
 }
 
-std::string titleOf(const reference::FragmentSteps& fragment) {
-    return fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
-}
-
 /// The shown fragment: the visible one, or another one that was selected for this pixel.
 std::size_t shownFragment(const ExplainTabState& state, const Explanation& explanation) {
     if (state.fragmentOf == explanation.pixel && state.fragment < explanation.fragments.size())
@@ -173,7 +167,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
     if (fragments.size() < 2)
         return;
     ImGui::AlignTextToFramePadding();
-    inkText(fmt::format("{} fragments cover it:", explanation.fragmentCount), color::dim);
+    text(fmt::format("{} fragments cover it:", explanation.fragmentCount), color::dim);
     ImGui::SameLine();
     const std::string title = titleOf(fragments[shown]);
     const float arrow = ImGui::GetFrameHeight();
@@ -217,7 +211,7 @@ void drawLanes(ExplainTabState& state, const Explanation* pinned,
                                fmt::format("Pinned: {}", pixelText(*pinned))));
     }
     lanes.push_back(laneOf(explanation, fragments, shown, lanes.empty() ? "" : pixelText(explanation)));
-    drawPipeline(state.pipeline, lanes);
+    drawPipeline(state.open, lanes);
 }
 
 void drawLists(const Explanation* pinned, const std::vector<reference::FragmentSteps>& pinnedFragments,
@@ -230,7 +224,7 @@ void drawLists(const Explanation* pinned, const std::vector<reference::FragmentS
         return;
     ImGui::Separator();
     ImGui::PushID("pinned");
-    inkText(fmt::format("Pinned: {}", pixelText(*pinned)), color::dim);
+    text(fmt::format("Pinned: {}", pixelText(*pinned)), color::dim);
     noteItem("explain:pinned");
     drawFragmentList(*pinned, pinnedFragments);
     ImGui::PopID();

@@ -23,7 +23,7 @@ struct AnswerSteps {
 
 /// The state of the tab.
 struct ExplainTabState {
-    PipelineState pipeline;
+    OpenCards open;
     std::size_t fragment =
         0; ///< the fragment whose cards are shown, of the pixel `fragmentOf`; else the visible one
     std::optional<reference::PixelPlace> fragmentOf;

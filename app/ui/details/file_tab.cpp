@@ -4,11 +4,8 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/tip.h"
-#include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
 #include "core/text/printable.h"
 
@@ -240,9 +237,7 @@ void heading(const Session& session) {
     const std::string& problem = view.content->problem.empty() ? damage : view.content->problem;
     if (problem.empty())
         return;
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    wrappedText(printable(problem));
-    ImGui::PopStyleColor();
+    wrappedText(printable(problem), color::problem);
     noteItem("file:problem");
     if (!damage.empty() && damage != problem)
         helpTip(damage);
@@ -262,9 +257,7 @@ void drawFileTab(const Session& session, FileTabState& state) {
     }
     heading(session);
     if (!view.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(printable(view.problem));
-        ImGui::PopStyleColor();
+        wrappedText(printable(view.problem), color::problem);
     }
     if (!view.content) {
         if (view.ticket != 0)

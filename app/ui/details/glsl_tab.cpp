@@ -3,7 +3,6 @@
 #include "app/ui/details/glsl_text.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -32,17 +31,8 @@ constexpr std::array stageRows{
 };
 
 ImU32 tintOf(GlslToken::Kind kind) {
-    switch (kind) {
-    case GlslToken::Kind::Keyword:
-        return color::keyword;
-    case GlslToken::Kind::Uniform:
-        return color::uniform;
-    case GlslToken::Kind::Comment:
-        return color::dim;
-    case GlslToken::Kind::Plain:
-        break;
-    }
-    return color::text;
+    const std::array<ImU32, 4> tints{color::text, color::keyword, color::uniform, color::dim};
+    return tints.at(static_cast<std::size_t>(kind));
 }
 
 const glsl::StageSource& sourceOf(const PassShader& shader, ShaderStage stage) {
@@ -132,9 +122,7 @@ void drawNumber(std::size_t number, const std::string& digits) {
     const std::string shown = std::to_string(number);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::CalcTextSize(digits.c_str()).x -
                          ImGui::CalcTextSize(shown.c_str()).x);
-    ImGui::PushStyleColor(ImGuiCol_Text, color::faint);
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::PopStyleColor();
+    plainText(shown, color::faint);
     ImGui::SameLine(0, 0);
 }
 

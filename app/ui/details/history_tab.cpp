@@ -6,7 +6,6 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
 
 #include <fmt/core.h>

@@ -6,7 +6,6 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/change_table.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"

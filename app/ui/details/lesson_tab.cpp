@@ -7,16 +7,12 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -147,10 +143,8 @@ void answerPictures(const Session& session, const LessonRun& run, const Predict&
         smallPicture(pictures, run.pictures && i < run.pictures->size() ? (*run.pictures)[i] : nullptr, at,
                      {width, width * pictureShape}, hovered ? color::text : answerInk(run, predict, i));
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-        ImGui::PushStyleColor(ImGuiCol_Text,
-                              run.answer == i ? answerInk(run, predict, i) : ImU32(color::text));
-        plainText(answerName(run, predict, i));
-        ImGui::PopStyleColor();
+        plainText(answerName(run, predict, i),
+                  run.answer == i ? answerInk(run, predict, i) : ImU32(color::text));
         ImGui::PopTextWrapPos();
         ImGui::EndGroup();
         noteItem(fmt::format("answer:{}", i + 1));

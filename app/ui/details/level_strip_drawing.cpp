@@ -12,11 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
 namespace {
+
+constexpr float maxZoom = 64;
 
 /// A level of the strip. A level that is missing for completeness has no picture.
 struct ShownLevel {
@@ -45,15 +46,6 @@ std::vector<ShownLevel> shownLevels(const LevelsSummary& summary, int face) {
         levels.push_back({report, picture == pictures.end() ? nullptr : picture->second});
     }
     return levels;
-}
-
-/// "128 × 64"; the length of a line, three extents of a volume.
-std::string levelExtentsText(const LevelReport& level, Target target) {
-    if (target == Target::Texture1D)
-        return fmt::format("{}", level.width);
-    if (target == Target::Texture3D)
-        return fmt::format("{} × {} × {}", level.width, level.height, level.depth);
-    return fmt::format("{} × {}", level.width, level.height);
 }
 
 /// A shorter form: a square's side with a ².
@@ -136,16 +128,12 @@ public:
 
 private:
     [[nodiscard]] float em() const { return ImGui::GetFontSize(); }
-    [[nodiscard]] float lineHeight() const { return ImGui::GetTextLineHeight(); }
     [[nodiscard]] float axisHeight() const { return em() * 2.2F; }
     [[nodiscard]] float axisY() const { return origin_.y + strip_.extent.y + labels_ + em() * 0.75F; }
     [[nodiscard]] int lastLevel() const { return levels_.back().report.number; }
     /// Base and max level clamped as the sampler does, to existing levels.
     [[nodiscard]] int base() const { return std::clamp(texture_.baseLevel, 0, lastLevel()); }
     [[nodiscard]] int max() const { return std::clamp(texture_.maxLevel, base(), lastLevel()); }
-    [[nodiscard]] float levelUnderMouse() const {
-        return strip_.levelAt(ImGui::GetIO().MousePos.x - origin_.x);
-    }
     [[nodiscard]] float shareOf(int level) const;
 
     void zoom(ImVec2 room);
@@ -179,9 +167,8 @@ void StripDrawing::zoom(ImVec2 room) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!ImGui::IsWindowHovered() || io.MouseWheel == 0)
         return;
-    const float fixed = levelUnderMouse();
-    const float zoomed =
-        std::clamp(state_.zoom * std::pow(1.25F, io.MouseWheel), 1.0F, LevelsTabState::maxZoom);
+    const float fixed = strip_.levelAt(io.MousePos.x - origin_.x);
+    const float zoomed = std::clamp(state_.zoom * std::pow(1.25F, io.MouseWheel), 1.0F, maxZoom);
     if (zoomed == state_.zoom)
         return;
     state_.zoom = zoomed < 1.01F ? 1 : zoomed;
@@ -277,7 +264,7 @@ void StripDrawing::drawCell(std::size_t index) {
     float x = std::round(origin_.x + cell.middle() - line / 2);
     float y = floor + em() * 0.35F;
     const auto [r, g, b, a] = mipColor(level.report.number);
-    const float top = std::round(y + (lineHeight() - flag) / 2);
+    const float top = std::round(y + (ImGui::GetTextLineHeight() - flag) / 2);
     draw.AddRectFilled({x, top}, {x + flag, top + flag}, IM_COL32(r, g, b, a));
     draw.AddRect({x, top}, {x + flag, top + flag}, color::outline);
     x += flag + em() * 0.25F;
@@ -287,7 +274,7 @@ void StripDrawing::drawCell(std::size_t index) {
     if (form_.beside)
         x += numberWidth + em() * 0.4F;
     else {
-        y += lineHeight();
+        y += ImGui::GetTextLineHeight();
         x = std::round(origin_.x + cell.middle() - ImGui::CalcTextSize(extents.c_str()).x / 2);
     }
     draw.AddText({x, y}, color::dim, extents.c_str());
@@ -326,6 +313,24 @@ void StripDrawing::draw(float below) {
 }
 
 } // namespace
+
+std::optional<LevelsRequest> requestLevels(const Session& session) {
+    const Texture* texture = boundTexture(session);
+    if (texture && session.document.images.find(*texture))
+        return LevelsRequest{session.document.images.picturesOf(*texture), imageSettings(*texture),
+                             selectedUnit(session).target};
+    wrappedText(texture ? "The image is not loaded." : "No texture is bound to this unit.");
+    noteItem("levels:none");
+    return std::nullopt;
+}
+
+std::string levelExtentsText(const LevelReport& level, Target target) {
+    if (target == Target::Texture1D)
+        return fmt::format("{}", level.width);
+    if (target == Target::Texture3D)
+        return fmt::format("{} × {} × {}", level.width, level.height, level.depth);
+    return fmt::format("{} × {}", level.width, level.height);
+}
 
 void drawLevelStrip(const Session& session, LevelsTabState& state, const Pictures& pictures,
                     const LevelsSummary& summary, float below) {

@@ -1,13 +1,10 @@
 #include "app/ui/details/levels_tab.h"
 
-#include "app/ui/details/level_strip_drawing.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/level_edits.h"
 #include "app/ui/widgets/button_width.h"
-#include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
@@ -34,9 +31,7 @@ void pixelLine(const Session& session, float room) {
                                                     : "Point at a pixel of the view";
     const std::string shown = fitted(words, room);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, levels ? color::probed : color::dim);
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::PopStyleColor();
+    plainText(shown, levels ? color::probed : color::dim);
     noteItem(levels ? "levels:pixel" : "levels:hint");
     if (levels)
         helpTip(fmt::format("{}\n{}", words, reference::footprintText(*levels)));
@@ -172,15 +167,11 @@ void drawSummary(const Session& session, LevelsTabState& state, const Pictures& 
         state.equal);
     const std::string path = elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + ".";
     if (const Finding* incomplete = incompleteness(session, path)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(sentenceOf(*incomplete));
-        ImGui::PopStyleColor();
+        wrappedText(sentenceOf(*incomplete), color::problem);
         noteItem("levels:incomplete");
         fixButtons(session, *incomplete);
     } else if (const std::string words = remark(session, texture, unit, summary); !words.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-        wrappedText(words);
-        ImGui::PopStyleColor();
+        wrappedText(words, color::dim);
         noteItem("levels:remark");
     }
     if (unit.target == Target::CubeMap)
@@ -193,26 +184,16 @@ void drawSummary(const Session& session, LevelsTabState& state, const Pictures& 
 } // namespace
 
 void drawLevelsTab(const Session& session, LevelsTabState& state, const Pictures& pictures) {
-    const Texture* texture = boundTexture(session);
-    if (!texture) {
-        wrappedText("No texture is bound to this unit.");
-        noteItem("levels:none");
+    const std::optional<LevelsRequest> request = requestLevels(session);
+    if (!request)
         return;
-    }
-    if (!session.document.images.find(*texture)) {
-        wrappedText("The image is not loaded.");
-        return;
-    }
-    const std::shared_ptr<const LevelsSummary> summary =
-        session.services.levels.summary({session.document.images.picturesOf(*texture),
-                                         imageSettings(*texture), selectedUnit(session).target});
+    const std::shared_ptr<const LevelsSummary> summary = session.services.levels.summary(*request);
     if (!summary) {
         dimText("The levels are being made…");
         noteItem("levels:waiting");
     } else if (!summary->problem.empty() || summary->report.levels.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(summary->problem.empty() ? std::string("There is no level.") : summary->problem);
-        ImGui::PopStyleColor();
+        wrappedText(summary->problem.empty() ? std::string("There is no level.") : summary->problem,
+                    color::problem);
         noteItem("levels:problem");
     } else {
         drawSummary(session, state, pictures, *summary);

@@ -2,8 +2,8 @@
 
 #include "app/ui/details/memory_tab.h"
 
+#include "app/ui/details/level_strip_drawing.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"
@@ -24,22 +24,12 @@ std::string grouped(std::size_t number) {
 }
 
 std::string extentsOf(const LevelReport& level, Target target) {
-    std::string text = level.faces > 1 ? fmt::format("{} × ", level.faces) : std::string();
-    text += std::to_string(level.width);
-    if (target != Target::Texture1D)
-        text += fmt::format(" × {}", level.height);
-    if (target == Target::Texture3D)
-        text += fmt::format(" × {}", level.depth);
-    return text;
+    const std::string extents = levelExtentsText(level, target);
+    return level.faces > 1 ? fmt::format("{} × {}", level.faces, extents) : extents;
 }
 
 std::string psnrText(double psnr) {
     return std::isinf(psnr) ? tr("exact") : fmt::format("{:.1f} dB", psnr);
-}
-
-LevelsRequest requestOf(const Session& session, const Texture& texture) {
-    return {session.document.images.picturesOf(texture), imageSettings(texture),
-            selectedUnit(session).target};
 }
 
 /// Sentences about the bound texture: the renderer's, and those about levels that were not drawn yet.
@@ -67,9 +57,7 @@ void drawSentences(const std::vector<std::string>& sentences) {
         std::string sentence = sentences[i];
         if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
             sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(fmt::format("{}.", sentence));
-        ImGui::PopStyleColor();
+        wrappedText(fmt::format("{}.", sentence), color::problem);
         noteItem(fmt::format("memory:note {}", i));
     }
 }
@@ -123,9 +111,7 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
 void rightAligned(const std::string& text, ImU32 ink = color::text) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+    plainText(text, ink);
 }
 
 void rightAlignedHeader(const char* words) {
@@ -204,28 +190,19 @@ void drawLevels(const LevelsSummary& summary, Target target) {
 } // namespace
 
 void drawMemoryTab(const Session& session, const Pictures& pictures) {
-    const Texture* texture = boundTexture(session);
-    if (!texture) {
-        wrappedText("No texture is bound to this unit.");
+    const std::optional<LevelsRequest> request = requestLevels(session);
+    if (!request)
         return;
-    }
-    if (!session.document.images.find(*texture)) {
-        wrappedText("The image is not loaded.");
-        return;
-    }
     LevelsWorker& worker = session.services.levels;
-    const LevelsRequest request = requestOf(session, *texture);
-    const std::shared_ptr<const LevelsSummary> summary = worker.summary(request);
+    const std::shared_ptr<const LevelsSummary> summary = worker.summary(*request);
     if (summary && summary->problem.empty())
-        drawSum(*texture, *summary);
+        drawSum(*boundTexture(session), *summary);
     else if (summary) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(summary->problem);
-        ImGui::PopStyleColor();
-    } else if (worker.isCancelled(request)) {
+        wrappedText(summary->problem, color::problem);
+    } else if (worker.isCancelled(*request)) {
         wrappedText("Making the levels was cancelled. The previous picture stays.");
         if (ImGui::Button(label("Make them")))
-            worker.retry(request);
+            worker.retry(*request);
         noteItem("memory:retry");
     } else {
         dimText("The levels are being made…");
@@ -233,7 +210,7 @@ void drawMemoryTab(const Session& session, const Pictures& pictures) {
     }
     drawSentences(sentencesOf(session, pictures, summary.get()));
     if (summary && !summary->report.levels.empty())
-        drawLevels(*summary, request.target);
+        drawLevels(*summary, request->target);
 }
 
 } // namespace texplorer::ui

@@ -4,13 +4,11 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/wrapped_text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -128,7 +126,7 @@ std::vector<StepColumn> columnsOf(const Lane& lane, const Card& card, float widt
 void drawPiece(const StepPiece& piece) {
     const reference::Step& step = *piece.step;
     if (piece.first) {
-        inkText(step.title, color::text);
+        text(step.title, color::text);
         noteItem("explain:" + step.title);
         ImGui::SameLine();
         if (step.swatch) {
@@ -249,12 +247,12 @@ struct OpenLine {
 };
 
 /// Uses as many lines as needed for the panel's width, and fits them into its height if possible.
-std::vector<OpenLine> arrangedCards(const PipelineState& state, std::span<const Lane> lanes, float& height) {
+std::vector<OpenLine> arrangedCards(const OpenCards& opened, std::span<const Lane> lanes, float& height) {
     const float panel = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetFontSize() * 0.5F;
     std::vector<OpenLine> lines;
     for (const Card& card : lanes.back().cards) {
-        if (!state.open.contains(std::pair(card.stage, card.unit)))
+        if (!opened.contains({card.stage, card.unit}))
             continue;
         OpenCard open{&card, lanes.size() > 1 ? sameCard(lanes.front().cards, card) : nullptr};
         arrange(open, lanes, openLooks.front(), std::numeric_limits<float>::max(), panel);
@@ -284,7 +282,7 @@ bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float heigh
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, openPadding());
     ImGui::BeginChild("steps", {open.width, height}, true);
     ImGui::PopStyleVar();
-    inkText(card.name, color::chosen);
+    text(card.name, color::chosen);
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine(std::max(0.0F, ImGui::GetWindowContentRegionMax().x - button));
     const bool closes = ImGui::SmallButton("✕");
@@ -292,7 +290,7 @@ bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float heigh
     drawColumns(open.columns, open.columnWidth, open.look);
     if (open.pinned) {
         ImGui::Separator();
-        inkText(lanes.front().title, color::dim);
+        text(lanes.front().title, color::dim);
         ImGui::PushID("pinned");
         drawColumns(open.pinnedColumns, open.columnWidth, open.look);
         ImGui::PopID();
@@ -303,14 +301,14 @@ bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float heigh
 
 } // namespace
 
-void drawOpenCards(PipelineState& state, std::span<const Lane> lanes, float height) {
-    for (const OpenLine& line : arrangedCards(state, lanes, height)) {
+void drawOpenCards(OpenCards& cards, std::span<const Lane> lanes, float height) {
+    for (const OpenLine& line : arrangedCards(cards, lanes, height)) {
         for (const OpenCard& open : line.cards) {
             if (&open != &line.cards.front())
                 ImGui::SameLine(0, ImGui::GetFontSize() * 0.5F);
             ImGui::PushID(static_cast<int>(open.card->stage) * 16 + open.card->unit);
             if (drawOpenCard(open, lanes, height))
-                state.open.erase(std::pair(open.card->stage, open.card->unit));
+                cards.erase({open.card->stage, open.card->unit});
             ImGui::PopID();
         }
     }

@@ -7,6 +7,7 @@
 #include <imgui_internal.h> // the size of a window's text
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -52,7 +53,7 @@ void drawLabel(const StepRow& row) {
         swatch(*row.swatch);
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     }
-    inkText(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
+    text(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
 }
 
 void drawTable(std::span<const StepRow> rows, float width) {
@@ -66,7 +67,7 @@ void drawTable(std::span<const StepRow> rows, float width) {
         drawLabel(row);
         for (const reference::StepCell& cell : row.cells) {
             ImGui::TableNextColumn();
-            inkText(cell.text, tintOf(cell.ink));
+            text(cell.text, tintOf(cell.ink));
         }
     }
     ImGui::EndTable();
@@ -90,7 +91,7 @@ void drawStacked(std::span<const StepRow> rows) {
             else
                 right = left - gap;
             right += gap + width;
-            inkText(cell.text, tintOf(cell.ink));
+            text(cell.text, tintOf(cell.ink));
         }
         ImGui::Unindent(gap);
     }
@@ -102,31 +103,9 @@ constexpr float minRowScale = 0.78F; // relative to the usual size, before a tab
 } // namespace
 
 ImU32 tintOf(Ink ink) {
-    switch (ink) {
-    case Ink::S:
-        return color::s;
-    case Ink::T:
-        return color::t;
-    case Ink::R:
-        return color::r;
-    case Ink::Q:
-        return color::q;
-    case Ink::Dim:
-        return color::dim;
-    case Ink::Good:
-        return color::t;
-    case Ink::Bad:
-        return color::problem;
-    case Ink::Plain:
-        break;
-    }
-    return color::text;
-}
-
-void inkText(const std::string& words, ImU32 tint) {
-    ImGui::PushStyleColor(ImGuiCol_Text, tint);
-    text(words);
-    ImGui::PopStyleColor();
+    const std::array<ImU32, 8> tints{color::text, color::s,   color::t, color::r,
+                                     color::q,    color::dim, color::t, color::problem};
+    return tints.at(static_cast<std::size_t>(ink));
 }
 
 void hangingText(const std::string& words, ImU32 tint) {
@@ -139,7 +118,7 @@ void hangingText(const std::string& words, ImU32 tint) {
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
     }
     ImGui::PushTextWrapPos(right);
-    inkText(words, tint);
+    text(words, tint);
     ImGui::PopTextWrapPos();
 }
 
@@ -171,9 +150,7 @@ void drawRows(const std::vector<StepRow>& rows) {
         const std::size_t last = tableEnd(rows, first);
         if (rows[first].cells.empty()) {
             for (; first < last; ++first) {
-                ImGui::PushStyleColor(ImGuiCol_Text, tintOf(rows[first].ink));
-                wrappedText(rows[first].label);
-                ImGui::PopStyleColor();
+                wrappedText(rows[first].label, tintOf(rows[first].ink));
             }
             continue;
         }

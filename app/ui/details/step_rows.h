@@ -13,8 +13,6 @@ namespace texplorer::ui {
 
 [[nodiscard]] ImU32 tintOf(reference::Ink ink);
 
-void inkText(const std::string& words, ImU32 tint);
-
 /// Text after the previous item of the line. It wraps below its own beginning, or, if that would be narrow,
 /// at the full width.
 void hangingText(const std::string& words, ImU32 tint);

@@ -2,7 +2,6 @@
 
 #include "app/ui/details/timeline_tab.h"
 
-#include "app/ui/details/timeline_tracks.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/button_width.h"
@@ -10,7 +9,6 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_place.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/params/param_text.h"

@@ -7,7 +7,6 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/overlap.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/params/params.h"
@@ -21,7 +20,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace texplorer::ui {
@@ -133,7 +131,8 @@ void drawKey(const Session& session, TimelineTabState& state, const TrackPlan& p
         sealEdit(session);
         state.grabbed = key.time;
         state.seconds = plan.scale.seconds;
-        chooseKey(session, state, number);
+        state.chosen = {number, key.path};
+        requestTime(session, key.time);
     }
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const float way = plan.scale.secondsOf(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left).x);
@@ -309,12 +308,6 @@ std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::str
 
 void requestTime(const Session& session, float time) {
     act(session, [time](Session& s) { goToTime(s, double{time}); });
-}
-
-void chooseKey(const Session& session, TimelineTabState& state, std::size_t key) {
-    const KeyFrame& chosen = presentScene(session).timeline.keys.at(key);
-    state.chosen = {key, chosen.path};
-    requestTime(session, chosen.time);
 }
 
 void drawTracks(const Session& session, TimelineTabState& state) {

@@ -5,7 +5,6 @@
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/model_choice.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
@@ -19,7 +18,6 @@
 #include <imgui_internal.h> // whether a number is being typed
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <utility>
 
@@ -165,26 +163,18 @@ void partButtons(const Session& session, VerticesTabState& state) {
             state.part = part;
     }
     line = {};
-    switch (state.part) {
-    case VertexPart::Coordinates:
-        coordButtons(session, line);
-        return;
-    case VertexPart::Position:
-        vertexButtons(session, line);
+    if (state.part == VertexPart::Coordinates)
+        return coordButtons(session, line);
+    vertexButtons(session, line);
+    if (state.part == VertexPart::Position)
         line.checkbox("Together", "move together", "Moves vertices at the same place together",
                       state.together);
-        return;
-    case VertexPart::Normal:
-        vertexButtons(session, line);
+    else if (state.part == VertexPart::Normal)
         clearButton<&MeshData::normals>(session, line, rowOf(state.part),
                                         "Removes all normals: the surface faces +z");
-        return;
-    case VertexPart::Color:
-        vertexButtons(session, line);
+    else
         clearButton<&MeshData::colors>(session, line, rowOf(state.part),
                                        "Removes all colours: the material's colour is used");
-        return;
-    }
 }
 
 /// The edited list while it is drawn.
@@ -301,9 +291,7 @@ void header(const List& list) {
     const float width = (ImGui::GetContentRegionAvail().x - indent) / static_cast<float>(list.components);
     for (int i = 0; i < list.components; ++i) {
         ImGui::SameLine(indent + width * (static_cast<float>(i) + 0.5F));
-        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(i));
-        ImGui::TextUnformatted(list.part.names.at(static_cast<std::size_t>(i)));
-        ImGui::PopStyleColor();
+        plainText(list.part.names.at(static_cast<std::size_t>(i)), componentColor(i));
     }
 }
 

@@ -1,7 +1,6 @@
 #include "app/ui/figures/block_columns.h"
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
@@ -177,9 +176,7 @@ void drawHex(BlockMicroscopeState& state, float width) {
     }
     if (state.hexProblem.empty())
         return helpTip("The block's bytes in hexadecimal, in file order");
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    wrappedText(state.hexProblem);
-    ImGui::PopStyleColor();
+    wrappedText(state.hexProblem, color::problem);
     noteItem("block:hex problem");
 }
 

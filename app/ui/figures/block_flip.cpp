@@ -5,7 +5,6 @@
 #include "app/ui/figures/flip_words.h"
 #include "app/ui/figures/striped_blocks.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
@@ -16,84 +15,80 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 namespace texplorer::ui {
 namespace {
 
 using Act = FlipStep::Act;
 
-constexpr std::array flipFormats{BlockFormat::Dxt1Alpha, BlockFormat::Dxt3, BlockFormat::Dxt5};
-constexpr std::array flipFormatLabels{"DXT1", "DXT3", "DXT5"};
+struct FlipFormat {
+    BlockFormat format;
+    const char* label;
+};
+constexpr std::array flipFormats{FlipFormat{BlockFormat::Dxt1Alpha, "DXT1"},
+                                 FlipFormat{BlockFormat::Dxt3, "DXT3"},
+                                 FlipFormat{BlockFormat::Dxt5, "DXT5"}};
 constexpr std::array flipHeights{1, 2, 3, 4, 6, 8, 10, 12};
 
 void chooseFormat(BlockFlipState& state) {
-    std::vector<Segment> names;
-    for (const char* each : flipFormatLabels)
-        names.push_back({each});
-    const auto chosen =
-        static_cast<std::size_t>(std::ranges::find(flipFormats, state.format) - flipFormats.begin());
     const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 11);
-    const auto plan = planSegments(names, width, names.size());
-    if (!plan)
-        return;
-    if (const auto pressed = drawSegments(names, *plan, chosen, [](std::size_t i) {
-            noteItem(fmt::format("flip:format {}", flipFormatLabels.at(i)));
-            helpTip(rowOf(flipFormats.at(i)).help);
-        }))
-        state.format = flipFormats.at(*pressed);
+    if (const auto pressed =
+            drawSegments(segmentsOf(flipFormats, &FlipFormat::label), width,
+                         indexIn(flipFormats, state.format, &FlipFormat::format), [](std::size_t i) {
+                             noteItem(fmt::format("flip:format {}", flipFormats.at(i).label));
+                             helpTip(rowOf(flipFormats.at(i).format).help);
+                         }))
+        state.format = flipFormats.at(*pressed).format;
+}
+
+std::string numberText(std::size_t number) {
+    return std::to_string(number);
 }
 
 void chooseHeight(BlockFlipState& state) {
-    std::vector<Segment> names;
-    for (const int each : flipHeights)
-        names.push_back({std::to_string(each)});
-    const auto chosen =
-        static_cast<std::size_t>(std::ranges::find(flipHeights, state.height) - flipHeights.begin());
     ImGui::AlignTextToFramePadding();
     dimText("Height");
     ImGui::SameLine();
     const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 16);
-    const auto plan = planSegments(names, width, names.size());
-    if (!plan)
-        return;
-    if (const auto pressed = drawSegments(names, *plan, chosen, [](std::size_t i) {
-            noteItem(fmt::format("flip:height {}", flipHeights.at(i)));
-            helpTip(flipsWithoutLoss(flipHeights.at(i)) ? "This height is flipped without loss."
-                                                        : "This height can't be flipped in blocks.");
-        })) {
+    if (const auto pressed = drawSegments(segmentsOf(flipHeights, numberText), width,
+                                          indexIn(flipHeights, state.height), [](std::size_t i) {
+                                              noteItem(fmt::format("flip:height {}", flipHeights.at(i)));
+                                              helpTip(flipsWithoutLoss(flipHeights.at(i))
+                                                          ? "This height is flipped without loss."
+                                                          : "This height can't be flipped in blocks.");
+                                          })) {
         state.height = flipHeights.at(*pressed);
         state.step = 0;
     }
 }
 
+/// A button to the step before or after this one.
+bool stepButton(const char* words, const char* name, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label(words));
+    ImGui::EndDisabled();
+    noteItem(name);
+    return pressed && enabled;
+}
+
 /// Previous, the steps by number, and Next.
 void chooseStep(BlockFlipState& state) {
-    std::vector<Segment> names;
-    for (std::size_t i = 0; i < state.steps.size(); ++i)
-        names.push_back({std::to_string(i)});
-    ImGui::BeginDisabled(state.step == 0);
-    const bool back = ImGui::Button(label("Previous"));
-    ImGui::EndDisabled();
-    noteItem("flip:back");
+    const std::size_t now = state.step;
+    if (stepButton("Previous", "flip:back", now > 0))
+        state.step = now - 1;
     ImGui::SameLine();
+    const auto numbers = std::views::iota(std::size_t{0}, state.steps.size());
     const float width = std::min(ImGui::GetContentRegionAvail().x,
-                                 ImGui::GetFontSize() * 1.8F * static_cast<float>(names.size()));
-    if (const auto plan = planSegments(names, width, names.size())) {
-        if (const auto pressed = drawSegments(names, *plan, state.step, [](std::size_t i) {
-                noteItem(fmt::format("flip:step {}", i));
-                helpTip("The step; 0 is the image as stored.");
-            }))
-            state.step = *pressed;
-    }
+                                 ImGui::GetFontSize() * 1.8F * static_cast<float>(numbers.size()));
+    if (const auto pressed = drawSegments(segmentsOf(numbers, numberText), width, now, [](std::size_t i) {
+            noteItem(fmt::format("flip:step {}", i));
+            helpTip("The step; 0 is the image as stored.");
+        }))
+        state.step = *pressed;
     ImGui::SameLine();
-    ImGui::BeginDisabled(state.step + 1 >= state.steps.size());
-    const bool next = ImGui::Button(label("Next"));
-    ImGui::EndDisabled();
-    noteItem("flip:next");
-    if (back && state.step > 0)
-        --state.step;
-    if (next && state.step + 1 < state.steps.size())
-        ++state.step;
+    if (stepButton("Next", "flip:next", now + 1 < state.steps.size()))
+        state.step = now + 1;
 }
 
 /// Computed once for each format and height.
@@ -162,7 +157,7 @@ void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook
         draw.AddText(
             ImGui::GetFont(), letters,
             {left - wide - ImGui::GetFontSize() * 0.3F, std::floor(low.y + (look.row - letters) / 2)},
-            isInside ? static_cast<ImU32>(color::dim) : static_cast<ImU32>(color::faint), place.c_str());
+            isInside ? color::dim : color::faint, place.c_str());
         noteDrawn(fmt::format("flip:row {} of step {} is {}", row, step, isInside ? name : "outside"), low,
                   high);
     }
@@ -301,7 +296,7 @@ void drawFlipBytes(const BlockFlipState& state) {
 
 } // namespace
 
-void drawBlockFlip(const Session& /*session*/, BlockFlipState& state, const Pictures& /*pictures*/) {
+void drawBlockFlip(BlockFlipState& state) {
     const float em = ImGui::GetFontSize();
     const float room = ImGui::GetContentRegionAvail().x;
     chooseFormat(state);

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "app/ui/model/session.h"
-#include "app/ui/widgets/pictures.h"
 #include "core/s3tc/flip_steps.h"
 
-#include <optional>
 #include <vector>
 
 namespace texplorer::ui {
@@ -20,6 +17,6 @@ struct BlockFlipState {
     int stepsHeight = 0;
 };
 
-void drawBlockFlip(const Session& session, BlockFlipState& state, const Pictures& pictures);
+void drawBlockFlip(BlockFlipState& state);
 
 } // namespace texplorer::ui

@@ -1,20 +1,15 @@
 #include "app/ui/figures/block_microscope.h"
 
-#include "app/ui/figures/block_columns.h"
 #include "app/ui/figures/figure_columns.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -41,16 +36,6 @@ constexpr std::array sourceChoices{
     SourceChoice{"At the explained pixel", "probed",
                  "The block of the texel that the explained pixel reads"}};
 
-/// Buttons on as few lines as fit.
-template<class Choices, class After>
-std::optional<std::size_t> choose(const Choices& choices, std::size_t chosen, float width, After after) {
-    std::vector<Segment> names;
-    for (const auto& each : choices)
-        names.push_back({each.label});
-    const auto plan = planSegments(names, width, names.size());
-    return plan ? drawSegments(names, *plan, chosen, after) : std::nullopt;
-}
-
 template<class Choices>
 float minWidthOf(const Choices& choices) {
     float width = 0;
@@ -64,13 +49,13 @@ void drawChoices(BlockMicroscopeState& state) {
     const float gap = ImGui::GetFontSize();
     const float formats = std::min(room, minWidthOf(formatChoices));
     const float sources = std::min(room, minWidthOf(sourceChoices));
-    const auto format = std::ranges::find(formatChoices, state.format, &FormatChoice::format);
-    if (const auto pressed = choose(formatChoices, static_cast<std::size_t>(format - formatChoices.begin()),
-                                    formats, [](std::size_t i) {
-                                        const EnumRow& row = rowOf(formatChoices.at(i).format);
-                                        noteItem(fmt::format("block:format {}", formatChoices.at(i).label));
-                                        helpTip(fmt::format("{}\n{}", row.name, row.help));
-                                    })) {
+    if (const auto pressed =
+            drawSegments(segmentsOf(formatChoices, &FormatChoice::label), formats,
+                         indexIn(formatChoices, state.format, &FormatChoice::format), [](std::size_t i) {
+                             const EnumRow& row = rowOf(formatChoices.at(i).format);
+                             noteItem(fmt::format("block:format {}", formatChoices.at(i).label));
+                             helpTip(fmt::format("{}\n{}", row.name, row.help));
+                         })) {
         const BlockFormat wanted = formatChoices.at(*pressed).format;
         state.block = inFormat(state.block, state.format, wanted);
         state.format = wanted;
@@ -79,21 +64,13 @@ void drawChoices(BlockMicroscopeState& state) {
     if (formats + gap + sources <= room)
         ImGui::SameLine(0, gap);
     if (const auto pressed =
-            choose(sourceChoices, static_cast<std::size_t>(state.source.kind), sources, [](std::size_t i) {
-                noteItem(fmt::format("block:source {}", sourceChoices.at(i).name));
-                helpTip(sourceChoices.at(i).help);
-            }))
+            drawSegments(segmentsOf(sourceChoices, &SourceChoice::label), sources,
+                         static_cast<std::size_t>(state.source.kind), [](std::size_t i) {
+                             noteItem(fmt::format("block:source {}", sourceChoices.at(i).name));
+                             helpTip(sourceChoices.at(i).help);
+                         }))
         state.source.kind = static_cast<BlockSource::Kind>(*pressed);
 }
-
-constexpr const char* whatToDo =
-    "Click a texel, then one of the four colours. Click a bit to flip it. Related parts light up.";
-
-} // namespace
-
-BlockMicroscopeState::BlockMicroscopeState()
-    : format(blockExamples.front().format)
-    , block(blockOfHex(format, blockExamples.front().hex).value()) {}
 
 BlockLook lookAt(const BlockMicroscopeState& state) {
     const BlockFields fields = fieldsOf(state.format, state.block);
@@ -101,10 +78,13 @@ BlockLook lookAt(const BlockMicroscopeState& state) {
             state.hovered ? linksOf(state.format, fields, *state.hovered) : BlockLinks{}};
 }
 
-void drawBlockMicroscope(const Session& session, BlockMicroscopeState& state, const Pictures& /*pictures*/) {
+} // namespace
+
+void drawBlockMicroscope(const Session& session, BlockMicroscopeState& state) {
     followBlockSource(session, state);
     drawChoices(state);
-    dimWrappedText(whatToDo);
+    dimWrappedText(
+        "Click a texel, then one of the four colours. Click a bit to flip it. Related parts light up.");
     const float em = ImGui::GetFontSize();
     const BlockLook look = lookAt(state);
     state.hovering.reset();

@@ -1,15 +1,10 @@
-#include "app/ui/figures/block_source.h"
-
-#include "app/ui/figures/block_microscope.h"
+#include "app/ui/figures/block_columns.h"
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
 #include "core/image/convert.h"
-#include "core/s3tc/decode.h"
 #include "core/s3tc/encode.h"
 
 #include <fmt/core.h>
@@ -17,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <utility>
 
 namespace texplorer::ui {
@@ -97,17 +91,14 @@ std::array<BlockColor, 16> texelsAround(const Image& image, int blockX, int bloc
     return texels;
 }
 
-const std::byte* bytesAt(const BlockImage& image, int blockX, int blockY) {
-    return image.blocks.data() + static_cast<std::size_t>(blockY) * image.blockRowBytes() +
-           static_cast<std::size_t>(blockX) * bytesPerBlock(image.format);
-}
-
-std::array<BlockColor, 16> texelsIn(const BlockImage& image, int blockX, int blockY) {
-    std::array<std::byte, 64> rgba{};
-    decodeBlock(image.format, bytesAt(image, blockX, blockY), rgba.data());
-    std::array<BlockColor, 16> texels{};
-    std::memcpy(texels.data(), rgba.data(), rgba.size());
-    return texels;
+BlockBytes bytesAt(const BlockImage& image, int blockX, int blockY) {
+    const std::size_t size = bytesPerBlock(image.format);
+    BlockBytes block{};
+    std::copy_n(image.blocks.begin() +
+                    static_cast<std::ptrdiff_t>(static_cast<std::size_t>(blockY) * image.blockRowBytes() +
+                                                static_cast<std::size_t>(blockX) * size),
+                size, block.begin());
+    return block;
 }
 
 BlockBytes compressed(const std::array<BlockColor, 16>& texels, BlockFormat format, EncodeQuality quality) {
@@ -150,56 +141,15 @@ void takeBlock(BlockMicroscopeState& state, int face) {
     source.original.reset();
     if (base.before || image)
         source.original = texelsAround(base.before ? *base.before : *image, source.x, source.y);
-    if (source.stored) {
-        source.block = {};
-        std::copy_n(bytesAt(*blocks, source.x, source.y), bytesPerBlock(state.format), source.block.begin());
-    } else {
-        source.block = compressed(source.original ? *source.original : texelsIn(*blocks, source.x, source.y),
-                                  state.format, source.quality);
-    }
+    const BlockBytes found = blocks ? bytesAt(*blocks, source.x, source.y) : BlockBytes{};
+    source.block = source.stored
+                       ? found
+                       : compressed(source.original ? *source.original : texelsOf(blocks->format, found),
+                                    state.format, source.quality);
     source.width = std::min(4, widthOf(*base.surface) - 4 * source.x);
     source.height = std::min(4, heightOf(*base.surface) - 4 * source.y);
     state.block = source.block;
 }
-
-} // namespace
-
-void followBlockSource(const Session& session, BlockMicroscopeState& state) {
-    BlockSource& source = state.source;
-    source.problem.clear();
-    if (source.kind == SourceKind::Own)
-        return giveLevelsBack(session, source);
-    followLevels(session, source);
-    if (!source.levels || !source.problem.empty())
-        return;
-    const TextureLevels& levels = **source.levels;
-    int face = 0;
-    if (source.kind == SourceKind::Probed) {
-        const std::optional<glm::ivec3> block = probedBlock(session, levels);
-        if (!block) {
-            source.problem = "Explain a pixel that reads this texture.";
-            return;
-        }
-        source.x = block->x;
-        source.y = block->y;
-        face = block->z;
-    }
-    const Surface& base = *baseOfFace(levels, face).surface;
-    if (const auto* blocks = std::get_if<BlockImage>(&base);
-        !source.taken && blocks && isS3tc(blocks->format))
-        state.format = blocks->format;
-    source.columns = (widthOf(base) + 3) / 4;
-    source.rows = (heightOf(base) + 3) / 4;
-    source.x = std::clamp(source.x, 0, source.columns - 1);
-    source.y = std::clamp(source.y, 0, source.rows - 1);
-    const BlockSource::Taken now{source.levels.get(), face, source.x, source.y, state.format, source.quality};
-    if (source.taken == now)
-        return;
-    takeBlock(state, face);
-    source.taken = now;
-}
-
-namespace {
 
 void drawExamples(BlockMicroscopeState& state, float width) {
     for (const BlockExample& example : blockExamples) {
@@ -242,18 +192,12 @@ void drawPlace(BlockMicroscopeState& state) {
 }
 
 void drawQuality(BlockSource& source, float width) {
-    std::vector<Segment> names;
-    std::ranges::transform(encodeQualityRows, std::back_inserter(names),
-                           [](const EnumRow& row) { return Segment{std::string(row.label)}; });
-    const auto plan = planSegments(names, width, names.size());
-    if (!plan)
-        return;
-    const auto pressed =
-        drawSegments(names, *plan, static_cast<std::size_t>(source.quality), [](std::size_t i) {
-            noteItem(fmt::format("block:quality {}", encodeQualityRows.at(i).name));
-            helpTip(encodeQualityRows.at(i).help);
-        });
-    if (pressed)
+    if (const auto pressed =
+            drawSegments(segmentsOf(encodeQualityRows, &EnumRow::label), width,
+                         static_cast<std::size_t>(source.quality), [](std::size_t i) {
+                             noteItem(fmt::format("block:quality {}", encodeQualityRows.at(i).name));
+                             helpTip(encodeQualityRows.at(i).help);
+                         }))
         source.quality = static_cast<EncodeQuality>(*pressed);
 }
 
@@ -286,6 +230,41 @@ void drawOriginal(const BlockMicroscopeState& state) {
 }
 
 } // namespace
+
+void followBlockSource(const Session& session, BlockMicroscopeState& state) {
+    BlockSource& source = state.source;
+    source.problem.clear();
+    if (source.kind == SourceKind::Own)
+        return giveLevelsBack(session, source);
+    followLevels(session, source);
+    if (!source.levels || !source.problem.empty())
+        return;
+    const TextureLevels& levels = **source.levels;
+    int face = 0;
+    if (source.kind == SourceKind::Probed) {
+        const std::optional<glm::ivec3> block = probedBlock(session, levels);
+        if (!block) {
+            source.problem = "Explain a pixel that reads this texture.";
+            return;
+        }
+        source.x = block->x;
+        source.y = block->y;
+        face = block->z;
+    }
+    const Surface& base = *baseOfFace(levels, face).surface;
+    if (const auto* blocks = std::get_if<BlockImage>(&base);
+        !source.taken && blocks && isS3tc(blocks->format))
+        state.format = blocks->format;
+    source.columns = (widthOf(base) + 3) / 4;
+    source.rows = (heightOf(base) + 3) / 4;
+    source.x = std::clamp(source.x, 0, source.columns - 1);
+    source.y = std::clamp(source.y, 0, source.rows - 1);
+    const BlockSource::Taken now{source.levels.get(), face, source.x, source.y, state.format, source.quality};
+    if (source.taken == now)
+        return;
+    takeBlock(state, face);
+    source.taken = now;
+}
 
 float blockSourceWidth() {
     float width = ImGui::GetFontSize() * 8.5F;

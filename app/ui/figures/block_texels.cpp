@@ -1,7 +1,6 @@
 #include "app/ui/figures/block_columns.h"
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 

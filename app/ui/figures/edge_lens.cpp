@@ -1,6 +1,5 @@
 #include "app/ui/figures/edge_lens.h"
 
-#include "app/ui/figures/hatching.h"
 #include "app/ui/figures/plot.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
@@ -10,7 +9,6 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
 #include "core/reference/sampling/row_weights.h"
 #include "core/scene/params/keys.h"
 
@@ -220,9 +218,7 @@ std::string lensBytes(glm::vec3 color) {
 void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, color::s);
-    ImGui::TextUnformatted("s =");
-    ImGui::PopStyleColor();
+    plainText("s =", color::s);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 6);
     dragNumber("##s", state.s, {lensFrom, lensTo, 0.01F, {}}, 0);
@@ -303,19 +299,12 @@ void drawLensChoices(const Session& session, EdgeLensState& state, const ParamPl
     ImGui::AlignTextToFramePadding();
     dimText("Texels");
     ImGui::SameLine();
-    std::vector<Segment> sizes;
-    for (const int size : lensSizes)
-        sizes.push_back({std::to_string(size)});
-    const auto chosen =
-        static_cast<std::size_t>(std::ranges::find(lensSizes, state.size) - lensSizes.begin());
-    if (const auto plan = planSegments(sizes, em * 6, 1)) {
-        const auto pressed = drawSegments(sizes, *plan, chosen, [](std::size_t i) {
+    const auto sizes = segmentsOf(lensSizes, [](int size) { return std::to_string(size); });
+    if (const auto pressed = drawSegments(sizes, em * 6, indexIn(lensSizes, state.size), [](std::size_t i) {
             noteItem(fmt::format("edge:size {}", lensSizes.at(i)));
             helpTip("The number of texels in the row.");
-        });
-        if (pressed)
-            state.size = lensSizes.at(*pressed);
-    }
+        }))
+        state.size = lensSizes.at(*pressed);
     sameLineFor(em * 11, em);
     ImGui::AlignTextToFramePadding();
     dimText("Filter");
@@ -325,7 +314,7 @@ void drawLensChoices(const Session& session, EdgeLensState& state, const ParamPl
 
 } // namespace
 
-void drawEdgeLens(const Session& session, EdgeLensState& state, const Pictures& /*pictures*/) {
+void drawEdgeLens(const Session& session, EdgeLensState& state) {
     const Texture* texture = boundTexture(session);
     const std::string path = fmt::format("textures[{}].", selectedUnit(session).texture);
     const std::optional<ParamPlace> wrapPlace =

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "app/ui/widgets/pictures.h"
 
 namespace texplorer::ui {
 
@@ -13,6 +12,6 @@ struct EdgeLensState {
 
 /// Shows which texels of a row are mixed at each coordinate from -1 to 2, with the wrap mode and the filter
 /// of the bound texture. A click on a mode sets it in the scene.
-void drawEdgeLens(const Session& session, EdgeLensState& state, const Pictures& pictures);
+void drawEdgeLens(const Session& session, EdgeLensState& state);
 
 } // namespace texplorer::ui

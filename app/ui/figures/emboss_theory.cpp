@@ -4,16 +4,13 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_place.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
 #include "core/image/patterns/pattern.h"
 #include "core/reference/shading/lighting.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
-#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -263,17 +260,13 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
 
 /// A line of the calculation.
 void embossLine(const std::string& words, ImU32 ink, std::string_view name) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    wrappedText(words);
-    ImGui::PopStyleColor();
+    wrappedText(words, ink);
     noteItem(name);
 }
 
 void numberLine(const char* name, ImU32 ink) {
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::TextUnformatted(name);
-    ImGui::PopStyleColor();
+    plainText(name, ink);
     ImGui::SameLine(0, ImGui::GetFontSize() * 0.4F);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.8F);
 }
@@ -282,15 +275,13 @@ void numberLine(const char* name, ImU32 ink) {
 void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::optional<ParamPlace>& depth) {
     const float em = ImGui::GetFontSize();
     const std::array lines{Segment{"Bump and block"}, Segment{"Bricks"}};
-    if (const auto plan = planSegments(lines, std::min(em * 15, ImGui::GetContentRegionAvail().x), 2)) {
-        const auto pressed =
-            drawSegments(lines, *plan, static_cast<std::size_t>(state.line), [](std::size_t i) {
-                noteItem(i == 0 ? "emboss:sketch" : "emboss:bricks");
-                helpTip("The surface that the line crosses: a sketch or the program's bricks.");
-            });
-        if (pressed)
-            state.line = static_cast<EmbossTheoryState::Line>(*pressed);
-    }
+    if (const auto pressed =
+            drawSegments(lines, std::min(em * 15, ImGui::GetContentRegionAvail().x),
+                         static_cast<std::size_t>(state.line), [](std::size_t i) {
+                             noteItem(i == 0 ? "emboss:sketch" : "emboss:bricks");
+                             helpTip("The surface that the line crosses: a sketch or the program's bricks.");
+                         }))
+        state.line = static_cast<EmbossTheoryState::Line>(*pressed);
     numberLine("s", color::s);
     dragNumber("##place", state.s, placeRange, 0);
     noteItem("emboss:s");
@@ -350,7 +341,7 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
 
 } // namespace
 
-void drawEmbossTheory(const Session& session, EmbossTheoryState& state, const Pictures& /*pictures*/) {
+void drawEmbossTheory(const Session& session, EmbossTheoryState& state) {
     const float em = ImGui::GetFontSize();
     fittedText("Drag the sun, a place on the surface, and MAX_EMBOSS: slopes that face the light get bright.",
                color::dim);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "app/ui/widgets/pictures.h"
 #include "core/scene/emboss_profile.h"
 
 #include <optional>
@@ -21,6 +20,6 @@ struct EmbossTheoryState {
 
 /// Shows how two heights make a bump: the heights at s and s + ds, the grey of their difference, and the lit
 /// colour blended onto it. MAX_EMBOSS and the light's colours are the scene's.
-void drawEmbossTheory(const Session& session, EmbossTheoryState& state, const Pictures& pictures);
+void drawEmbossTheory(const Session& session, EmbossTheoryState& state);
 
 } // namespace texplorer::ui

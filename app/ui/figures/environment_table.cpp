@@ -1,6 +1,6 @@
 #include "app/ui/figures/environment_table.h"
 
-#include "app/ui/figures/shrunk_text.h"
+#include "app/ui/figures/plot.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
@@ -11,7 +11,6 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
 #include "core/reference/shading/equation_text.h"
 #include "core/scene/params/keys.h"
 
@@ -74,9 +73,7 @@ void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
             sameLineFor(width, em * 0.8F);
         first = false;
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, state.*row.own ? color::changed : color::text);
-        ImGui::TextUnformatted(row.symbol);
-        ImGui::PopStyleColor();
+        plainText(row.symbol, state.*row.own ? color::changed : color::text);
         helpTip(row.words);
         ImGui::SameLine(0, inner);
         ImGui::SetNextItemWidth(editor);
@@ -101,22 +98,17 @@ struct ChoiceWords {
 std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords> choices,
                                    std::size_t chosen) {
     const float em = ImGui::GetFontSize();
-    std::vector<Segment> segments;
     float room = 0;
-    for (const ChoiceWords& choice : choices) {
-        segments.push_back({choice.words});
+    for (const ChoiceWords& choice : choices)
         room += ImGui::CalcTextSize(tr(choice.words)).x + em * 0.8F;
-    }
     sameLineFor(room, em * 0.8F);
-    const std::optional<SegmentPlan> plan =
-        planSegments(segments, std::min(room, ImGui::GetContentRegionAvail().x), choices.size());
-    if (!plan)
-        return std::nullopt;
     ImGui::PushID(name);
-    const auto pressed = drawSegments(segments, *plan, chosen, [&](std::size_t i) {
-        noteItem(fmt::format("{}:{}", name, choices[i].words));
-        helpTip(choices[i].tip);
-    });
+    const auto pressed =
+        drawSegments(segmentsOf(choices, &ChoiceWords::words),
+                     std::min(room, ImGui::GetContentRegionAvail().x), chosen, [&](std::size_t i) {
+                         noteItem(fmt::format("{}:{}", name, choices[i].words));
+                         helpTip(choices[i].tip);
+                     });
     ImGui::PopID();
     return pressed;
 }

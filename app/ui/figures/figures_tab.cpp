@@ -5,10 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <iterator>
-#include <vector>
-
 namespace texplorer::ui {
 namespace {
 
@@ -19,33 +15,25 @@ void drawFigure(const Session& session, FiguresTabState& state, const Pictures& 
     case Figure::Sheet:
         return drawSheet(session, state.sheet, pictures);
     case Figure::Block:
-        return drawBlockMicroscope(session, state.block, pictures);
+        return drawBlockMicroscope(session, state.block);
     case Figure::Flip:
-        return drawBlockFlip(session, state.flip, pictures);
+        return drawBlockFlip(state.flip);
     case Figure::Objects:
-        return drawTextureObjects(session, state.objects, pictures);
+        return drawTextureObjects(session, state.objects);
     case Figure::Emboss:
-        return drawEmbossTheory(session, state.emboss, pictures);
+        return drawEmbossTheory(session, state.emboss);
     case Figure::Edge:
-        return drawEdgeLens(session, state.edge, pictures);
+        return drawEdgeLens(session, state.edge);
     }
 }
 
 void figureNames(const Session& session) {
-    std::vector<Segment> names;
-    std::ranges::transform(figureRows, std::back_inserter(names),
-                           [](const FigureRow& row) { return Segment{row.label}; });
-    const float room = ImGui::GetContentRegionAvail().x;
-    std::optional<SegmentPlan> plan;
-    for (std::size_t lines = 1; !plan && lines <= names.size(); ++lines)
-        plan = planSegments(names, room, lines);
-    if (!plan)
-        return;
     const auto pressed =
-        drawSegments(names, *plan, static_cast<std::size_t>(session.window.figure), [](std::size_t i) {
-            helpTip(figureRows[i].help);
-            noteItem(fmt::format("figure:{}", figureRows[i].name));
-        });
+        drawSegments(segmentsOf(figureRows, &FigureRow::label), ImGui::GetContentRegionAvail().x,
+                     static_cast<std::size_t>(session.window.figure), [](std::size_t i) {
+                         helpTip(figureRows[i].help);
+                         noteItem(fmt::format("figure:{}", figureRows[i].name));
+                     });
     if (pressed)
         change(session,
                [figure = figureRows[*pressed].figure](WindowState& window) { window.figure = figure; });

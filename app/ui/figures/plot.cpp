@@ -1,11 +1,12 @@
 #include "app/ui/figures/plot.h"
 
-#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/fitted_text.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 
@@ -37,6 +38,42 @@ void plotText(ImDrawList& draw, ImVec2 at, ImVec2 anchor, const std::string& tex
 
 ImVec2 plotTextSize(const std::string& text) {
     return ImGui::GetFont()->CalcTextSizeA(plotTextHeight(), FLT_MAX, 0, text.c_str());
+}
+
+void shrunkText(ImVec2 at, const std::string& words, float size, float room, ImU32 ink) {
+    constexpr float minScale = 0.75F;
+    const float width = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, words.c_str()).x;
+    const float fitting = width > room ? std::max(size * minScale, size * room / width) : size;
+    // The cut is measured with the window's letters.
+    const std::string shown =
+        width * fitting / size > room + 0.5F ? fitted(words, room * ImGui::GetFontSize() / fitting) : words;
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), fitting,
+                                        {std::round(at.x), std::round(at.y + (size - fitting) / 2)}, ink,
+                                        shown.c_str());
+}
+
+void hatch(ImDrawList& draw, std::span<const ImVec2> polygon, float gap, ImU32 tint, float width) {
+    if (polygon.size() < 3 || gap <= 0)
+        return;
+    // A line is where x + y = c; y points downwards.
+    const auto sum = [](ImVec2 at) { return at.x + at.y; };
+    const auto [least, most] = std::ranges::minmax(polygon, {}, sum);
+    for (float c = std::ceil(sum(least) / gap) * gap; c < sum(most); c += gap) {
+        std::array<ImVec2, 2> ends{};
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < polygon.size() && found < ends.size(); ++i) {
+            const ImVec2 a = polygon[i];
+            const ImVec2 b = polygon[(i + 1) % polygon.size()];
+            const float before = sum(a) - c;
+            const float after = sum(b) - c;
+            if ((before <= 0) == (after <= 0))
+                continue;
+            const float share = before / (before - after);
+            ends.at(found++) = {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
+        }
+        if (found == ends.size())
+            draw.AddLine(ends[0], ends[1], tint, width);
+    }
 }
 
 float plotLine() {

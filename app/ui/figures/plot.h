@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <imgui.h>
 
+#include <span>
 #include <string>
 
 namespace texplorer::ui {
@@ -36,6 +37,14 @@ void plotText(ImDrawList& draw, ImVec2 at, ImVec2 anchor, const std::string& tex
 
 /// The size of such a text.
 [[nodiscard]] ImVec2 plotTextSize(const std::string& text);
+
+/// A line of already translated text: drawn with smaller letters if it does not fit, and cut if those do not
+/// fit either.
+void shrunkText(ImVec2 at, const std::string& words, float size, float room, ImU32 ink);
+
+/// Draws parallel lines from lower left to upper right within a convex polygon, `gap` pixels apart; lines of
+/// adjacent shapes are aligned.
+void hatch(ImDrawList& draw, std::span<const ImVec2> polygon, float gap, ImU32 tint, float width);
 
 /// The line width of all figures.
 [[nodiscard]] float plotLine();

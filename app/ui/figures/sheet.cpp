@@ -1,14 +1,12 @@
 #include "app/ui/figures/sheet.h"
 
-#include "app/ui/figures/shrunk_text.h"
+#include "app/ui/figures/plot.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,4 @@
-#include "app/ui/figures/sheet_controls.h"
-
+#include "app/ui/figures/sheet.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/param_match.h"
 #include "app/ui/model/scene_files.h"
@@ -9,17 +8,13 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
-#include "app/ui/widgets/theme.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <ranges>
-#include <string_view>
 #include <utility>
 
 namespace texplorer::ui {
@@ -245,9 +240,7 @@ void pairChoice(const Session& session, float width) {
 } // namespace
 
 void sheetProblem(const std::string& words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    wrappedText(words);
-    ImGui::PopStyleColor();
+    wrappedText(words, color::problem);
     noteItem("sheet:problem");
 }
 

@@ -7,7 +7,6 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
@@ -17,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -57,19 +55,12 @@ void callTip(const Call& call) {
 template<class Enum, class CallOf>
 void enumCalls(const Session& session, std::string_view name, std::span<const Enum> choices, Enum chosen,
                float width, Wanted& wanted, const CallOf& callOf) {
-    std::vector<Segment> segments;
-    for (const Enum each : choices)
-        segments.push_back({std::string(shownBrief(session.window.settings, rowOf(each)))});
+    std::vector<Segment> segments =
+        segmentsOf(choices, [&](Enum each) { return shownBrief(session.window.settings, rowOf(each)); });
     if constexpr (std::is_same_v<Enum, MinFilter>)
         segments.back().text = "Blended mips"; // Nearest within each: the initial value
-    const auto at = static_cast<std::size_t>(std::ranges::find(choices, chosen) - choices.begin());
-    auto plan = planSegments(segments, width, 1);
-    for (std::size_t lines = 2; !plan && lines <= segments.size(); ++lines)
-        plan = planSegments(segments, width, lines);
-    if (!plan)
-        return;
     ImGui::PushID(name.data());
-    const auto pressed = drawSegments(segments, *plan, at, [&](std::size_t i) {
+    const auto pressed = drawSegments(segments, width, indexIn(choices, chosen), [&](std::size_t i) {
         noteItem(fmt::format("objects:{}={}", name, rowOf(choices[i]).name));
         callTip(callOf(choices[i]));
     });
@@ -413,7 +404,7 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
 
 } // namespace
 
-void drawTextureObjects(const Session& session, TextureObjectsState& state, const Pictures& /*pictures*/) {
+void drawTextureObjects(const Session& session, TextureObjectsState& state) {
     const float em = ImGui::GetFontSize();
     Wanted wanted;
     drawProgram(state, wanted);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "app/ui/widgets/pictures.h"
 #include "core/reference/texture_calls.h"
 
 #include <vector>
@@ -23,6 +22,6 @@ struct TextureObjectsState {
 };
 
 /// Draws texture objects and units: each button makes a call, and its changes are highlighted.
-void drawTextureObjects(const Session& session, TextureObjectsState& state, const Pictures& pictures);
+void drawTextureObjects(const Session& session, TextureObjectsState& state);
 
 } // namespace texplorer::ui

@@ -1,10 +1,9 @@
 #include "app/ui/parameters/anisotropy_line.h"
 
-#include "app/ui/model/findings.h"
 #include "app/ui/model/preview.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 
@@ -32,11 +31,7 @@ void offerAnisotropy(const Session& session, const ParamRow& row, const std::str
 void anisotropyButtons(const Session& session, const Owner& owner, const ParamRow& row,
                        std::span<const Segment> segments, const SegmentPlan& plan, bool isIdle) {
     const auto value = std::get<float>(row.read(owner.values));
-    const auto* found =
-        std::ranges::find(anisotropySteps, value, [](int step) { return static_cast<float>(step); });
-    const auto chosen = found == anisotropySteps.end()
-                            ? std::nullopt
-                            : std::optional(static_cast<std::size_t>(found - anisotropySteps.begin()));
+    const auto chosen = indexIn(anisotropySteps, value, [](int step) { return static_cast<float>(step); });
     ImGui::PushID("anisotropy");
     ImGui::PushStyleColor(ImGuiCol_Text, isIdle ? color::dim : color::text);
     const auto pressed = drawSegments(segments, plan, chosen, [&](std::size_t i) {
@@ -61,14 +56,11 @@ void anisotropyLine(const Session& session, const Owner& texture, const ParamRow
     const bool isIdle = idleReasonOf(session.document.findings, texture.pathOf(row)) != nullptr;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, isIdle ? color::dim : color::text);
-    text("Anisotropy");
-    ImGui::PopStyleColor();
+    text("Anisotropy", isIdle ? color::dim : color::text);
     helpTip(row.help);
     ImGui::SameLine();
-    std::vector<Segment> segments;
-    for (const int step : anisotropySteps)
-        segments.push_back({std::to_string(step)});
+    const std::vector<Segment> segments =
+        segmentsOf(anisotropySteps, [](int step) { return std::to_string(step); });
     // The slider takes half of the room, because positions on it are hard to hit, or else the rest next to
     // the buttons.
     const float room = ImGui::GetContentRegionAvail().x;

@@ -1,12 +1,8 @@
 // GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and one line per argument.
 
-#include "app/ui/parameters/combine_section.h"
-
 #include "app/ui/language/translate.h"
-#include "app/ui/model/findings.h"
-#include "app/ui/widgets/param_tips.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "core/gl/combine_equation.h"
 #include "core/scene/params/keys.h"
@@ -143,9 +139,7 @@ void drawHalf(const Session& session, const Owner& owner, const Half& half) {
         const ParamRow& source = rowNamed("source" + tail);
         const bool inert = idleReasonOf(session.document.findings, owner.pathOf(source)) != nullptr;
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
-        ImGui::TextUnformatted(fmt::format("Arg{}", number).c_str());
-        ImGui::PopStyleColor();
+        plainText(fmt::format("Arg{}", number), inert ? color::dim : color::text);
         ImGui::SameLine(left + argument);
         paramControl(session, owner, source, std::max(choices / 2, choices - operand));
         ImGui::SameLine(0, gap);

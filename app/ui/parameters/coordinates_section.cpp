@@ -1,13 +1,10 @@
 // The coordinates that OpenGL generates (glTexGen): one line for each of s, t, r and q, and the plane that
 // its mode reads while it is on.
 
-#include "app/ui/parameters/coordinates_section.h"
-
 #include "app/ui/language/translate.h"
-#include "app/ui/model/findings.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "core/scene/light_projection.h"
 #include "core/scene/params/keys.h"
 
@@ -73,9 +70,7 @@ void coordinatesSection(const Session& session) {
                           fmt::format("{}.{}", selectedUnitPath(session), coordinate.key())};
         const StructTable& table = texGenTable(i);
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(static_cast<int>(i)));
-        ImGui::TextUnformatted(coordinate.letter);
-        ImGui::PopStyleColor();
+        plainText(coordinate.letter, componentColor(static_cast<int>(i)));
         ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.2F);
         paramControl(session, owner, *findParam(table, keyOf<&TexGen::enabled>()), 0);
         ImGui::SameLine(0, gap);

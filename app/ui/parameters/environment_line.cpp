@@ -1,10 +1,8 @@
-#include "app/ui/parameters/environment_line.h"
-
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/image/mean_color.h"
@@ -100,11 +98,9 @@ void equationLine(const reference::Equation& equation, std::string_view name) {
 }
 
 /// A colour with its name; its alpha shows as a checker behind the right half.
-void swatch(const char* name, glm::vec4 value, bool counts, const std::string& tip) {
+void swatch(const char* name, glm::vec4 value, bool counts, const char* help) {
     const float extent = ImGui::GetFontSize();
-    ImGui::PushStyleColor(ImGuiCol_Text, counts ? color::text : color::dim);
-    ImGui::TextUnformatted(name);
-    ImGui::PopStyleColor();
+    plainText(name, counts ? color::text : color::dim);
     ImGui::SameLine(0, ImGui::GetFontSize() * 0.25F);
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (counts ? 1.0F : 0.35F));
     ImGui::ColorButton(name, {value.r, value.g, value.b, value.a},
@@ -113,7 +109,7 @@ void swatch(const char* name, glm::vec4 value, bool counts, const std::string& t
                        {extent * 1.6F, extent});
     ImGui::PopStyleVar();
     noteItem(fmt::format("environment:{}", name));
-    helpTip(tip);
+    helpTip(fmt::format("{}\n{}", help, numbersOf(value)));
 }
 
 bool hasSymbol(const EnvironmentEquations& equations, const char* color, const char* alpha) {
@@ -138,28 +134,30 @@ void environmentLine(const Session& session) {
     equationLine(sample.equations.alpha, "alpha");
     ImGui::EndGroup();
     const float gap = ImGui::GetFontSize() * 0.6F;
-    const char* before = session.window.selection.unit == 0
-                             ? "Cp: the fragment's colour from lighting or glColor"
-                             : "Cp: the result of the units before this one";
-    const char* source = sample.probed ? "Cs: the texture's colour at the explained pixel"
-                                       : "Cs: the texture's colour, here the mean of its image";
-    swatch("Cp", sample.inputs.previous, hasSymbol(sample.equations, "Cp", "Ap"),
-           fmt::format("{}\n{}", before, numbersOf(sample.inputs.previous)));
-    ImGui::SameLine(0, gap);
-    swatch("Cs", sample.inputs.source, hasSymbol(sample.equations, "Cs", "As"),
-           fmt::format("{}\n{}", source, numbersOf(sample.inputs.source)));
-    ImGui::SameLine(0, gap);
-    swatch("Cc", sample.inputs.constant, hasSymbol(sample.equations, "Cc", "Ac"),
-           fmt::format("{}\n{}", "Cc: the environment colour", numbersOf(sample.inputs.constant)));
-    ImGui::SameLine(0, gap);
+    struct Input {
+        const char* name;
+        const char* alpha;
+        glm::vec4 color;
+        const char* help;
+    };
+    const std::array inputs{Input{"Cp", "Ap", sample.inputs.previous,
+                                  session.window.selection.unit == 0
+                                      ? "Cp: the fragment's colour from lighting or glColor"
+                                      : "Cp: the result of the units before this one"},
+                            Input{"Cs", "As", sample.inputs.source,
+                                  sample.probed ? "Cs: the texture's colour at the explained pixel"
+                                                : "Cs: the texture's colour, here the mean of its image"},
+                            Input{"Cc", "Ac", sample.inputs.constant, "Cc: the environment colour"}};
+    for (const auto& [name, alpha, color, help] : inputs) {
+        swatch(name, color, hasSymbol(sample.equations, name, alpha), help);
+        ImGui::SameLine(0, gap);
+    }
     dimText("→");
     ImGui::SameLine(0, gap);
     swatch("Cv", sample.result, true,
-           fmt::format("{}\n{}",
-                       sample.probed ? "Cv: the result of this unit at the explained pixel"
-                                     : "Cv: the result of this unit for glColor and the image's mean. "
-                                       "Explain a pixel to use that pixel.",
-                       numbersOf(sample.result)));
+           sample.probed ? "Cv: the result of this unit at the explained pixel"
+                         : "Cv: the result of this unit for glColor and the image's mean. Explain a pixel to "
+                           "use that pixel.");
     if (sample.probed)
         noteItem("environment:probed");
     ImGui::PopID();

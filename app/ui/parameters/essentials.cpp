@@ -1,16 +1,10 @@
-#include "app/ui/parameters/essentials.h"
-
 #include "app/ui/language/translate.h"
-#include "app/ui/model/findings.h"
 #include "app/ui/model/pinned.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/parameters/anisotropy_line.h"
-#include "app/ui/parameters/environment_line.h"
-#include "app/ui/parameters/image_choice.h"
-#include "app/ui/parameters/matrix_section.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
@@ -49,9 +43,7 @@ void vertexNumbers(const Session& session, float width) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     for (int i = 0; i < 2; ++i) {
         ImGui::PushID(i);
-        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(i));
-        ImGui::TextUnformatted(i == 0 ? "s" : "t");
-        ImGui::PopStyleColor();
+        plainText(i == 0 ? "s" : "t", componentColor(i));
         ImGui::SameLine(0, gap / 2);
         ImGui::SetNextItemWidth(std::max(1.0F, width - ImGui::GetFontSize() * 0.6F - gap / 2));
         if (dragNumber("##coordinate", value[i], coordRange, i)) {
@@ -80,9 +72,7 @@ void vertexLine(const Session& session) {
     const std::optional<std::size_t> vertex = session.window.selection.vertex;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, vertex ? color::chosen : color::text);
-    text("Vertex");
-    ImGui::PopStyleColor();
+    text("Vertex", vertex ? color::chosen : color::text);
     if (model && count > 0)
         helpTip(fmt::format("Vertex 0 to {} of model {} ({})", count - 1, session.window.selection.model,
                             nameOf(*model)));
@@ -92,9 +82,7 @@ void vertexLine(const Session& session) {
     ImGui::SameLine(0, gap / 2);
     if (vertex) {
         const std::string number = std::to_string(*vertex);
-        ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
-        ImGui::TextUnformatted(number.c_str());
-        ImGui::PopStyleColor();
+        plainText(number, color::chosen);
         noteItem("vertex number");
         ImGui::SameLine(0, gap / 2);
     }
@@ -117,9 +105,7 @@ void vertexLine(const Session& session) {
 void wrapLine(const Session& session, const Owner& owner, const ParamRow& row, int axis) {
     constexpr std::array letters{"s", "t", "r"};
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, componentColor(axis));
-    ImGui::TextUnformatted(letters.at(static_cast<std::size_t>(axis)));
-    ImGui::PopStyleColor();
+    plainText(letters.at(static_cast<std::size_t>(axis)), componentColor(axis));
     helpTip(row.help);
     ImGui::SameLine(0, 0);
     ImGui::SetCursorPosX(ImGui::GetCursorStartPos().x + ImGui::GetFontSize() * 0.9F);
@@ -142,9 +128,7 @@ void captionWithColor(const Session& session, const char* words, const Owner& ow
         break;
     }
     const Finding* idle = idleReasonOf(session.document.findings, owner.pathOf(row));
-    ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
-    text(name);
-    ImGui::PopStyleColor();
+    text(name, idle ? color::dim : color::text);
     helpTip(idle ? fmt::format("{}\n{}", row.help, fmt::format("No effect now: {}.", idle->sentence))
                  : std::string(row.help));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);

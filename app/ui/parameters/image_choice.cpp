@@ -1,14 +1,11 @@
-#include "app/ui/parameters/image_choice.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
-#include "app/ui/widgets/theme.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>

@@ -1,10 +1,8 @@
-#include "app/ui/parameters/matrix_section.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preset_edits.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/list_buttons.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "core/preset/preset.h"
@@ -59,8 +57,7 @@ void applyMotion(const Session& session, const Motion& motion) {
         choosePreset(session, *preset, matrixPath(session));
 }
 
-} // namespace
-
+/// A button for each operation, which adds a step: at most `perLine` buttons per line.
 void addStepButtons(const Session& session, int perLine) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const auto widthFor = [gap](int count) {
@@ -88,22 +85,19 @@ void addStepButtons(const Session& session, int perLine) {
     ImGui::EndDisabled();
 }
 
+} // namespace
+
 void motionButtons(const Session& session) {
-    std::vector<Segment> buttons;
-    for (const Motion& motion : motions)
-        buttons.push_back({motion.label});
+    std::vector<Segment> buttons = segmentsOf(motions, &Motion::label);
     buttons.push_back({"+ Step"});
-    const std::optional<SegmentPlan> plan =
-        planSegments(buttons, ImGui::GetContentRegionAvail().x, buttons.size());
-    if (!plan)
-        return;
     ImGui::PushID("motions");
-    const auto pressed = drawSegments(buttons, *plan, std::nullopt, [&](std::size_t number) {
-        if (number < motions.size())
-            return offerMotion(session, motions[number]);
-        noteItem("add matrix step");
-        helpTip("Adds a step at the end of the texture matrix");
-    });
+    const auto pressed =
+        drawSegments(buttons, ImGui::GetContentRegionAvail().x, std::nullopt, [&](std::size_t number) {
+            if (number < motions.size())
+                return offerMotion(session, motions[number]);
+            noteItem("add matrix step");
+            helpTip("Adds a step at the end of the texture matrix");
+        });
     if (pressed && *pressed < motions.size())
         applyMotion(session, motions[*pressed]);
     else if (pressed)
@@ -126,14 +120,12 @@ void matrixSection(const Session& session) {
         const std::string path = fmt::format("{}.{}", selectedUnitPath(session), elementOf<&Unit::matrix>(i));
         ImGui::AlignTextToFramePadding();
         dimText(fmt::format("Step {}", i + 1));
-        constexpr ListWords words{"matrix step", "", "Move this step up", "Move this step down",
-                                  "Remove this step"};
+        constexpr ListWords words{"matrix step",      "", "Move this step up",    "Move this step down",
+                                  "Remove this step", "", "Reorder matrix steps", "Remove matrix step"};
         if (const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size())) {
             const std::string list = matrixPath(session);
             submit(session,
-                   {.name = pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps",
-                    .edits = {editOf(*pressed, list, i)},
-                    .path = list});
+                   {.name = words.nameOf(*pressed), .edits = {editOf(*pressed, list, i)}, .path = list});
         }
         paramRows(session, {&steps[i], &initial, path}, matrixStepTable(), {.captions = false});
         ImGui::Separator();

@@ -1,9 +1,7 @@
-#include "app/ui/parameters/model_section.h"
-
 #include "app/ui/language/translate.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/params/keys.h"
 
@@ -11,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace texplorer::ui {
@@ -67,18 +64,22 @@ void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) 
 }
 
 void editModels(const Session& session, std::size_t count) {
-    constexpr ListWords words{"model", "Add a copy of this model after it", "Draw this model earlier",
-                              "Draw this model later", "Remove this model"};
+    constexpr ListWords words{"model",
+                              "Add a copy of this model after it",
+                              "Draw this model earlier",
+                              "Draw this model later",
+                              "Remove this model",
+                              "Add model",
+                              "Reorder models",
+                              "Remove model"};
     const auto chosen = static_cast<std::size_t>(session.window.selection.model);
     const auto pressed = listButtons(words, chosen, count, 0, maxModels);
     if (!pressed)
         return;
-    const bool adds = pressed == ListEdit::Add;
-    submit(session, {.name = adds                          ? "Add model"
-                             : pressed == ListEdit::Remove ? "Remove model"
-                                                           : "Reorder models",
-                     .edits = adds ? addedModel(session)
-                                   : std::vector{editOf(*pressed, keyOf<&Scene::models>(), chosen)}});
+    submit(session, {.name = words.nameOf(*pressed),
+                     .edits = pressed == ListEdit::Add
+                                  ? addedModel(session)
+                                  : std::vector{editOf(*pressed, keyOf<&Scene::models>(), chosen)}});
 }
 
 } // namespace

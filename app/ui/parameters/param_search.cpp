@@ -2,7 +2,6 @@
 
 #include "app/ui/model/param_match.h"
 #include "app/ui/parameters/shown_structs.h"
-#include "app/ui/widgets/param_tips.h"
 
 #include <fmt/core.h>
 

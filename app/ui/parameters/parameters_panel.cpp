@@ -1,21 +1,13 @@
 #include "app/ui/parameters/parameters_panel.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/parameters/combine_section.h"
-#include "app/ui/parameters/coordinates_section.h"
-#include "app/ui/parameters/essentials.h"
-#include "app/ui/parameters/matrix_section.h"
-#include "app/ui/parameters/model_section.h"
 #include "app/ui/parameters/param_search.h"
-#include "app/ui/parameters/pass_section.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"
-#include "app/ui/parameters/texture_section.h"
 #include "app/ui/parameters/unit_bar.h"
-#include "app/ui/parameters/unit_section.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/text_field.h"
@@ -113,6 +105,19 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
     if (steps == 0)
         return {};
     return {{countOf(steps, "step"), color::changed}};
+}
+
+/// The selected unit and its environment.
+void unitSection(const Session& session) {
+    const std::string_view environment = findParam(unitTable(), keyOf<&Unit::envMode>())->group;
+    RowOptions options;
+    // The texture is chosen by its name, in the place where it is edited.
+    options.leavesOut = [](const ParamRow& row) { return row.member == memberId<&Unit::texture>; };
+    options.after = [&](std::string_view group) {
+        if (group == environment)
+            environmentLine(session);
+    };
+    paramRows(session, unitOwner(session), unitTable(), options);
 }
 
 void unitTab(const Session& session) {
@@ -235,9 +240,7 @@ std::optional<std::size_t> tabList(const ParametersState& state) {
 
 std::optional<std::size_t> tabButtons(const ParametersState& state) {
     constexpr std::size_t maxLines = 3;
-    std::vector<Segment> tabs;
-    for (const ParameterTabRow& row : parameterTabRows)
-        tabs.push_back({row.label});
+    const std::vector<Segment> tabs = segmentsOf(parameterTabRows, &ParameterTabRow::label);
     const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, maxLines);
     if (!plan)
         return tabList(state);

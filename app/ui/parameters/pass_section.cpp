@@ -1,19 +1,15 @@
-#include "app/ui/parameters/pass_section.h"
-
 #include "app/ui/language/translate.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
-#include "app/ui/widgets/number_choice.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -23,23 +19,25 @@ namespace {
 /// Adds a copy after the selected pass, because most passes differ from the previous one in a few
 /// parameters; moves or removes the selected pass.
 void editPasses(const Session& session) {
-    constexpr ListWords words{"pass", "Add a copy of this pass after it", "Draw this pass earlier",
-                              "Draw this pass later", "Remove this pass"};
+    constexpr ListWords words{"pass",
+                              "Add a copy of this pass after it",
+                              "Draw this pass earlier",
+                              "Draw this pass later",
+                              "Remove this pass",
+                              "Add pass",
+                              "Reorder passes",
+                              "Remove pass"};
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
     const auto pressed = listButtons(words, chosen, presentScene(session).passes.size(), 1, maxPasses);
     if (!pressed)
         return;
-    const bool adds = pressed == ListEdit::Add;
     const std::string list = keyOf<&Scene::passes>();
     std::vector<Edit> edits{editOf(*pressed, list, chosen)};
-    if (adds &&
+    if (pressed == ListEdit::Add &&
         selectedPass(session).depthFunc == CompareFunc::Less) // no depth is less than the previous pass's
         edits.emplace_back(edit::Set{fmt::format("{}[{}].{}", list, chosen + 1, keyOf<&Pass::depthFunc>()),
                                      std::string(rowOf(CompareFunc::LessEqual).name)});
-    submit(session, {.name = adds                          ? "Add pass"
-                             : pressed == ListEdit::Remove ? "Remove pass"
-                                                           : "Reorder passes",
-                     .edits = std::move(edits)});
+    submit(session, {.name = words.nameOf(*pressed), .edits = std::move(edits)});
 }
 
 void setModels(const Session& session, const std::vector<int>& models) {
@@ -107,21 +105,51 @@ void modelsOfPass(const Session& session) {
     }
 }
 
+/// Where a button has a dot, it is in its upper right corner.
+void drawDot() {
+    const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y);
+    const float radius = ImGui::GetFontSize() * 0.16F;
+    ImGui::GetWindowDrawList()->AddCircleFilled({corner.x - 2.2F * radius, corner.y + 2.2F * radius}, radius,
+                                                color::t);
+}
+
+/// A button with the number of a pass.
+bool passButton(const Pass& pass, int number, float width, bool isChosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_Button));
+    const bool pressed = ImGui::Button(fmt::format("{}##pass", number).c_str(), {width, 0});
+    ImGui::PopStyleColor();
+    noteItem(fmt::format("pass:{}", number));
+    if (pass.enabled)
+        drawDot();
+    const char* state = pass.enabled ? "This pass is drawn." : "This pass is not drawn.";
+    helpTip(pass.name.empty() ? state : fmt::format("{}\n{}", pass.name, state));
+    return pressed;
+}
+
 } // namespace
 
 void passChoice(const Session& session) {
     const std::vector<Pass>& passes = presentScene(session).passes;
     if (passes.size() < 2)
         return;
-    std::vector<NumberChoice> choices;
-    choices.reserve(passes.size());
-    for (const Pass& pass : passes) {
-        const char* state = pass.enabled ? "This pass is drawn." : "This pass is not drawn.";
-        choices.push_back(
-            {pass.enabled, pass.name.empty() ? state : fmt::format("{}\n{}", pass.name, state)});
+    const float words = ImGui::CalcTextSize(tr("Pass")).x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const auto count = static_cast<float>(passes.size());
+    float left = room - words - gap * (count + 1);
+    const bool ownLine = left < count * ImGui::GetFontSize() * 1.2F; // the buttons are below the word
+    if (ownLine)
+        left = room - gap * (count - 1);
+    const float width = std::clamp(std::floor(left / count), 1.0F, ImGui::GetFrameHeight() * 1.3F);
+    ImGui::AlignTextToFramePadding();
+    text("Pass");
+    for (int i = 0; i < static_cast<int>(passes.size()); ++i) {
+        if (i > 0 || !ownLine)
+            ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
+        if (passButton(passes[static_cast<std::size_t>(i)], i, width, i == session.window.selection.pass))
+            change(session, [i](WindowState& window) { window.selection.pass = i; });
     }
-    if (const auto pressed = numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass))
-        change(session, [pass = *pressed](WindowState& window) { window.selection.pass = pass; });
     bool steps = session.window.view.stepsThroughPasses;
     if (ImGui::Checkbox(label("Step: only up to this pass"), &steps))
         change(session, [steps](WindowState& window) { window.view.stepsThroughPasses = steps; });

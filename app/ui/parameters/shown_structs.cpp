@@ -6,49 +6,50 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <utility>
 
 namespace texplorer::ui {
 namespace {
 
-class Places {
-public:
-    /// `initial` must outlive the result.
-    template<class Struct>
-    void add(Section section, std::string title, const Struct& values, const Struct& initial,
-             std::string path, const StructTable& table) {
-        add(section, std::move(title), Owner{&values, &initial, std::move(path)}, table);
-    }
-    void add(Section section, std::string title, Owner owner, const StructTable& table) {
-        places_.push_back({section, std::move(title), std::move(owner), &table});
-    }
-    [[nodiscard]] std::vector<ShownStruct> take() { return std::move(places_); }
+using Places = std::vector<ShownStruct>;
 
-private:
-    std::vector<ShownStruct> places_;
+/// `initial` must outlive the result.
+template<class Struct>
+void add(Places& places, Section section, const char* title, const Struct& values, const Struct& initial,
+         std::string path, const StructTable& table) {
+    places.push_back({section, title, {&values, &initial, std::move(path)}, &table});
+}
+
+struct TexGenPlace {
+    const char* title;
+    TexGen Unit::*state;
+    Key key; ///< of the unit
 };
+constexpr std::array texGenPlaces{TexGenPlace{"Generated s", &Unit::texGenS, keyOf<&Unit::texGenS>},
+                                  TexGenPlace{"Generated t", &Unit::texGenT, keyOf<&Unit::texGenT>},
+                                  TexGenPlace{"Generated r", &Unit::texGenR, keyOf<&Unit::texGenR>},
+                                  TexGenPlace{"Generated q", &Unit::texGenQ, keyOf<&Unit::texGenQ>}};
 
 void addUnitPlaces(Places& places, const Session& session) {
     static const Unit initial;
     static const MatrixStep initialStep;
     const Unit& unit = selectedUnit(session);
     const std::string path = selectedUnitPath(session) + ".";
-    places.add(Section::Unit, "", unitOwner(session), unitTable());
-    places.add(Section::Combine, "Combine", unit.combine, initial.combine, path + keyOf<&Unit::combine>(),
-               combineTable());
-    places.add(Section::Coordinates, "Generated s", unit.texGenS, initial.texGenS,
-               path + keyOf<&Unit::texGenS>(), texGenTable(0));
-    places.add(Section::Coordinates, "Generated t", unit.texGenT, initial.texGenT,
-               path + keyOf<&Unit::texGenT>(), texGenTable(1));
-    places.add(Section::Coordinates, "Generated r", unit.texGenR, initial.texGenR,
-               path + keyOf<&Unit::texGenR>(), texGenTable(2));
-    places.add(Section::Coordinates, "Generated q", unit.texGenQ, initial.texGenQ,
-               path + keyOf<&Unit::texGenQ>(), texGenTable(3));
-    places.add(Section::Coordinates, "Emboss", unit.emboss, initial.emboss, path + keyOf<&Unit::emboss>(),
-               embossTable());
+    places.push_back({Section::Unit, "", unitOwner(session), &unitTable()});
+    add(places, Section::Combine, "Combine", unit.combine, initial.combine, path + keyOf<&Unit::combine>(),
+        combineTable());
+    for (std::size_t i = 0; i < texGenPlaces.size(); ++i) {
+        const auto& [title, state, key] = texGenPlaces.at(i);
+        add(places, Section::Coordinates, title, unit.*state, initial.*state, path + key(), texGenTable(i));
+    }
+    add(places, Section::Coordinates, "Emboss", unit.emboss, initial.emboss, path + keyOf<&Unit::emboss>(),
+        embossTable());
     for (std::size_t i = 0; i < unit.matrix.size(); ++i)
-        places.add(Section::Matrix, fmt::format("Matrix step {}", i + 1), unit.matrix[i], initialStep,
-                   path + elementOf<&Unit::matrix>(i), matrixStepTable());
+        places.push_back({Section::Matrix,
+                          fmt::format("Matrix step {}", i + 1),
+                          {&unit.matrix[i], &initialStep, path + elementOf<&Unit::matrix>(i)},
+                          &matrixStepTable()});
 }
 
 void addModelPlaces(Places& places, const Session& session) {
@@ -58,10 +59,10 @@ void addModelPlaces(Places& places, const Session& session) {
         return;
     const std::string path =
         elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model));
-    places.add(Section::Model, "Model", *model, initial, path, modelTable());
+    add(places, Section::Model, "Model", *model, initial, path, modelTable());
     if (model->ownMaterial)
-        places.add(Section::Model, "Material of the model", model->material, initial.material,
-                   fmt::format("{}.{}", path, keyOf<&Model::material>()), modelMaterialTable());
+        add(places, Section::Model, "Material of the model", model->material, initial.material,
+            fmt::format("{}.{}", path, keyOf<&Model::material>()), modelMaterialTable());
 }
 
 } // namespace
@@ -99,20 +100,20 @@ std::vector<ShownStruct> shownStructs(const Session& session) {
     const Scene& scene = presentScene(session);
     Places places;
     if (boundTexture(session))
-        places.add(Section::Texture, "", textureOwner(session), textureTable());
+        places.push_back({Section::Texture, "", textureOwner(session), &textureTable()});
     addUnitPlaces(places, session);
     const std::string pass =
         elementOf<&Scene::passes>(static_cast<std::size_t>(session.window.selection.pass));
-    places.add(Section::Pass, "", selectedPass(session), initialPass, pass, passTable());
-    places.add(Section::Pass, "Fog", selectedPass(session).fog, initialPass.fog,
-               fmt::format("{}.{}", pass, keyOf<&Pass::fog>()), fogTable());
-    places.add(Section::Light, "", scene.light, initial.light, keyOf<&Scene::light>(), lightTable());
-    places.add(Section::Light, "Projector", scene.light.projector, initial.light.projector,
-               pathOf<&Scene::light, &Light::projector>(), projectorTable());
-    places.add(Section::Material, "Material", materialOwner(session), materialTable());
+    add(places, Section::Pass, "", selectedPass(session), initialPass, pass, passTable());
+    add(places, Section::Pass, "Fog", selectedPass(session).fog, initialPass.fog,
+        fmt::format("{}.{}", pass, keyOf<&Pass::fog>()), fogTable());
+    add(places, Section::Light, "", scene.light, initial.light, keyOf<&Scene::light>(), lightTable());
+    add(places, Section::Light, "Projector", scene.light.projector, initial.light.projector,
+        pathOf<&Scene::light, &Light::projector>(), projectorTable());
+    places.push_back({Section::Material, "Material", materialOwner(session), &materialTable()});
     addModelPlaces(places, session);
-    places.add(Section::View, "Camera", scene.view, start, keyOf<&Scene::view>(), viewTable());
-    return places.take();
+    add(places, Section::View, "Camera", scene.view, start, keyOf<&Scene::view>(), viewTable());
+    return places;
 }
 
 } // namespace texplorer::ui

@@ -8,7 +8,6 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/problem_sign.h"
-#include "app/ui/widgets/theme.h"
 #include "core/scene/params/keys.h"
 #include "core/texture/level_plan.h"
 
@@ -66,26 +65,22 @@ private:
     float indent_;
 };
 
-struct ListTexts {
-    ListWords words;
-    const char* reorder; ///< the name in Undo
-    const char* remove;
-};
-
-constexpr ListTexts stepTexts{
-    {"image step", "", "Move this step up", "Move this step down", "Remove this step"},
-    "Reorder image steps",
-    "Remove image step"};
-constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
-                                "Make this picture a smaller level", "Remove this level"},
+constexpr ListWords stepWords{"image step",       "", "Move this step up",   "Move this step down",
+                              "Remove this step", "", "Reorder image steps", "Remove image step"};
+constexpr ListWords levelWords{"level",
+                               "",
+                               "Make this picture a larger level",
+                               "Make this picture a smaller level",
+                               "Remove this level",
+                               "",
                                "Reorder levels",
                                "Remove level"};
 
 /// The buttons of one element.
 void editElement(const Session& session, std::size_t index, std::size_t count, const std::string& path,
-                 const ListTexts& texts) {
-    if (const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, count))
-        submit(session, {.name = pressed == ListEdit::Remove ? texts.remove : texts.reorder,
+                 const ListWords& words) {
+    if (const std::optional<ListEdit> pressed = elementButtons(words, path, index, count))
+        submit(session, {.name = words.nameOf(*pressed),
                          .edits = {editOf(*pressed, path.substr(0, path.rfind('[')), index)}});
 }
 
@@ -119,12 +114,10 @@ void levelExtents(const LevelPlan& plan, int number, Target target) {
     }
     const PlannedLevel fit = levelAbove(plan.levels.front(), number);
     const bool fits = *found == fit;
-    ImGui::PushStyleColor(ImGuiCol_Text, fits ? color::dim : color::problem);
-    ImGui::TextUnformatted(
+    plainText(
         (fits ? extentsText(*found, target)
-              : tr(fmt::format("{} instead of {}", extentsText(*found, target), extentsText(fit, target))))
-            .c_str());
-    ImGui::PopStyleColor();
+              : tr(fmt::format("{} instead of {}", extentsText(*found, target), extentsText(fit, target)))),
+        fits ? color::dim : color::problem);
     noteItem(fmt::format("level extents:{}", number));
     if (!fits)
         helpTip("Each level has half the width and height of the level before, rounded down and at least "
@@ -192,7 +185,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
         const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
         ImGui::AlignTextToFramePadding();
         dimText(fmt::format("Step {}", i + 1));
-        editElement(session, i, steps.size(), path, stepTexts);
+        editElement(session, i, steps.size(), path, stepWords);
         elementRows(session, steps[i], path, imageStepTable());
         ImGui::PopID();
     }
@@ -243,7 +236,7 @@ void levelList(const Session& session, std::size_t index, const LevelsSummary* s
         }
         if (given)
             levelExtents(plan, number, target);
-        editElement(session, i, texture.levels.size(), path, levelTexts);
+        editElement(session, i, texture.levels.size(), path, levelWords);
         elementRows(session, texture.levels[i], path, givenLevelTable());
         ImGui::PopID();
     }

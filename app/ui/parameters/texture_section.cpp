@@ -1,15 +1,13 @@
 // The texture bound to the selected unit: the choice and its parameters.
 
-#include "app/ui/parameters/texture_section.h"
-
 #include "app/ui/language/translate.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_lists.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/parameters/unit_bar.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/params/keys.h"
 

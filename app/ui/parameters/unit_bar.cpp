@@ -5,9 +5,7 @@
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/overlap.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>

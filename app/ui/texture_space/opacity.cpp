@@ -1,7 +1,6 @@
 #include "app/ui/texture_space/opacity.h"
 
 #include <cstddef>
-#include <span>
 #include <variant>
 
 namespace texplorer::ui {
@@ -11,21 +10,14 @@ bool isOpaque(const Surface& surface) {
     const auto* image = std::get_if<Image>(&surface);
     if (!image)
         return false;
-    switch (image->format) {
-    case PixelFormat::Rgb8:
-    case PixelFormat::Luminance8:
-        return true;
-    case PixelFormat::Rgba8:
-    case PixelFormat::LuminanceAlpha8: {
-        const auto step = static_cast<std::size_t>(bytesPerPixel(image->format));
-        for (std::size_t alpha = step - 1; alpha < image->pixels.size(); alpha += step)
-            if (image->pixels[alpha] != std::byte{255})
-                return false;
-        return true;
-    }
-    default:
-        return false;
-    }
+    const PixelFormat format = image->format;
+    if (format != PixelFormat::Rgba8 && format != PixelFormat::LuminanceAlpha8)
+        return format == PixelFormat::Rgb8 || format == PixelFormat::Luminance8;
+    const auto step = static_cast<std::size_t>(bytesPerPixel(format));
+    for (std::size_t alpha = step - 1; alpha < image->pixels.size(); alpha += step)
+        if (image->pixels[alpha] != std::byte{255})
+            return false;
+    return true;
 }
 
 /// The alpha of the image is that of the texture.

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -171,18 +172,6 @@ std::size_t edgeCount(const Mesh& mesh) {
     return edges;
 }
 
-/// The box of a text with a dark background, which is readable on any picture.
-Box chipBox(ImVec2 at, ImVec2 size) {
-    const float pad = ImGui::GetFontSize() * 0.2F;
-    return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}};
-}
-
-void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text) {
-    const float pad = ImGui::GetFontSize() * 0.2F;
-    draw.AddRectFilled(box.low, box.high, color::shade, pad);
-    draw.AddText(ImGui::GetFont(), size, {box.low.x + pad, box.low.y}, tint, text.c_str());
-}
-
 /// "2   (1.00, 0.50)", and its end point.
 std::string vertexText(const PlaneCoords& coords, std::size_t vertex) {
     const glm::vec4 given = coords.given()[vertex];
@@ -210,8 +199,8 @@ std::vector<Spot> spotsInSight(const Canvas& canvas, std::span<const glm::vec2> 
     for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
         if (!isPlace(places[vertex]))
             continue;
-        const ImVec2 at = canvas.toPixel(places[vertex].x, places[vertex].y);
-        if (at.x < canvas.low.x || at.y < canvas.low.y || at.x > canvas.high.x || at.y > canvas.high.y)
+        const ImVec2 at = canvas.toPixel(places[vertex]);
+        if (!canvas.holds(at))
             continue;
         if (++count > maxNumbers)
             return {};
@@ -266,16 +255,15 @@ void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh,
     chosenEdges.draw(draw, canvas, chosen);
     if (places.size() <= maxRoundDots) {
         for (const glm::vec2& each : places)
-            draw.AddCircle(canvas.toPixel(each.x, each.y), dot, faint.tint, 12, strokeWidth(1));
+            draw.AddCircle(canvas.toPixel(each), dot, faint.tint, 12, strokeWidth(1));
     }
     if (!marks.vertex || *marks.vertex >= places.size())
         return;
     const glm::vec2 given = places[*marks.vertex];
     const glm::vec2 end = coords.resultingPlaces()[*marks.vertex];
-    draw.AddCircle(canvas.toPixel(given.x, given.y), dot, color::chosen, 12, strokeWidth(1.5F));
+    draw.AddCircle(canvas.toPixel(given), dot, color::chosen, 12, strokeWidth(1.5F));
     if (isPlace(end))
-        drawArrow(draw, canvas.toPixel(given.x, given.y), canvas.toPixel(end.x, end.y),
-                  faded(color::chosen, 0.8F));
+        drawArrow(draw, canvas.toPixel(given), canvas.toPixel(end), faded(color::chosen, 0.8F));
 }
 
 void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
@@ -314,7 +302,7 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     strongChosen.draw(draw, canvas, strong);
     const auto dotOf = [&](std::size_t vertex, float radius, ImU32 tint, DotShape shape) {
         if (vertex < places.size() && isPlace(places[vertex]))
-            drawVertexDot(draw, canvas.toPixel(places[vertex].x, places[vertex].y), radius, tint, shape);
+            drawVertexDot(draw, canvas.toPixel(places[vertex]), radius, tint, shape);
     };
     const float dot = em * (places.size() <= 100 ? 0.22F : 0.13F);
     if (edges <= maxEdges && spacing >= 5 * dot) {
@@ -330,8 +318,7 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     if (marks.vertex)
         dotOf(*marks.vertex, em * 0.3F, color::chosen, DotShape::Diamond);
     if (marks.hovered && *marks.hovered < places.size() && isPlace(places[*marks.hovered])) {
-        const glm::vec2 place = places[*marks.hovered];
-        const ImVec2 at = canvas.toPixel(place.x, place.y);
+        const ImVec2 at = canvas.toPixel(places[*marks.hovered]);
         draw.AddCircle(at, em * 0.5F, color::shade, 24, strokeWidth(4));
         draw.AddCircle(at, em * 0.5F, color::chosen, 24, strokeWidth(2));
         noteDrawn("hover ring", at, at);
@@ -359,10 +346,8 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
         if (vertex >= places.size())
             continue;
         const glm::vec2 place = isPlace(places[vertex]) ? places[vertex] : coords.givenPlaces()[vertex];
-        const ImVec2 at = canvas.toPixel(place.x, place.y);
-        const bool inSight =
-            at.x >= canvas.low.x && at.x <= canvas.high.x && at.y >= canvas.low.y && at.y <= canvas.high.y;
-        if (!inSight)
+        const ImVec2 at = canvas.toPixel(place);
+        if (!canvas.holds(at))
             continue;
         const std::string english = vertexText(coords, vertex);
         const std::string text = tr(english);
@@ -387,8 +372,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
     }
     const std::vector<Spot> spots = numbers ? spotsInSight(canvas, places) : std::vector<Spot>{};
     const float size = em * 0.85F;
-    const glm::vec2 middle{canvas.plane.s, canvas.plane.t};
-    const ImVec2 centre = canvas.toPixel(middle.x, middle.y);
+    const ImVec2 centre = canvas.toPixel(canvas.plane.s, canvas.plane.t);
     for (const Spot& spot : spots) {
         const bool isNamed = std::ranges::any_of(spot.vertices, [&](std::size_t vertex) {
             return std::ranges::find(named, vertex) != named.end();

@@ -4,7 +4,6 @@
 #include "app/ui/texture_space/plane_drawing.h"
 #include "app/ui/widgets/inset_placement.h"
 
-#include <span>
 #include <vector>
 
 namespace texplorer::ui {

@@ -7,9 +7,6 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace texplorer::ui {
 namespace {
 
@@ -30,6 +27,17 @@ ImU32 faded(ImU32 tint, float share) {
     ImVec4 color = ImGui::ColorConvertU32ToFloat4(tint);
     color.w *= share;
     return ImGui::ColorConvertFloat4ToU32(color);
+}
+
+Box chipBox(ImVec2 at, ImVec2 size) {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}};
+}
+
+void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text) {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    draw.AddRectFilled(box.low, box.high, color::shade, pad);
+    draw.AddText(ImGui::GetFont(), size, {box.low.x + pad, box.low.y}, tint, text.c_str());
 }
 
 Bounds boundsOf(const PlaneCoords& coords) {
@@ -148,10 +156,7 @@ void drawAxes(ImDrawList& draw, const Canvas& canvas) {
     draw.AddTriangleFilled({s.x + 2 * head, s.y}, {s.x, s.y - head}, {s.x, s.y + head}, color::s);
     draw.AddTriangleFilled({t.x, t.y - 2 * head}, {t.x + head, t.y}, {t.x - head, t.y}, color::t);
     const auto label = [&](ImVec2 at, ImU32 tint, const char* text) {
-        const ImVec2 size = ImGui::CalcTextSize(text);
-        const float pad = em * 0.2F;
-        draw.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, color::shade, pad);
-        draw.AddText(at, tint, text);
+        drawTextChip(draw, chipBox(at, ImGui::CalcTextSize(text)), em, tint, text);
     };
     label({s.x - em * 0.2F, s.y + em * 0.5F}, color::s, "s");
     label({t.x - em * 1.3F, t.y - em * 0.4F}, color::t, "t");

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -43,6 +44,10 @@ struct Canvas {
         return {within(middle.x + (s - plane.s) * pixelsPerUnit),
                 within(middle.y - (t - plane.t) * pixelsPerUnit)};
     }
+    [[nodiscard]] ImVec2 toPixel(glm::vec2 place) const { return toPixel(place.x, place.y); }
+    [[nodiscard]] bool holds(ImVec2 at) const {
+        return at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y;
+    }
     [[nodiscard]] glm::vec2 toCoord(ImVec2 pixel) const {
         return {plane.s + (pixel.x - middle.x) / pixelsPerUnit,
                 plane.t - (pixel.y - middle.y) / pixelsPerUnit};
@@ -51,6 +56,10 @@ struct Canvas {
 
 /// A colour with its alpha multiplied.
 [[nodiscard]] ImU32 faded(ImU32 tint, float share);
+
+/// The box of a text with a dark background, which is readable on any picture.
+[[nodiscard]] Box chipBox(ImVec2 at, ImVec2 size);
+void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text);
 
 /// A rectangle of the texture plane.
 struct Bounds {

@@ -1,8 +1,10 @@
 #include "app/ui/texture_space/plane_histogram.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/texture_space/plane_drawing.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -79,9 +81,7 @@ void drawHistogram(const LevelPicture& level, Channel channel, float width) {
         return;
     const ImVec2 size = ImGui::CalcTextSize(tr(words));
     const ImVec2 at(low.x + width - size.x - em * 0.5F, low.y + em * 0.3F);
-    draw.AddRectFilled({at.x - em * 0.2F, at.y}, {at.x + size.x + em * 0.2F, at.y + size.y}, color::shade,
-                       em * 0.2F);
-    draw.AddText(at, color::text, tr(words));
+    drawTextChip(draw, chipBox(at, size), em, color::text, tr(words));
     noteDrawn(std::string("histogram:") + words, at, {at.x + size.x, at.y + size.y});
 }
 
@@ -100,9 +100,7 @@ void drawStatistics(const LevelPicture& level) {
         const std::string most = std::to_string(each.most);
         const std::string mean = fmt::format("{:.2f}", each.mean);
         ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, componentTint(i));
-        ImGui::TextUnformatted(componentLetter(i));
-        ImGui::PopStyleColor();
+        plainText(componentLetter(i), componentTint(i));
         for (const std::string& number : {least, most, mean}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(number.c_str());

@@ -23,7 +23,7 @@ float reachOfMouse() {
 float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse, float reach) {
     if (!std::isfinite(place.x) || !std::isfinite(place.y))
         return INFINITY;
-    const ImVec2 at = canvas.toPixel(place.x, place.y);
+    const ImVec2 at = canvas.toPixel(place);
     const ImVec2 way(at.x - mouse.x, at.y - mouse.y);
     const bool near = std::max(std::abs(way.x), std::abs(way.y)) <= reach;
     return near ? std::hypot(way.x, way.y) : INFINITY;
@@ -355,7 +355,7 @@ void handlePlaneMouse(const Session& session, TextureSpaceState& state, const Ca
 std::optional<Box> selectionBox(const TextureSpaceState& state, const Canvas& canvas) {
     if (state.drag != PlaneDrag::Box || !isDrag())
         return std::nullopt;
-    const ImVec2 from = canvas.toPixel(state.boxFrom.x, state.boxFrom.y);
+    const ImVec2 from = canvas.toPixel(state.boxFrom);
     const ImVec2 to = ImGui::GetIO().MousePos;
     return Box{{std::min(from.x, to.x), std::min(from.y, to.y)},
                {std::max(from.x, to.x), std::max(from.y, to.y)}};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <array>
 
 namespace texplorer::ui {
 
@@ -10,6 +10,16 @@ struct PlaneKeyRow {
     const char* effect;
 };
 
-[[nodiscard]] std::span<const PlaneKeyRow> planeKeys();
+inline constexpr std::array planeKeys{
+    PlaneKeyRow{"G, R, S", "move, rotate, scale the selected vertices with the mouse"},
+    PlaneKeyRow{"S, T (or X, Y) meanwhile", "one axis only, or both again"},
+    PlaneKeyRow{"Enter or click, Escape", "confirm, cancel"},
+    PlaneKeyRow{"Ctrl meanwhile", "snap to texels, quarters, or 0 and 1"},
+    PlaneKeyRow{"Arrow keys, with Shift", "move the selected vertices by a texel, by 1/4"},
+    PlaneKeyRow{"A", "select all vertices, or none"},
+    PlaneKeyRow{"Shift + click, Shift + drag", "add one to the selection, select those in a box"},
+    PlaneKeyRow{"Ctrl + C, Ctrl + V", "copy the coordinates as text, paste them"},
+    PlaneKeyRow{"F, double click", "show the image and every vertex"},
+};
 
 } // namespace texplorer::ui

@@ -7,7 +7,6 @@
 #include "app/ui/texture_space/plane_histogram.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/panel_menus.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/projections.h"
@@ -15,7 +14,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace texplorer::ui {
 namespace {

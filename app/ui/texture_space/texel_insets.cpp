@@ -66,7 +66,7 @@ Corners footprintIn(const Canvas& canvas, const reference::UnitExplanation& unit
     const auto way = [&](glm::vec3 d) {
         return ImVec2(d.x * canvas.pixelsPerUnit, -d.y * canvas.pixelsPerUnit);
     };
-    return footprintOf(canvas.toPixel(place.x, place.y), way(unit.derivatives.dx), way(unit.derivatives.dy));
+    return footprintOf(canvas.toPixel(place), way(unit.derivatives.dx), way(unit.derivatives.dy));
 }
 
 bool isFinite(const Corners& corners) {
@@ -77,7 +77,7 @@ bool isFinite(const Corners& corners) {
 Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
     const LevelPatch& heaviest = heaviestPatch(unit);
     const glm::vec2 place = heaviest.place / glm::vec2(glm::max(heaviest.extent, 1));
-    const ImVec2 middle = canvas.toPixel(place.x, place.y);
+    const ImVec2 middle = canvas.toPixel(place);
     Box marks{middle, middle};
     for (const LevelPatch& patch : unit.patches) {
         for (const PlacedTap& tap : patch.taps) {

@@ -10,8 +10,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace texplorer::ui {
 namespace {
@@ -178,7 +176,7 @@ void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExpl
     drawFootprint(draw, footprintIn(canvas, unit));
     const LevelPatch& patch = heaviestPatch(unit);
     const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
-    drawPlace(draw, canvas.toPixel(place.x, place.y));
+    drawPlace(draw, canvas.toPixel(place));
 }
 
 /// The selected texel, and the one under the mouse, which a click selects.
@@ -252,7 +250,7 @@ void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canv
     if (unit && !isCube) {
         markPlane(draw, canvas, *unit);
         const Box marks = marksOf(*unit, canvas);
-        noteDrawn("texel marks", {marks.low.x, marks.low.y}, {marks.high.x, marks.high.y});
+        noteDrawn("texel marks", marks.low, marks.high);
     }
     if (const auto asked = askedTexel(session); asked && !isCube) {
         if (const auto extent = extentOf(session, asked->level)) {

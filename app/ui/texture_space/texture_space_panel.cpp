@@ -69,8 +69,7 @@ std::vector<ImVec2> chosenPlaces(const Session& session, const PlaneCoords& coor
     std::vector<ImVec2> places;
     for (const std::size_t vertex : chosenVertices(session.window.selection)) {
         if (places.size() < maxPlaces && vertex < coords.resultingPlaces().size()) {
-            const glm::vec2 place = coords.resultingPlaces()[vertex];
-            places.push_back(canvas.toPixel(place.x, place.y));
+            places.push_back(canvas.toPixel(coords.resultingPlaces()[vertex]));
         }
     }
     return places;
@@ -80,7 +79,7 @@ void noteCoordPlaces(const Canvas& canvas, const PlaneCoords& coords) {
     if (!arePlacesWanted())
         return;
     const auto note = [&](const char* name, std::size_t vertex, glm::vec2 place) {
-        const ImVec2 at = canvas.toPixel(place.x, place.y);
+        const ImVec2 at = canvas.toPixel(place);
         noteDrawn(fmt::format("{}:{}", name, vertex), at, at);
     };
     for (std::size_t vertex = 0; vertex < coords.givenPlaces().size(); ++vertex) {
@@ -115,7 +114,8 @@ void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures
     std::optional<PickedVertex> under;
     if (mouse.grip && mouse.hovered)
         under = PickedVertex{static_cast<std::size_t>(session.window.selection.model), mouse.grip->vertex};
-    change(session, [under](WindowState& window) { window.hoveredInPlane = under; });
+    if (session.window.hoveredInPlane != under)
+        change(session, [under](WindowState& window) { window.hoveredInPlane = under; });
     const bool ended = handlePlaneKeys(session, state, canvas, mouse);
     if (!ended)
         handlePlaneMouse(session, state, canvas, mouse);

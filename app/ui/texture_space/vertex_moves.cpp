@@ -53,64 +53,41 @@ glm::vec2 constrained(glm::vec2 way, std::optional<int> axis) {
 }
 
 /// The target positions of the vertices.
-class Motion {
-public:
-    Motion(const VertexMove& move, glm::vec2 mouse, std::optional<Snap> snap, TexelCounts texels,
-           float magnet)
-        : kind_(move.kind)
-        , centre_(move.centre) {
-        switch (kind_) {
-        case MoveKind::Move: {
-            const glm::vec2 wanted = move.heldPlace + mouse - move.from;
-            way_ = (snap ? snapped(wanted, *snap, texels, magnet) : wanted) - move.heldPlace;
-            way_ = constrained(way_, move.axis);
-            return;
-        }
-        case MoveKind::Rotate: {
-            const glm::vec2 before = move.from - centre_;
-            const glm::vec2 now = mouse - centre_;
-            float angle = std::atan2(now.y, now.x) - std::atan2(before.y, before.x);
-            if (snap)
-                angle = std::round(angle / angleStep) * angleStep;
-            sine_ = std::sin(angle);
-            cosine_ = std::cos(angle);
-            return;
-        }
-        case MoveKind::Scale: {
-            const float before = glm::length(move.from - centre_);
-            const float now = glm::length(mouse - centre_);
-            float factor = before > 0 ? now / before : 1;
-            if (glm::dot(mouse - centre_, move.from - centre_) < 0) // beyond the middle
-                factor = -factor;
-            if (snap)
-                factor = std::round(factor / factorStep) * factorStep;
-            factors_ = {move.axis == 1 ? 1 : factor, move.axis == 0 ? 1 : factor};
-            return;
-        }
-        }
-    }
+struct Motion {
+    glm::vec2 way{0};
+    glm::vec2 centre{0};
+    glm::mat2 matrix{1}; ///< about the centre
 
     [[nodiscard]] glm::vec2 operator()(glm::vec2 place) const {
-        const glm::vec2 from = place - centre_;
-        switch (kind_) {
-        case MoveKind::Move:
-            return place + way_;
-        case MoveKind::Rotate:
-            return centre_ + glm::vec2(from.x * cosine_ - from.y * sine_, from.x * sine_ + from.y * cosine_);
-        case MoveKind::Scale:
-            return centre_ + from * factors_;
-        }
-        return place;
+        return matrix == glm::mat2(1) ? place + way : centre + matrix * (place - centre);
     }
-
-private:
-    MoveKind kind_;
-    glm::vec2 centre_;
-    glm::vec2 way_{0};
-    float sine_ = 0;
-    float cosine_ = 1;
-    glm::vec2 factors_{1};
 };
+
+Motion motionOf(const VertexMove& move, glm::vec2 mouse, std::optional<Snap> snap, TexelCounts texels,
+                float magnet) {
+    if (move.kind == MoveKind::Move) {
+        const glm::vec2 wanted = move.heldPlace + mouse - move.from;
+        const glm::vec2 place = snap ? snapped(wanted, *snap, texels, magnet) : wanted;
+        return {.way = constrained(place - move.heldPlace, move.axis)};
+    }
+    const glm::vec2 before = move.from - move.centre;
+    const glm::vec2 now = mouse - move.centre;
+    if (move.kind == MoveKind::Rotate) {
+        float angle = std::atan2(now.y, now.x) - std::atan2(before.y, before.x);
+        if (snap)
+            angle = std::round(angle / angleStep) * angleStep;
+        const float sine = std::sin(angle);
+        const float cosine = std::cos(angle);
+        return {.centre = move.centre, .matrix = {cosine, sine, -sine, cosine}};
+    }
+    float factor = glm::length(before) > 0 ? glm::length(now) / glm::length(before) : 1;
+    if (glm::dot(now, before) < 0) // beyond the middle
+        factor = -factor;
+    if (snap)
+        factor = std::round(factor / factorStep) * factorStep;
+    return {.centre = move.centre,
+            .matrix = {move.axis == 1 ? 1 : factor, 0, 0, move.axis == 0 ? 1 : factor}};
+}
 
 /// The list with new positions of some vertices, given or final ones. The error says why that is not
 /// possible.
@@ -183,7 +160,8 @@ void followMouse(const Session& session, const PlaneCoords& coords, VertexMove& 
                  const Snapping& snapping, TexelCounts texels, float magnet) {
     if (mouse == move.from && !move.submitted)
         return;
-    const Motion motion(move, mouse, snapping.on ? std::optional(snapping.to) : std::nullopt, texels, magnet);
+    const Motion motion =
+        motionOf(move, mouse, snapping.on ? std::optional(snapping.to) : std::nullopt, texels, magnet);
     Result<TexCoords> list =
         placed(coords, move.results, move.vertices, [&](std::size_t i) { return motion(move.places[i]); });
     move.refusal = list ? std::string() : list.error().message;

@@ -75,9 +75,7 @@ public:
         const std::string shown = tr(words);
         put(ImGui::CalcTextSize(shown.c_str()).x, gap);
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, tint);
-        ImGui::TextUnformatted(shown.c_str());
-        ImGui::PopStyleColor();
+        plainText(shown, tint);
     }
 
 private:
@@ -106,9 +104,7 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
         tr(hasShare ? fmt::format("{} % over", rounded(100 * difference->shareOver(), 2)) : "Tolerance");
     flow.put(ImGui::CalcTextSize(words.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow, gap);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, hasShare ? color::text : color::dim);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopStyleColor();
+    plainText(words, hasShare ? color::text : color::dim);
     if (hasShare) {
         noteItem("share over");
         helpTip("The share of pixels that differ by more than this tolerance in red, green or blue");

@@ -1,6 +1,7 @@
 #include "app/ui/view/false_color_view.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -140,12 +141,9 @@ void drawFalseColors(ImDrawList& draw, const Session& session, const Pictures& p
     const view::PictureHandle colors = pictures.showTexels(answer->colors);
     if (colors == view::PictureHandle::None)
         return;
-    const ImVec2 low(static_cast<float>(pane.frame.x), static_cast<float>(pane.frame.y));
-    const ImVec2 high(static_cast<float>(pane.frame.right()), static_cast<float>(pane.frame.bottom()));
-    draw.PushClipRect({static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
-                      {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
-    draw.AddImage(textureId(colors), low, high, {panes.partLow().x, panes.partHigh().y},
-                  {panes.partHigh().x, panes.partLow().y},
+    draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
+    draw.AddImage(textureId(colors), lowOf(pane.frame), highOf(pane.frame),
+                  {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},
                   ImGui::ColorConvertFloat4ToU32({1, 1, 1, session.window.view.opacity}));
     draw.PopClipRect();
 }
@@ -172,8 +170,7 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
         const std::string text = fitted(words, width);
         const float y = static_cast<float>(pane.frame.bottom()) - line - 2 * pad;
         const float x = right - ImGui::CalcTextSize(text.c_str()).x;
-        draw.AddRectFilled({x - pad, y - pad / 2}, {right + pad, y + line + pad / 2}, color::shade, pad);
-        draw.AddText({x, y}, color::text, text.c_str());
+        drawChip(draw, {x, y}, text, color::text, pad);
         noteDrawn("false colors:none", {x, y}, {right, y + line});
         return;
     }
@@ -224,10 +221,7 @@ void drawFalseColorTip(const Session& session, const Layout& layout, glm::ivec2 
     at.x = std::max(pad, std::min(at.x, static_cast<float>(layout.window.right()) - size.x - 2 * pad));
     if (at.y + size.y + pad > static_cast<float>(layout.view.bottom()))
         at.y = mouse.y - size.y - em;
-    ImDrawList& draw = *ImGui::GetForegroundDrawList();
-    draw.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
-                       color::shade, pad);
-    draw.AddText(at, color::text, text.c_str());
+    drawChip(*ImGui::GetForegroundDrawList(), at, text, color::text, pad);
     noteDrawn("false colors:tip", at, {at.x + size.x, at.y + size.y});
 }
 

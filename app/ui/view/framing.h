@@ -1,9 +1,33 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "app/ui/view/show.h"
+
+#include <array>
+#include <optional>
 
 namespace texplorer::ui {
+
+/// What the view shows, as one choice.
+enum class Show { CubeAndSphere, Cube, Sphere, Quad, Floor };
+
+struct ShowRow {
+    Show show;
+    const char* label;
+    Shape shape; ///< the only one, or the first one
+};
+
+inline constexpr std::array showRows{
+    ShowRow{Show::CubeAndSphere, "Both", Shape::Cube}, ShowRow{Show::Cube, "Cube", Shape::Cube},
+    ShowRow{Show::Sphere, "Sphere", Shape::Sphere},    ShowRow{Show::Quad, "Square", Shape::Quad},
+    ShowRow{Show::Floor, "Floor", Shape::Floor},
+};
+
+/// Shows only the first model of the shape; adds it if the scene has none. Aims the camera at it. `aspect` is
+/// the view's width / height.
+void showOnly(Scene& scene, Show show, double time, float aspect);
+
+/// The current choice; nothing if it is none of them.
+[[nodiscard]] std::optional<Show> shownNow(const Scene& scene);
 
 // Move the camera, each as an undo step. Until the user moves the camera, it follows the shape of the view.
 

@@ -69,20 +69,16 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
                            glm::ivec2 pixel) {
     std::vector<Lens> lenses;
     for (const Pane& pane : panes.all()) {
-        Lens lens;
-        lens.picture = pictureOf(pane, pictures);
+        const view::PictureHandle picture = pictureOf(pane, pictures);
         if (!pane.renderer) {
-            lens.name = "Difference";
-            lens.value = differenceText(session.window.view, pictures, pixel);
-            lenses.push_back(std::move(lens));
+            lenses.push_back({"Difference", picture, differenceText(session.window.view, pictures, pixel)});
             continue;
         }
-        lens.name = std::string(rowOf(*pane.renderer).label);
         const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
         const bool known = view != pictures.frames.end() && view->image && holds(*view->image, pixel);
-        lens.value = known ? textOf(*view->image, pixel) : "…";
-        lens.swatch = known ? colorOf(*view->image, pixel) : 0;
-        lenses.push_back(std::move(lens));
+        lenses.push_back({std::string(rowOf(*pane.renderer).label), picture,
+                          known ? textOf(*view->image, pixel) : "…",
+                          known ? colorOf(*view->image, pixel) : 0});
     }
     return lenses;
 }

@@ -8,21 +8,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
 
 namespace texplorer::ui {
 
 namespace {
-
-ImVec2 lowOf(const Rect& rect) {
-    return {static_cast<float>(rect.x), static_cast<float>(rect.y)};
-}
-
-ImVec2 highOf(const Rect& rect) {
-    return {static_cast<float>(rect.right()), static_cast<float>(rect.bottom())};
-}
 
 std::string labelOf(RendererKind renderer) {
     return tr(rowOf(renderer).label);
@@ -34,13 +24,8 @@ std::string labelWithin(RendererKind renderer, float width) {
     return ImGui::CalcTextSize(words.c_str()).x <= width ? words : words.substr(0, words.find(' '));
 }
 
-/// Text with a dark background, readable on any picture.
-void drawChip(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 tint) {
-    const float pad = ImGui::GetFontSize() * 0.3F;
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    draw.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
-                       color::shade, pad);
-    draw.AddText(at, tint, text.c_str());
+float chipPad() {
+    return ImGui::GetFontSize() * 0.3F;
 }
 
 float comboWidth(RendererKind renderer) {
@@ -83,7 +68,7 @@ void sideLabels(const Session& session, const Panes& panes) {
     const Rect& frame = panes.all().front().frame;
     const float y = static_cast<float>(frame.y) + gap;
     const auto chip = [&](float x, const char* name, const char* text) {
-        drawChip(draw, {x, y}, text, color::text);
+        drawChip(draw, {x, y}, text, color::text, chipPad());
         const ImVec2 size = ImGui::CalcTextSize(text);
         noteDrawn(name, {x, y}, {x + size.x, y + size.y});
     };
@@ -97,6 +82,13 @@ void sideLabels(const Session& session, const Panes& panes) {
 }
 
 } // namespace
+
+void drawChip(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 tint, float pad) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    draw.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
+                       color::shade, pad);
+    draw.AddText(at, tint, text.c_str());
+}
 
 view::PictureHandle pictureOf(const Pane& pane, const Pictures& pictures) {
     if (!pane.renderer)
@@ -164,8 +156,8 @@ void paneLabels(const Session& session, const Panes& panes) {
         if (pane.renderer)
             drawChip(*ImGui::GetWindowDrawList(),
                      {static_cast<float>(pane.frame.x) + 2 * gap, static_cast<float>(pane.frame.y) + gap},
-                     labelWithin(*pane.renderer, static_cast<float>(pane.frame.width) - 4 * gap),
-                     color::text);
+                     labelWithin(*pane.renderer, static_cast<float>(pane.frame.width) - 4 * gap), color::text,
+                     chipPad());
         else
             lists(pane.frame, false);
     }
@@ -195,8 +187,8 @@ void paneSeam(const Session& session, const Layout& layout) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const ImU32 tint = held || ImGui::IsItemHovered() ? color::text : color::outline;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImVec2 top(x, static_cast<float>(whole.y));
-    const ImVec2 bottom(x, static_cast<float>(whole.bottom()));
+    const ImVec2 top(x, lowOf(whole).y);
+    const ImVec2 bottom(x, highOf(whole).y);
     draw.AddLine(top, bottom, color::shade, 3);
     draw.AddLine(top, bottom, tint, 1);
     const ImVec2 middle(x, (top.y + bottom.y) / 2);

@@ -4,6 +4,8 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/pictures.h"
 
+#include <string>
+
 namespace texplorer::ui {
 
 /// Draws the zoomed part of a pane's picture; without a picture, a sentence that says what is missing.
@@ -29,6 +31,9 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale);
 [[nodiscard]] inline bool isRinged(const Difference& difference) {
     return difference.over > 0;
 }
+
+/// Text with a dark background, readable on any picture.
+void drawChip(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 tint, float pad);
 
 /// A ring around a pixel, in every pane.
 void markPixel(ImDrawList& draw, const Panes& panes, glm::ivec2 pixel, ImU32 tint);

@@ -47,11 +47,6 @@ std::vector<Pane> arrange(const Layout& layout, const ViewSettings& settings) {
     return panes;
 }
 
-bool holds(const Rect& rect, ImVec2 place) {
-    return place.x >= static_cast<float>(rect.x) && place.x < static_cast<float>(rect.right()) &&
-           place.y >= static_cast<float>(rect.y) && place.y < static_cast<float>(rect.bottom());
-}
-
 glm::vec2 originOf(const Rect& rect) {
     return {static_cast<float>(rect.x), static_cast<float>(rect.y)};
 }
@@ -85,8 +80,8 @@ Panes::Panes(const Layout& layout, const ViewSettings& settings, view::Size pict
 }
 
 const Pane* Panes::under(ImVec2 place) const {
-    const auto found =
-        std::ranges::find_if(panes_, [&](const Pane& pane) { return holds(pane.visible, place); });
+    const auto found = std::ranges::find_if(
+        panes_, [&](const Pane& pane) { return pane.visible.contains(place.x, place.y); });
     return found == panes_.end() ? nullptr : &*found;
 }
 

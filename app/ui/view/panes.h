@@ -21,6 +21,13 @@ struct Pane {
     view::Side side = view::Side::Now;
 };
 
+[[nodiscard]] inline ImVec2 lowOf(const Rect& rect) {
+    return {static_cast<float>(rect.x), static_cast<float>(rect.y)};
+}
+[[nodiscard]] inline ImVec2 highOf(const Rect& rect) {
+    return {static_cast<float>(rect.right()), static_cast<float>(rect.bottom())};
+}
+
 /// Maps pixels of the pictures to the window. All pictures have the same size, and every pane shows the same
 /// part of them. Window positions are Dear ImGui's, from the top left. Positions in a picture are GL's window
 /// coordinates, as in glReadPixels and Image::at: from the lower left, the middle of the first pixel at 0.5,

@@ -26,9 +26,7 @@ void drawProbedPixel(const Session& session, const Pictures& pictures, const Pan
     const Explaining& asked = session.window.explaining;
     if (asked.texel && asked.light) {
         if (const view::PictureHandle light = pictures.show(asked.light); light != view::PictureHandle::None)
-            draw.AddImage(textureId(light),
-                          {static_cast<float>(pane.frame.x), static_cast<float>(pane.frame.y)},
-                          {static_cast<float>(pane.frame.right()), static_cast<float>(pane.frame.bottom())},
+            draw.AddImage(textureId(light), lowOf(pane.frame), highOf(pane.frame),
                           {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},
                           color::probed);
     }

@@ -7,25 +7,15 @@
 
 #include <fmt/core.h>
 
+#include <functional>
+#include <vector>
+
 namespace texplorer::ui {
 
 namespace {
 
 constexpr const char* compareHelp = "Two renderers in one picture, or all of them with the difference.";
 constexpr const char* nothingToCompare = "Only one renderer is available.";
-
-bool choice(const std::string& name, const std::string& words, bool chosen, bool offered,
-            std::string_view help) {
-    ImGui::BeginDisabled(!offered);
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-    const bool pressed = ImGui::Button(label(words).c_str());
-    ImGui::PopStyleColor();
-    ImGui::EndDisabled();
-    noteItem("renderer:" + name);
-    helpTip(help);
-    return pressed;
-}
 
 constexpr const char* compareWords = "Compare";
 
@@ -40,8 +30,72 @@ std::string chosenWords(const ViewSettings& settings) {
 
 constexpr const char* listSign = " ▾";
 
-std::string keyHelp(int key) {
-    return fmt::format("Key {}", key);
+/// A renderer, or the comparison.
+struct RendererChoice {
+    std::string name;
+    std::string words;
+    bool chosen;
+    bool offered;
+    std::string help;
+    std::function<void(ViewSettings& settings)> choose;
+};
+
+std::vector<RendererChoice> choicesOf(const ViewSettings& settings, RendererForm form) {
+    std::vector<RendererChoice> choices;
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        const auto renderer = static_cast<RendererKind>(row.value);
+        choices.push_back({std::string(row.label), wordsOf(row, form),
+                           !comparesRenderers(settings) && settings.renderer == renderer,
+                           settings.offered.has(renderer), helpOf(settings, row),
+                           [renderer](ViewSettings& view) { showOne(view, renderer); }});
+    }
+    choices.push_back({compareWords, compareWords, comparesRenderers(settings), canCompare(settings),
+                       canCompare(settings) ? compareHelp : nothingToCompare,
+                       [](ViewSettings& view) { showComparison(view); }});
+    return choices;
+}
+
+void choose(const Session& session, const RendererChoice& choice) {
+    change(session, [choose = choice.choose](WindowState& window) { choose(window.view); });
+}
+
+void drawButtons(const Session& session, RendererForm form) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
+    ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
+    int key = 0;
+    for (const RendererChoice& each : choicesOf(session.window.view, form)) {
+        ImGui::BeginDisabled(!each.offered);
+        ImGui::PushStyleColor(ImGuiCol_Button, each.chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : 0U);
+        if (ImGui::Button(label(each.words).c_str()))
+            choose(session, each);
+        ImGui::PopStyleColor();
+        ImGui::EndDisabled();
+        noteItem("renderer:" + each.name);
+        helpTip(fmt::format("{}\n{}", each.help, fmt::format("Key {}", ++key)));
+        ImGui::SameLine(0, gap);
+    }
+}
+
+void drawList(const Session& session, float maxWidth) {
+    const ViewSettings& settings = session.window.view;
+    const float room = maxWidth - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x -
+                       ImGui::CalcTextSize(listSign).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
+    const std::string words = fitted(chosenWords(settings), room + 1) + listSign;
+    const bool open = ImGui::BeginMenu((words + "###renderers").c_str());
+    noteItem("renderers");
+    if (!open)
+        return helpTip("The renderer of the picture");
+    int key = 0;
+    for (const RendererChoice& each : choicesOf(settings, RendererForm::List)) {
+        if (ImGui::MenuItem(label(each.name).c_str(), std::to_string(++key).c_str(), each.chosen,
+                            each.offered))
+            choose(session, each);
+        noteItem("renderer:" + each.name);
+        helpTip(each.help);
+    }
+    ImGui::EndMenu();
 }
 
 } // namespace
@@ -63,61 +117,6 @@ float rendererChoiceWidth(const ViewSettings& settings, RendererForm form) {
         width += buttonWidth(wordsOf(row, form).c_str()) + gap;
     return width;
 }
-
-namespace {
-
-void drawButtons(const Session& session, RendererForm form) {
-    const ViewSettings& settings = session.window.view;
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
-    ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
-    int key = 0;
-    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
-        const std::string help = fmt::format("{}\n{}", helpOf(settings, row), keyHelp(++key));
-        if (choice(std::string(row.label), wordsOf(row, form), chosen, settings.offered.has(renderer), help))
-            change(session, [renderer](WindowState& window) { showOne(window.view, renderer); });
-        ImGui::SameLine(0, gap);
-    }
-    if (choice(compareWords, compareWords, comparesRenderers(settings), canCompare(settings),
-               fmt::format("{}\n{}", canCompare(settings) ? compareHelp : nothingToCompare, keyHelp(++key))))
-        change(session, [](WindowState& window) { showComparison(window.view); });
-    ImGui::SameLine(0, gap);
-}
-
-bool listItem(const std::string& name, int key, bool chosen, bool offered, std::string_view help) {
-    const bool pressed = ImGui::MenuItem(label(name).c_str(), std::to_string(key).c_str(), chosen, offered);
-    noteItem("renderer:" + name);
-    helpTip(help);
-    return pressed;
-}
-
-void drawList(const Session& session, float maxWidth) {
-    const ViewSettings& settings = session.window.view;
-    const float room = maxWidth - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x -
-                       ImGui::CalcTextSize(listSign).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
-    const std::string words = fitted(chosenWords(settings), room + 1) + listSign;
-    const bool open = ImGui::BeginMenu((words + "###renderers").c_str());
-    noteItem("renderers");
-    if (!open)
-        return helpTip("The renderer of the picture");
-    int key = 0;
-    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
-        if (listItem(std::string(row.label), ++key, chosen, settings.offered.has(renderer),
-                     helpOf(settings, row)))
-            change(session, [renderer](WindowState& window) { showOne(window.view, renderer); });
-    }
-    if (listItem(compareWords, ++key, comparesRenderers(settings), canCompare(settings),
-                 canCompare(settings) ? compareHelp : nothingToCompare))
-        change(session, [](WindowState& window) { showComparison(window.view); });
-    ImGui::EndMenu();
-}
-
-} // namespace
 
 void drawRendererChoice(const Session& session, RendererForm form, float maxWidth) {
     if (form == RendererForm::List)

@@ -11,7 +11,6 @@
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/view/probed_pixel.h"
-#include "app/ui/view/show.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
@@ -180,10 +179,7 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
     ImVec2 chip(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
     chip.x = std::min(chip.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
     chip.y = std::max(chip.y, static_cast<float>(pane.visible.y) + em * 0.4F);
-    const float pad = em * 0.3F;
-    draw.AddRectFilled({chip.x - pad, chip.y - pad / 2}, {chip.x + size.x + pad, chip.y + size.y + pad / 2},
-                       color::shade, pad);
-    draw.AddText(chip, color::chosen, text.c_str());
+    drawChip(draw, chip, text, color::chosen, em * 0.3F);
 }
 
 /// The other selected vertices, without the one that has the marker.
@@ -293,9 +289,7 @@ void hintLine(const Session& session, const Layout& layout) {
     const auto height = static_cast<float>(layout.view.bottom() - top);
     ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
                          static_cast<float>(top - layout.view.y) + (height - em) / 2});
-    ImGui::PushStyleColor(ImGuiCol_Text, shown ? color::changed : color::dim);
-    ImGui::TextUnformatted(line.c_str());
-    ImGui::PopStyleColor();
+    plainText(line, shown ? color::changed : color::dim);
     if (shown)
         noteItem("preview");
     else
@@ -322,7 +316,13 @@ void stepLine(const Session& session, const Layout& layout) {
 
 void hoverPixel(const Session& session, std::optional<glm::ivec2> pixel) {
     const auto to = pixel ? std::optional(reference::PixelPlace{pixel->x, pixel->y}) : std::nullopt;
-    change(session, [to](WindowState& window) { window.levels.hovered = to; });
+    if (session.window.levels.hovered != to)
+        change(session, [to](WindowState& window) { window.levels.hovered = to; });
+}
+
+void hoverVertex(const Session& session, std::optional<PickedVertex> vertex) {
+    if (session.window.hoveredInView != vertex)
+        change(session, [vertex](WindowState& window) { window.hoveredInView = vertex; });
 }
 
 } // namespace
@@ -346,7 +346,7 @@ void drawViewPanel(const Session& session, const Pictures& pictures, const Layou
     paneLabels(session, panes); // before the button below, so that they get the mouse first
     paneSeam(session, layout);
 
-    ImGui::SetCursorScreenPos({static_cast<float>(layout.canvas.x), static_cast<float>(layout.canvas.y)});
+    ImGui::SetCursorScreenPos(lowOf(layout.canvas));
     ImGui::InvisibleButton(
         "picture",
         {static_cast<float>(std::max(1, layout.canvas.width)), static_cast<float>(layout.canvas.height)},
@@ -368,17 +368,13 @@ void drawViewPanel(const Session& session, const Pictures& pictures, const Layou
     const auto pixel = hovered ? panes.pixelAt(ImGui::GetIO().MousePos) : std::nullopt;
     hoverPixel(session, pixel);
     probeWithMouse(session, panes, hovered, clicked);
-    const ImGuiIO& io = ImGui::GetIO();
     if (!hovered || active)
-        change(session, [](WindowState& window) { window.hoveredInView.reset(); });
-    else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0)
-        change(session, [vertex = vertexUnderMouse(session, layout, panes, picture)](WindowState& window) {
-            window.hoveredInView = vertex;
-        });
+        hoverVertex(session, std::nullopt);
+    else if (const ImGuiIO& io = ImGui::GetIO();
+             io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0)
+        hoverVertex(session, vertexUnderMouse(session, layout, panes, picture));
     for (const Pane& pane : panes.all()) {
-        draw.PushClipRect(
-            {static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
-            {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
+        draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
         drawProbedPixel(session, pictures, panes, pane);
         drawChosenDots(session, layout, panes, pane, picture);
         drawMarker(session, layout, panes, pane, picture);

@@ -2,9 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 

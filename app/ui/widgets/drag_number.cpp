@@ -92,4 +92,9 @@ bool slideNumber(const char* id, float& value, const Range& range, float end) {
     return changed;
 }
 
+void sealAfterItem(const Session& session) {
+    if (ImGui::IsItemActivated() || ImGui::IsItemDeactivated())
+        sealEdit(session);
+}
+
 } // namespace texplorer::ui

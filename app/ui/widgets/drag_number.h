@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/model/session.h"
 #include "core/scene/params/params.h"
 
 #include <string>
@@ -20,5 +21,8 @@ bool slideNumber(const char* id, float& value, const Range& range, float end);
 /// Marks the last widget as a draggable number: by arrows at both ends if there is room, and by the mouse
 /// pointer.
 void markDraggable();
+
+/// Ends an undo step when the last widget is released.
+void sealAfterItem(const Session& session);
 
 } // namespace texplorer::ui

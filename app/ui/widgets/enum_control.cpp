@@ -6,6 +6,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/model/session.h"
+#include "app/ui/widgets/owner.h"
 #include "app/ui/widgets/segments.h"
 
 #include <optional>

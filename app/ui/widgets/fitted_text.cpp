@@ -17,6 +17,22 @@ float widthOf(std::string_view text) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
+std::string cutToFit(std::string_view text, float room) {
+    if (widthOf(text) <= room)
+        return std::string(text);
+    // The longest beginning that leaves room for the dots, by binary search.
+    const float left = room - widthOf("…");
+    std::size_t fits = 0;
+    std::size_t tooLong = text.size();
+    while (tooLong - fits > 1) {
+        const std::size_t middle = (fits + tooLong) / 2;
+        (widthOf(text.substr(0, middle)) <= left ? fits : tooLong) = middle;
+    }
+    while (fits > 0 && isContinuation(text[fits]))
+        --fits;
+    return std::string(text.substr(0, sensibleEnd(text, fits))) + "…";
+}
+
 } // namespace
 
 std::size_t sensibleEnd(std::string_view text, std::size_t fits) {
@@ -37,26 +53,6 @@ std::size_t sensibleEnd(std::string_view text, std::size_t fits) {
     const std::size_t space = room.rfind(' ');
     return space != std::string_view::npos && 2 * space >= fits ? space : fits;
 }
-
-namespace {
-
-std::string cutToFit(std::string_view text, float room) {
-    if (widthOf(text) <= room)
-        return std::string(text);
-    // The longest beginning that leaves room for the dots, by binary search.
-    const float left = room - widthOf("…");
-    std::size_t fits = 0;
-    std::size_t tooLong = text.size();
-    while (tooLong - fits > 1) {
-        const std::size_t middle = (fits + tooLong) / 2;
-        (widthOf(text.substr(0, middle)) <= left ? fits : tooLong) = middle;
-    }
-    while (fits > 0 && isContinuation(text[fits]))
-        --fits;
-    return std::string(text.substr(0, sensibleEnd(text, fits))) + "…";
-}
-
-} // namespace
 
 std::string fitted(std::string_view words, float room) {
     return cutToFit(tr(words), room);

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <optional>
 #include <set>
-#include <string>
 
 namespace texplorer::ui {
 namespace {

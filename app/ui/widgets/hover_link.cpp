@@ -1,7 +1,5 @@
 #include "app/ui/widgets/hover_link.h"
 
-#include <imgui.h>
-
 namespace texplorer::ui {
 
 void linkHover(const Session& session, std::string_view path) {
@@ -13,12 +11,15 @@ void linkHover(const Session& session, std::string_view path) {
     }
     if (session.window.hoveredParam != path)
         return;
-    const float margin = ImGui::GetFontSize() * 0.1F;
+    frameItem(ImGui::GetFontSize() * 0.1F, ImGui::GetColorU32(ImGuiCol_CheckMark),
+              ImGui::GetStyle().FrameRounding);
+}
+
+void frameItem(float margin, ImU32 ink, float rounding, float width) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddRect({low.x - margin, low.y - margin}, {high.x + margin, high.y + margin},
-                                        ImGui::GetColorU32(ImGuiCol_CheckMark),
-                                        ImGui::GetStyle().FrameRounding);
+                                        ink, rounding, 0, width);
 }
 
 } // namespace texplorer::ui

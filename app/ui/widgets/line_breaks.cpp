@@ -1,25 +1,17 @@
 #include "app/ui/widgets/line_breaks.h"
 
+#include "core/text/utf8.h"
+
 #include <algorithm>
 #include <cstddef>
 
 namespace texplorer::ui {
 namespace {
 
-/// The number of bytes of the first character; 1 for invalid UTF-8.
-std::size_t characterLength(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    const std::size_t length = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    return std::min(length, text.size());
-}
-
-char32_t characterAt(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = characterLength(text);
-    char32_t letter = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
-    for (std::size_t i = 1; i < length; ++i)
-        letter = letter << 6U | (byte(i) & 0x3FU);
-    return letter;
+/// The first character; invalid UTF-8 counts byte by byte.
+Utf8Character characterAt(std::string_view text) {
+    const Utf8Character first = firstCharacter(text);
+    return first.bytes > 0 ? first : Utf8Character{static_cast<unsigned char>(text.front()), 1};
 }
 
 /// Full-width letters after which a line may break: ideographs, kana, hangul and their marks.
@@ -45,13 +37,14 @@ bool isBreak(char32_t before, char32_t after) {
 
 /// The number of bytes at the beginning that must stay together, including the blanks after them.
 std::size_t pieceLength(std::string_view text) {
-    std::size_t end = characterLength(text);
-    for (char32_t before = characterAt(text); end < text.size();) {
-        const char32_t after = characterAt(text.substr(end));
-        if (isBreak(before, after))
+    Utf8Character before = characterAt(text);
+    std::size_t end = before.bytes;
+    while (end < text.size()) {
+        const Utf8Character after = characterAt(text.substr(end));
+        if (isBreak(before.character, after.character))
             break;
         before = after;
-        end += characterLength(text.substr(end));
+        end += after.bytes;
     }
     return end;
 }
@@ -63,10 +56,10 @@ std::string_view withoutBlanks(std::string_view text) {
 
 /// The number of bytes of a word that fit: at least one character.
 std::size_t partThatFits(std::string_view word, float room, const TextMeasure& widthOf) {
-    std::size_t end = characterLength(word);
+    std::size_t end = characterAt(word).bytes;
     float width = widthOf(word.substr(0, end));
     while (end < word.size()) {
-        const std::size_t next = characterLength(word.substr(end));
+        const std::size_t next = characterAt(word.substr(end)).bytes;
         width += widthOf(word.substr(end, next));
         if (width > room)
             break;

@@ -5,9 +5,38 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <string>
+#include <array>
+#include <span>
 
 namespace texplorer::ui {
+
+namespace {
+
+struct ListButton {
+    ListEdit edit;
+    const char* sign;
+    std::string name;
+    const char* help;
+    bool enabled;
+};
+
+/// At the right end of the line.
+std::optional<ListEdit> pressedOf(std::span<const ListButton> buttons) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto count = static_cast<float>(buttons.size());
+    const float width = count * ImGui::GetFrameHeight() + (count - 1) * gap;
+    std::optional<ListEdit> pressed;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+    for (const ListButton& button : buttons) {
+        if (&button != &buttons.front())
+            ImGui::SameLine(0, gap);
+        if (squareButton(button.sign, button.name, button.help, button.enabled))
+            pressed = button.edit;
+    }
+    return pressed;
+}
+
+} // namespace
 
 Edit editOf(ListEdit pressed, const std::string& list, std::size_t index) {
     switch (pressed) {
@@ -26,41 +55,22 @@ Edit editOf(ListEdit pressed, const std::string& list, std::size_t index) {
 std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen, std::size_t count,
                                     std::size_t min, std::size_t max) {
     const std::string name = words.name;
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float button = ImGui::GetFrameHeight();
-    std::optional<ListEdit> pressed;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - 4 * button - 3 * gap));
     ImGui::PushID(words.name); // other lists have the same buttons
-    if (squareButton("+", "add " + name, words.add, count < max))
-        pressed = ListEdit::Add;
-    ImGui::SameLine(0, gap);
-    if (squareButton("↑", name + " up", words.up, chosen > 0))
-        pressed = ListEdit::Up;
-    ImGui::SameLine(0, gap);
-    if (squareButton("↓", name + " down", words.down, chosen + 1 < count))
-        pressed = ListEdit::Down;
-    ImGui::SameLine(0, gap);
-    if (squareButton("✕", "remove " + name, words.remove, count > min))
-        pressed = ListEdit::Remove;
+    const auto pressed =
+        pressedOf(std::array{ListButton{ListEdit::Add, "+", "add " + name, words.add, count < max},
+                             ListButton{ListEdit::Up, "↑", name + " up", words.up, chosen > 0},
+                             ListButton{ListEdit::Down, "↓", name + " down", words.down, chosen + 1 < count},
+                             ListButton{ListEdit::Remove, "✕", "remove " + name, words.remove, count > min}});
     ImGui::PopID();
     return pressed;
 }
 
 std::optional<ListEdit> elementButtons(const ListWords& words, const std::string& path, std::size_t index,
                                        std::size_t count) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float button = ImGui::GetFrameHeight();
-    std::optional<ListEdit> pressed;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - 3 * button - 2 * gap));
-    if (squareButton("↑", path + "#up", words.up, index > 0))
-        pressed = ListEdit::Up;
-    ImGui::SameLine(0, gap);
-    if (squareButton("↓", path + "#down", words.down, index + 1 < count))
-        pressed = ListEdit::Down;
-    ImGui::SameLine(0, gap);
-    if (squareButton("✕", path + "#remove", words.remove, true))
-        pressed = ListEdit::Remove;
-    return pressed;
+    return pressedOf(
+        std::array{ListButton{ListEdit::Up, "↑", path + "#up", words.up, index > 0},
+                   ListButton{ListEdit::Down, "↓", path + "#down", words.down, index + 1 < count},
+                   ListButton{ListEdit::Remove, "✕", path + "#remove", words.remove, true}});
 }
 
 } // namespace texplorer::ui

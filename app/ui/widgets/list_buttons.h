@@ -11,13 +11,20 @@ namespace texplorer::ui {
 /// The edits of a list.
 enum class ListEdit { Add, Up, Down, Remove };
 
-/// The texts of the buttons, and their names in tests: "add pass", "pass up".
+/// The texts of the buttons, and the names of the edits in Undo.
 struct ListWords {
-    const char* name; ///< "pass"
+    const char* name; ///< of the buttons in tests: "pass" for "add pass" and "pass up"
     const char* add;
     const char* up;
     const char* down;
     const char* remove;
+    const char* added; ///< "Add pass"
+    const char* reordered;
+    const char* removed;
+
+    [[nodiscard]] const char* nameOf(ListEdit edit) const {
+        return edit == ListEdit::Add ? added : edit == ListEdit::Remove ? removed : reordered;
+    }
 };
 
 /// What a button does to the element `index` of a list, "passes". Add inserts a copy after it.

@@ -2,7 +2,6 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 
 namespace texplorer::ui {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 namespace texplorer::ui {
 namespace {
@@ -28,23 +29,24 @@ int placeUnitOf(const ParamRow& row) {
     return row.key.back() - '0';
 }
 
-float* numbersOf(Value& value) {
+/// The numbers of a Float, a vector or a matrix; empty for other values.
+std::span<float> numbersOf(Value& value) {
     if (auto* one = std::get_if<float>(&value))
-        return one;
+        return {one, 1};
     if (auto* three = std::get_if<glm::vec3>(&value))
-        return &three->x;
+        return {&three->x, 3};
     if (auto* four = std::get_if<glm::vec4>(&value))
-        return &four->x;
+        return {&four->x, 4};
     if (auto* matrix = std::get_if<glm::mat4>(&value))
-        return &(*matrix)[0].x;
-    return nullptr;
+        return {&(*matrix)[0].x, 16};
+    return {};
 }
 
-int placeCount(const Value& value) {
-    return std::holds_alternative<glm::vec3>(value)   ? 3
-           : std::holds_alternative<glm::vec4>(value) ? 4
-           : std::holds_alternative<glm::mat4>(value) ? 16
-                                                      : 1;
+/// The number of a component, or the nearest there is; nullptr: there are none.
+float* numberOf(Value& value, int component) {
+    const std::span<float> numbers = numbersOf(value);
+    const auto last = static_cast<int>(numbers.size()) - 1;
+    return numbers.empty() ? nullptr : &numbers[static_cast<std::size_t>(std::clamp(component, 0, last))];
 }
 
 void assignCoord(const Session& session, const ParamPlace& place, int component, float number) {
@@ -105,8 +107,8 @@ float numberAt(const ParamPlace& place, int component) {
     Value value = place.row->read(place.owner.values);
     if (const int* whole = std::get_if<int>(&value))
         return static_cast<float>(*whole);
-    const float* numbers = numbersOf(value);
-    return numbers ? numbers[std::clamp(component, 0, placeCount(value) - 1)] : 0.0F;
+    const float* number = numberOf(value, component);
+    return number ? *number : 0.0F;
 }
 
 void assignNumber(const Session& session, const ParamPlace& place, int component, float number) {
@@ -117,8 +119,8 @@ void assignNumber(const Session& session, const ParamPlace& place, int component
     Value value = place.row->read(place.owner.values);
     if (int* whole = std::get_if<int>(&value))
         *whole = static_cast<int>(std::lround(number));
-    else if (float* numbers = numbersOf(value))
-        numbers[std::clamp(component, 0, placeCount(value) - 1)] = number;
+    else if (float* changed = numberOf(value, component))
+        *changed = number;
     assignParam(session, place.owner, *place.row, value);
 }
 

@@ -3,10 +3,8 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/hints.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/tip.h"
-#include "app/ui/widgets/wrapped_text.h"
 #include "core/text/printable.h"
 
 #include <fmt/core.h>
@@ -16,14 +14,6 @@
 
 namespace texplorer::ui {
 namespace {
-
-/// After a click the user looks at its effect: a tip that covers it waits until the pointer moves.
-bool hasJustClicked() {
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 way(io.MousePos.x - io.MouseClickedPos[0].x, io.MousePos.y - io.MouseClickedPos[0].y);
-    const float near = ImGui::GetFontSize() * 0.4F;
-    return io.MouseClickedTime[0] > 0 && way.x * way.x + way.y * way.y < near * near;
-}
 
 /// The frame in which a choice has shown its tip, which its row then need not show.
 struct ToldChoice {
@@ -43,38 +33,49 @@ std::string nameAndOrigin(const EnumRow& choice) {
     return choice.since.empty() ? std::string() : fmt::format("{} · {}", choice.name, originOf(choice));
 }
 
+std::string howToReset(const ParamRow& row, const Value& initial, bool hasSign) {
+    const std::string words = formatValue(row, initial);
+    return hasSign ? fmt::format("Initially {}; ↺ resets it.", words)
+                   : fmt::format("Initially {}; right-click to reset.", words);
+}
+
+/// In one line of the status bar, the most important first. Returns true if the necessary parts fit.
+bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Target target,
+               const Finding* idle, const Finding* problem, bool hasSign) {
+    const bool isWrong = problem && problem->severity <= Severity::Warning;
+    std::string words = idle      ? fmt::format("No effect now: {}.", idle->sentence)
+                        : problem ? sentenceOf(*problem)
+                                  : std::string(row.help);
+    if (!fitsBelow(words))
+        return false;
+    const auto add = [&words](const std::string& more) {
+        if (std::string longer = words + "  ·  " + more; !more.empty() && fitsBelow(longer))
+            words = std::move(longer);
+    };
+    if (idle || problem)
+        add(std::string(row.help));
+    add(formatCall(row, value, target));
+    if (value != initial)
+        add(howToReset(row, initial, hasSign));
+    hint(std::move(words), idle || isWrong);
+    return true;
+}
+
+/// In one line of the status bar, with its names if they fit. Returns true if the help fits.
+bool hintChoice(const EnumRow& choice) {
+    const std::string names = choice.since.empty() ? std::string(choice.label)
+                                                   : fmt::format("{}  ·  {}", choice.label, choice.name);
+    for (const std::string& words :
+         {fmt::format("{}  ·  {}", names, choice.help), std::string(choice.help)}) {
+        if (!fitsBelow(words))
+            continue;
+        hint(words);
+        return true;
+    }
+    return false;
+}
+
 } // namespace
-
-void text(std::string_view words) {
-    plainText(tr(words));
-}
-
-void dimText(std::string_view words) {
-    dimPlainText(tr(words));
-}
-
-void wrappedText(std::string_view words) {
-    plainWrappedText(tr(words));
-}
-
-void dimWrappedText(std::string_view words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    plainWrappedText(tr(words));
-    ImGui::PopStyleColor();
-}
-
-void helpTip(std::string_view words) {
-    // Disabled items need a tip most of all.
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
-        ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        return;
-    if (fitsBelow(words))
-        return hint(std::string(words));
-    if (ImGui::IsItemHovered() && hasJustClicked())
-        return;
-    const TipLine line{printable(tr(words), LineBreaks::Keep)};
-    showTip({&line, 1});
-}
 
 void warningSign() {
     const float em = ImGui::GetFontSize();
@@ -106,43 +107,9 @@ void noteSign() {
     stroke(-0.06F, 0.24F);
 }
 
-namespace {
-
-std::string howToReset(const ParamRow& row, const Value& initial, bool hasSign) {
-    const std::string words = formatValue(row, initial);
-    return hasSign ? fmt::format("Initially {}; ↺ resets it.", words)
-                   : fmt::format("Initially {}; right-click to reset.", words);
-}
-
-/// In one line of the status bar, the most important first. Returns true if the necessary parts fit.
-bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Target target,
-               const Finding* idle, const Finding* problem, bool hasSign) {
-    const bool isWrong = problem && problem->severity <= Severity::Warning;
-    std::string words = idle      ? fmt::format("No effect now: {}.", idle->sentence)
-                        : problem ? sentenceOf(*problem)
-                                  : std::string(row.help);
-    if (!fitsBelow(words))
-        return false;
-    const auto add = [&words](const std::string& more) {
-        if (std::string longer = words + "  ·  " + more; !more.empty() && fitsBelow(longer))
-            words = std::move(longer);
-    };
-    if (idle || problem)
-        add(std::string(row.help));
-    add(formatCall(row, value, target));
-    if (value != initial)
-        add(howToReset(row, initial, hasSign));
-    hint(std::move(words), idle || isWrong);
-    return true;
-}
-
-} // namespace
-
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem, bool hasSign) {
-    // Disabled items need a tip most of all.
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
-        ImGui::IsMouseDown(ImGuiMouseButton_Left))
+    if (!wantsHelp())
         return;
     const bool told = toldChoice.frame == ImGui::GetFrameCount() && !idle && !problem;
     if (told && toldChoice.below)
@@ -175,24 +142,6 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
         add(tr(howToReset(row, initial, hasSign)), color::changed);
     showTip(lines);
 }
-
-namespace {
-
-/// In one line of the status bar, with its names if they fit. Returns true if the help fits.
-bool hintChoice(const EnumRow& choice) {
-    const std::string names = choice.since.empty() ? std::string(choice.label)
-                                                   : fmt::format("{}  ·  {}", choice.label, choice.name);
-    for (const std::string& words :
-         {fmt::format("{}  ·  {}", names, choice.help), std::string(choice.help)}) {
-        if (!fitsBelow(words))
-            continue;
-        hint(words);
-        return true;
-    }
-    return false;
-}
-
-} // namespace
 
 void choiceTip(const EnumRow& choice) {
     if (!ImGui::IsItemHovered())

@@ -1,20 +1,12 @@
 #pragma once
 
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/params/params.h"
-
-#include <string>
-#include <string_view>
 
 namespace texplorer::ui {
 
 // The tips of controls. Call each after its item.
-
-void text(std::string_view words);
-void dimText(std::string_view words);
-/// Wraps at the available width.
-void wrappedText(std::string_view words);
-void dimWrappedText(std::string_view words);
 
 /// Shows the GL call for a texture of this target, the help, the choice, how to edit it, the finding of the
 /// diagnosis (nullptr: none) and how to reset it: with ↺ if the row `hasSign`. For a choice with its own tip,

@@ -2,20 +2,17 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/model/pinned.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/enum_control.h"
 #include "app/ui/widgets/hover_link.h"
-#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/param_menu.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/vector_controls.h"
-#include "app/ui/widgets/wrapped_text.h"
 #include "core/scene/params/key_edits.h"
 #include "core/scene/params/param_text.h"
 
@@ -23,7 +20,6 @@
 #include <imgui_internal.h> // the indentation of lines, also in a table
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -88,9 +84,9 @@ bool control(const Session& session, const Owner& owner, const ParamRow& row, Li
                    ? slideNumber("##value", std::get<float>(value), row.range, *line.slidesTo)
                    : dragNumber("##value", std::get<float>(value), row.range, -1, insteadOfNumber(row, line));
     case Kind::Vec3:
-        return vectorControl(session, row, std::get<glm::vec3>(value), line.path);
+        return vectorControl(session, row, {&std::get<glm::vec3>(value).x, 3}, line.path);
     case Kind::Vec4:
-        return vectorControl(session, row, std::get<glm::vec4>(value), line.path);
+        return vectorControl(session, row, {&std::get<glm::vec4>(value).x, 4}, line.path);
     case Kind::Color:
         return colorControl(std::get<glm::vec4>(value));
     case Kind::Enum:
@@ -114,65 +110,12 @@ bool isContinuous(Kind kind) {
            kind == Kind::Color || kind == Kind::Matrix;
 }
 
-} // namespace
-
-namespace {
-
 /// The name in the history: several choices in a row would otherwise all be "Wrap s".
 std::string wordsOfEdit(const ParamRow& row, const Value& value) {
     const EnumRow* choice =
         row.kind == Kind::Enum ? findRow(row.choices, std::get<EnumValue>(value).number) : nullptr;
     return choice ? fmt::format("{}: {}", row.label, choice->label) : std::string(row.label);
 }
-
-} // namespace
-
-void assignParam(const Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
-    if (value == row.read(owner.values))
-        return;
-    if (const Result<void> fits = checkValue(row, value); !fits) {
-        return act(session, [text = fmt::format("{}: {}", row.label, fits.error().message)](Session& told) {
-            say(told, text);
-        });
-    }
-    if (owner.accepts && !owner.accepts(row, value))
-        return;
-    const std::string path = owner.pathOf(row);
-    submit(session, {.name = wordsOfEdit(row, value),
-                     .edits = {edit::Set{path, formatValue(row, value)}},
-                     .path = path,
-                     .continues = isContinuous(row.kind)});
-}
-
-void sealAfterItem(const Session& session) {
-    if (ImGui::IsItemActivated() || ImGui::IsItemDeactivated())
-        sealEdit(session);
-}
-
-bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled) {
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(sign, {ImGui::GetFrameHeight(), 0});
-    noteItem(name);
-    ImGui::EndDisabled();
-    helpTip(help);
-    return pressed && enabled;
-}
-
-void caption(std::string_view words) {
-    const float em = ImGui::GetFontSize();
-    ImGui::Dummy({0, em * 0.15F});
-    ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the dim colour means that something has no effect
-    text(words);
-    ImGui::PopStyleColor();
-    const float left = ImGui::GetItemRectMax().x + em * 0.5F;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const float middle = std::round((ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2);
-    if (left < right)
-        ImGui::GetWindowDrawList()->AddLine({left, middle}, {right, middle},
-                                            ImGui::GetColorU32(ImGuiCol_Separator), std::max(1.0F, em / 15));
-}
-
-namespace {
 
 Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
     const std::string path = owner.pathOf(row);
@@ -194,114 +137,7 @@ void showWanted(const Session& session, const Line& line) {
     }
     if (line.path != session.window.shownParam)
         return;
-    const float margin = ImGui::GetFontSize() * 0.15F;
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    ImGui::GetWindowDrawList()->AddRect({low.x - margin, low.y - margin}, {high.x + margin, high.y + margin},
-                                        color::problem, ImGui::GetStyle().FrameRounding);
-}
-
-/// The last widget opens the row's menu, by a right click or the menu key.
-void opensMenu() {
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
-        ImGui::OpenPopup("row");
-}
-
-std::string backTo(const ParamRow& row, const Line& line) {
-    const std::string initial = formatValue(row, line.initial);
-    return initial.empty() ? "Reset to nothing" : fmt::format("Reset to {}", initial);
-}
-
-/// Menu items for the key frames of a row.
-void keyItems(const Session& session, const Line& line) {
-    const Timeline& timeline = presentScene(session).timeline;
-    const float time = presentKeyTime(session);
-    ImGui::Separator();
-    if (const std::optional<std::size_t> here = keyAt(timeline, line.path, time)) {
-        if (ImGui::MenuItem(label(fmt::format("Remove the key frame at {:.2f} s", time)).c_str()))
-            removeKey(session, *here);
-    } else {
-        if (ImGui::MenuItem(label(fmt::format("Add key frame at {:.2f} s", time)).c_str()))
-            addKey(session, line.path, time);
-        helpTip("Stores the present value at this time. The parameter moves from each key frame to the "
-                "next. The timeline lists them.");
-    }
-    noteItem(line.path + "#menu:key");
-    if (!hasKeys(timeline, line.path))
-        return;
-    if (ImGui::MenuItem(label("Show its key frames")))
-        change(session, [](WindowState& window) { window.wantedTab = Tab::Timeline; });
-    noteItem(line.path + "#menu:timeline");
-    if (ImGui::MenuItem(label("Remove its key frames")))
-        removeKeys(session, line.path);
-    noteItem(line.path + "#menu:no keys");
-    helpTip("The parameter keeps its present value.");
-}
-
-/// A diamond after the label of a parameter with key frames: filled if there is one at the present time.
-void keySign(const Session& session, const Line& line) {
-    const Timeline& timeline = presentScene(session).timeline;
-    if (!hasKeys(timeline, line.path))
-        return;
-    const float em = ImGui::GetFontSize();
-    const float time = presentKeyTime(session);
-    const std::optional<std::size_t> here = keyAt(timeline, line.path, time);
-    ImGui::SameLine(0, em * 0.25F);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton("key", {em * 0.8F, ImGui::GetFrameHeight()});
-    noteItem(line.path + "#key");
-    const ImVec2 at(low.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2);
-    const float radius = em * 0.34F;
-    const ImVec2 top(at.x, at.y - radius);
-    const ImVec2 right(at.x + radius, at.y);
-    const ImVec2 bottom(at.x, at.y + radius);
-    const ImVec2 left(at.x - radius, at.y);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (here)
-        draw.AddQuadFilled(top, right, bottom, left, color::accent);
-    else
-        draw.AddQuad(top, right, bottom, left, color::accent, std::max(1.0F, em / 12));
-    helpTip(
-        here ? fmt::format("It has a key frame at {:.2f} s. Click to remove it.", time)
-             : fmt::format("It has key frames, and an edit adds one at {:.2f} s. Click to add one with the "
-                           "present value.",
-                           time));
-    if (pressed && here)
-        removeKey(session, *here);
-    else if (pressed)
-        addKey(session, line.path, time);
-}
-
-constexpr std::array sheetSides{"Vary on a sheet: rows", "Vary on a sheet: columns"};
-
-/// The menu of a row.
-void rowMenu(const Session& session, const ParamRow& row, Line& line) {
-    if (!ImGui::BeginPopup("row"))
-        return;
-    caption(glNameOf(row).empty() ? std::string(row.label)
-                                  : fmt::format("{} · {}", row.label, glNameOf(row)));
-    line.reset |= ImGui::MenuItem(label(backTo(row, line)).c_str(), nullptr, false, line.changed);
-    noteItem(line.path + "#menu:reset");
-    const bool isThere = isEssential(line.path);
-    const bool pinned = isPinned(session.window.settings, line.path);
-    if (ImGui::MenuItem(label(pinned ? "Unpin from Essentials" : "Pin to Essentials"), nullptr, false,
-                        !isThere))
-        change(session, [path = line.path](WindowState& window) { togglePin(window.settings, path); });
-    noteItem(line.path + "#menu:pin");
-    helpTip(isThere  ? "It is in Essentials already"
-            : pinned ? "Removes it from Essentials"
-                     : "Shows it at the end of Essentials, for the selected texture, unit or model");
-    keyItems(session, line);
-    if (canSweep(row)) {
-        ImGui::Separator();
-        for (std::size_t side = 0; side < sheetSides.size(); ++side) {
-            if (ImGui::MenuItem(label(sheetSides[side])))
-                act(session, [path = line.path, side](Session& s) { varyOnSheet(s, path, side); });
-            noteItem(fmt::format("{}#menu:{}", line.path, side == 0 ? "rows" : "columns"));
-            helpTip("Shows the scene with each of its values on the sheet of variations.");
-        }
-    }
-    ImGui::EndPopup();
+    frameItem(ImGui::GetFontSize() * 0.15F, color::problem, ImGui::GetStyle().FrameRounding);
 }
 
 void drawControl(const Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
@@ -322,7 +158,7 @@ void drawControl(const Session& session, const Owner& owner, const ParamRow& row
     paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem,
              line.hasSign);
     linkHover(session, line.path);
-    opensMenu();
+    opensParamMenu();
     showWanted(session, line);
     if (row.kind == Kind::Color)
         line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
@@ -339,10 +175,6 @@ void finish(const Session& session, const Owner& owner, const ParamRow& row, con
     sealEdit(session);
 }
 
-} // namespace
-
-namespace {
-
 /// The sign ↺ of a changed line, which resets it.
 void resetSign(const ParamRow& row, Line& line) {
     const float em = ImGui::GetFontSize();
@@ -353,7 +185,7 @@ void resetSign(const ParamRow& row, Line& line) {
     noteItem(line.path + "#reset");
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar();
-    helpTip(backTo(row, line));
+    helpTip(resetWords(row, line.initial));
 }
 
 /// `sign`: the room for ↺ next to it; 0: the colour shows the change, for buttons that of the chosen one.
@@ -376,12 +208,79 @@ void controlAlone(const Session& session, const Owner& owner, const ParamRow& ro
         line.changed ? resetSign(row, line) : ImGui::Dummy({em, 0});
         ImGui::PopStyleVar();
     }
-    rowMenu(session, row, line);
+    line.reset |= paramMenu(session, row, line.path, line.initial, line.changed);
     ImGui::PopID();
     finish(session, owner, row, line);
 }
 
+/// One below the other, or in two columns if there is room.
+void drawRows(const Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
+    const bool two = ImGui::GetContentRegionAvail().x >= wideColumn * ImGui::GetFontSize() && rows.size() > 1;
+    if (!two) {
+        for (const ParamRow* row : rows)
+            paramWidget(session, owner, *row);
+        return;
+    }
+    const std::string id = fmt::format("{}##{}", owner.path, rows.front()->key);
+    if (!ImGui::BeginTable(id.c_str(), 2,
+                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
+        return;
+    for (const ParamRow* row : rows) {
+        ImGui::TableNextColumn();
+        paramWidget(session, owner, *row);
+    }
+    ImGui::EndTable();
+}
+
+/// Rows without effect are folded: still available, but out of the way.
+void drawFolded(const Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
+    if (rows.empty())
+        return;
+    const auto isAskedFor = [&](const ParamRow* row) {
+        return owner.pathOf(*row) == session.out.wantedParam;
+    };
+    if (std::ranges::any_of(rows, isAskedFor))
+        ImGui::SetNextItemOpen(true);
+    ImGui::PushID(owner.path.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    const bool open =
+        ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
+                          "%s", tr(fmt::format("No effect here ({})", rows.size())).c_str());
+    ImGui::PopStyleColor();
+    noteItem(owner.path + "#no effect");
+    helpTip("Settings that the present choices don't use");
+    ImGui::PopID();
+    if (open)
+        drawRows(session, owner, rows);
+}
+
 } // namespace
+
+void assignParam(const Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
+    if (value == row.read(owner.values))
+        return;
+    if (const Result<void> fits = checkValue(row, value); !fits) {
+        return act(session, [text = fmt::format("{}: {}", row.label, fits.error().message)](Session& told) {
+            say(told, text);
+        });
+    }
+    if (owner.accepts && !owner.accepts(row, value))
+        return;
+    const std::string path = owner.pathOf(row);
+    submit(session, {.name = wordsOfEdit(row, value),
+                     .edits = {edit::Set{path, formatValue(row, value)}},
+                     .path = path,
+                     .continues = isContinuous(row.kind)});
+}
+
+bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(sign, {ImGui::GetFrameHeight(), 0});
+    noteItem(name);
+    ImGui::EndDisabled();
+    helpTip(help);
+    return pressed && enabled;
+}
 
 void paramControl(const Session& session, const Owner& owner, const ParamRow& row, float width,
                   std::size_t lines) {
@@ -426,15 +325,11 @@ void paramWidget(const Session& session, const Owner& owner, const ParamRow& row
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, line.idle      ? color::dim
-                                         : line.changed ? color::changed
-                                                        : color::text);
-    text(name);
-    ImGui::PopStyleColor();
+    text(name, line.idle ? color::dim : line.changed ? color::changed : color::text);
     noteItem(line.path + "#label");
     linkHover(session, line.path);
     paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
-    opensMenu();
+    opensParamMenu();
     if (isWide(row.kind) && !row.range.unit.empty()) { // its fields have room only for the numbers
         ImGui::SameLine(0, em * 0.35F);
         dimPlainText(unitText(row.range));
@@ -444,7 +339,7 @@ void paramWidget(const Session& session, const Owner& owner, const ParamRow& row
         ImGui::SameLine(0, em * 0.35F);
         problemSign(session, line.path, *line.problem);
     }
-    keySign(session, line);
+    keySign(session, line.path);
     float controlWidth = hasLines ? full : full - resetWidth;
     const auto resetAtEnd = [&] {
         if (!line.changed)
@@ -462,7 +357,7 @@ void paramWidget(const Session& session, const Owner& owner, const ParamRow& row
     if (!hasLines)
         resetAtEnd();
     ImGui::EndGroup();
-    rowMenu(session, row, line);
+    line.reset |= paramMenu(session, row, line.path, line.initial, line.changed);
     ImGui::PopID();
     finish(session, owner, row, line);
 }
@@ -470,51 +365,6 @@ void paramWidget(const Session& session, const Owner& owner, const ParamRow& row
 bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row) {
     return !isList(row.kind) && !isUnused(session, owner.pathOf(row));
 }
-
-namespace {
-
-/// One below the other, or in two columns if there is room.
-void drawRows(const Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
-    const bool two = ImGui::GetContentRegionAvail().x >= wideColumn * ImGui::GetFontSize() && rows.size() > 1;
-    if (!two) {
-        for (const ParamRow* row : rows)
-            paramWidget(session, owner, *row);
-        return;
-    }
-    const std::string id = fmt::format("{}##{}", owner.path, rows.front()->key);
-    if (!ImGui::BeginTable(id.c_str(), 2,
-                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
-        return;
-    for (const ParamRow* row : rows) {
-        ImGui::TableNextColumn();
-        paramWidget(session, owner, *row);
-    }
-    ImGui::EndTable();
-}
-
-/// Rows without effect are folded: still available, but out of the way.
-void drawFolded(const Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
-    if (rows.empty())
-        return;
-    const auto isAskedFor = [&](const ParamRow* row) {
-        return owner.pathOf(*row) == session.out.wantedParam;
-    };
-    if (std::ranges::any_of(rows, isAskedFor))
-        ImGui::SetNextItemOpen(true);
-    ImGui::PushID(owner.path.c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    const bool open =
-        ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
-                          "%s", tr(fmt::format("No effect here ({})", rows.size())).c_str());
-    ImGui::PopStyleColor();
-    noteItem(owner.path + "#no effect");
-    helpTip("Settings that the present choices don't use");
-    ImGui::PopID();
-    if (open)
-        drawRows(session, owner, rows);
-}
-
-} // namespace
 
 void paramRows(const Session& session, const Owner& owner, const StructTable& table,
                const RowOptions& options) {

@@ -2,31 +2,14 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/drag_number.h"
+#include "app/ui/widgets/owner.h"
+#include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/scene/params/params.h"
-
-#include <fmt/core.h>
-#include <imgui.h>
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <functional>
-#include <string>
 
 namespace texplorer::ui {
-
-/// The struct that a group of rows shows and edits, and one with the initial values.
-struct Owner {
-    const void* values = nullptr;
-    const void* initial = nullptr;
-    std::string path; ///< "textures[0]"; empty for the scene itself
-    /// Called before an edit is submitted; false cancels it.
-    std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
-    /// The name of a choice in this place; empty: the name in its row.
-    std::function<std::string(const ParamRow& row, const EnumRow& choice)> labelOf = {};
-
-    [[nodiscard]] std::string pathOf(const ParamRow& row) const {
-        return path.empty() ? std::string(row.key) : fmt::format("{}.{}", path, row.key);
-    }
-};
 
 /// One line: label, control, and a sign to reset it if it differs from the initial value; a right click opens
 /// a menu to reset and pin it. The control depends on the row's kind. Submits edits.
@@ -64,15 +47,5 @@ void paramRows(const Session& session, const Owner& owner, const StructTable& ta
 
 /// A square button; `name` is its name in tests.
 bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled);
-
-/// Ends an undo step when the last widget is released.
-void sealAfterItem(const Session& session);
-
-/// Help for the last widget while the pointer rests on it: in the status bar, or as a tooltip if it does not
-/// fit there.
-void helpTip(std::string_view text);
-
-/// A small dim caption above a group.
-void caption(std::string_view text);
 
 } // namespace texplorer::ui

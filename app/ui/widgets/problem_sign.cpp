@@ -3,7 +3,8 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/param_tips.h"
-#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/tip.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
 

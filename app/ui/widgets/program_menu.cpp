@@ -3,7 +3,6 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/program_file.h"
 #include "app/ui/model/session.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>

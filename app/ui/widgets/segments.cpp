@@ -1,17 +1,13 @@
 #include "app/ui/widgets/segments.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace texplorer::ui {
-
-float segmentGap() {
-    return std::max(1.0F, std::floor(ImGui::GetFontSize() / 12));
-}
 
 namespace {
 
@@ -86,6 +82,10 @@ std::optional<SegmentPlan> planGroups(std::span<const Segment> segments, float w
 
 } // namespace
 
+float segmentGap() {
+    return std::max(1.0F, std::floor(ImGui::GetFontSize() / 12));
+}
+
 std::optional<SegmentPlan> planSegments(std::span<const Segment> segments, float width,
                                         std::size_t maxLines) {
     if (segments.empty())
@@ -146,6 +146,13 @@ std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const
     ImGui::EndGroup();
     ImGui::PopStyleVar(2);
     return pressed;
+}
+
+std::optional<std::size_t> drawSegments(std::span<const Segment> segments, float width,
+                                        std::optional<std::size_t> chosen,
+                                        const std::function<void(std::size_t)>& after) {
+    const auto plan = planSegments(segments, width, segments.size());
+    return plan ? drawSegments(segments, *plan, chosen, after) : std::nullopt;
 }
 
 } // namespace texplorer::ui

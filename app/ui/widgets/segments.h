@@ -2,8 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,5 +42,29 @@ struct SegmentPlan {
 [[nodiscard]] std::optional<std::size_t>
 drawSegments(std::span<const Segment> segments, const SegmentPlan& plan, std::optional<std::size_t> chosen,
              const std::function<void(std::size_t)>& after, std::optional<ImU32> chosenInk = {});
+
+/// The same on as few lines as this width needs; nothing is drawn if one of them does not fit.
+[[nodiscard]] std::optional<std::size_t> drawSegments(std::span<const Segment> segments, float width,
+                                                      std::optional<std::size_t> chosen,
+                                                      const std::function<void(std::size_t)>& after);
+
+/// A button for each of these choices, with the text that `textOf` gives.
+template<class Choices, class TextOf>
+[[nodiscard]] std::vector<Segment> segmentsOf(const Choices& choices, const TextOf& textOf) {
+    std::vector<Segment> segments;
+    for (const auto& choice : choices)
+        segments.push_back({std::string(std::invoke(textOf, choice))});
+    return segments;
+}
+
+/// The index of a choice; nothing if it is not one of them.
+template<class Choices, class Choice, class PartOf = std::identity>
+[[nodiscard]] std::optional<std::size_t> indexIn(const Choices& choices, const Choice& choice,
+                                                 PartOf partOf = {}) {
+    const auto found = std::ranges::find(choices, choice, partOf);
+    if (found == std::ranges::end(choices))
+        return std::nullopt;
+    return static_cast<std::size_t>(std::distance(std::ranges::begin(choices), found));
+}
 
 } // namespace texplorer::ui

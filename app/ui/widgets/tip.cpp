@@ -1,8 +1,11 @@
 #include "app/ui/widgets/tip.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fonts.h"
+#include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/wrapped_text.h"
+#include "core/text/printable.h"
 
 #include <imgui_internal.h> // the positions of windows
 
@@ -95,6 +98,30 @@ void showTip(std::span<const TipLine> lines) {
     }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+bool wantsHelp() {
+    // Disabled items need a tip most of all.
+    return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+           !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
+bool hasJustClicked() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 way(io.MousePos.x - io.MouseClickedPos[0].x, io.MousePos.y - io.MouseClickedPos[0].y);
+    const float near = ImGui::GetFontSize() * 0.4F;
+    return io.MouseClickedTime[0] > 0 && way.x * way.x + way.y * way.y < near * near;
+}
+
+void helpTip(std::string_view words) {
+    if (!wantsHelp())
+        return;
+    if (fitsBelow(words))
+        return hint(std::string(words));
+    if (ImGui::IsItemHovered() && hasJustClicked())
+        return;
+    const TipLine line{printable(tr(words), LineBreaks::Keep)};
+    showTip({&line, 1});
 }
 
 } // namespace texplorer::ui

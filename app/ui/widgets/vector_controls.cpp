@@ -1,7 +1,7 @@
 #include "app/ui/widgets/vector_controls.h"
 
 #include "app/ui/widgets/drag_number.h"
-#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -15,21 +15,30 @@ namespace {
 constexpr std::array axisLetters{"x", "y", "z", "w"};
 constexpr std::array coordinateLetters{"s", "t", "r", "q"};
 
-template<class Vector>
-bool vectorNumbers(const Session& session, const ParamRow& row, Vector& value, const std::string& path) {
-    constexpr int count = Vector::length();
+struct NumberCell {
+    float& number;
+    int component;
+    const char* letter; ///< nullptr: none
+    int id;
+};
+
+/// A number for each of these cells, so many in a line.
+template<class CellAt>
+bool numberGrid(const Session& session, const ParamRow& row, const std::string& path, int count, int perLine,
+                const CellAt& cellAt) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = std::floor((ImGui::CalcItemWidth() - gap * (count - 1)) / count);
+    const auto columns = static_cast<float>(perLine);
+    const float width = std::floor((ImGui::CalcItemWidth() - gap * (columns - 1)) / columns);
     bool changed = false;
     ImGui::BeginGroup();
     for (int i = 0; i < count; ++i) {
-        if (i > 0)
+        if (i % perLine > 0)
             ImGui::SameLine(0, gap);
-        ImGui::PushID(i);
+        const NumberCell cell = cellAt(i);
+        ImGui::PushID(cell.id);
         ImGui::SetNextItemWidth(width);
-        changed |= dragNumber("##component", value[i], row.range, i, nullptr,
-                              axisLetters.at(static_cast<std::size_t>(i)));
-        noteItem(fmt::format("{}[{}]", path, i));
+        changed |= dragNumber("##number", cell.number, row.range, cell.component, nullptr, cell.letter);
+        noteItem(fmt::format("{}[{}]", path, cell.id));
         sealAfterItem(session);
         ImGui::PopID();
     }
@@ -64,33 +73,22 @@ bool colorPopup(const Session& session, glm::vec4& value, const std::string& pat
     return changed;
 }
 
-bool vectorControl(const Session& session, const ParamRow& row, glm::vec3& value, const std::string& path) {
-    return vectorNumbers(session, row, value, path);
-}
-
-bool vectorControl(const Session& session, const ParamRow& row, glm::vec4& value, const std::string& path) {
-    return vectorNumbers(session, row, value, path);
+bool vectorControl(const Session& session, const ParamRow& row, std::span<float> numbers,
+                   const std::string& path) {
+    const auto count = static_cast<int>(numbers.size());
+    return numberGrid(session, row, path, count, count, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        return NumberCell{numbers[at], i, axisLetters.at(at), i};
+    });
 }
 
 bool matrixControl(const Session& session, const ParamRow& row, glm::mat4& value, const std::string& path) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = std::floor((ImGui::CalcItemWidth() - gap * 3) / 4);
-    bool changed = false;
-    ImGui::BeginGroup();
-    for (int i = 0; i < 16; ++i) {
-        if (i % 4 > 0)
-            ImGui::SameLine(0, gap);
-        const int element = i % 4 * 4 + i / 4;
-        ImGui::PushID(element);
-        ImGui::SetNextItemWidth(width);
-        changed |= dragNumber("##element", value[i % 4][i / 4], row.range, i / 4, nullptr,
-                              i % 4 == 0 ? coordinateLetters.at(static_cast<std::size_t>(i / 4)) : nullptr);
-        noteItem(fmt::format("{}[{}]", path, element));
-        sealAfterItem(session);
-        ImGui::PopID();
-    }
-    ImGui::EndGroup();
-    return changed;
+    return numberGrid(session, row, path, 16, 4, [&](int i) {
+        const int line = i / 4;
+        const int column = i % 4;
+        const char* letter = column == 0 ? coordinateLetters.at(static_cast<std::size_t>(line)) : nullptr;
+        return NumberCell{value[column][line], line, letter, column * 4 + line};
+    });
 }
 
 } // namespace texplorer::ui

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <span>
 #include <string>
 
 namespace texplorer::ui {
@@ -13,8 +14,8 @@ namespace texplorer::ui {
 // returns true if `value` changed.
 
 /// A number for each component, with its letter: x, y, z, w.
-bool vectorControl(const Session& session, const ParamRow& row, glm::vec3& value, const std::string& path);
-bool vectorControl(const Session& session, const ParamRow& row, glm::vec4& value, const std::string& path);
+bool vectorControl(const Session& session, const ParamRow& row, std::span<float> numbers,
+                   const std::string& path);
 
 /// Rows as in written mathematics, although OpenGL stores columns. A row has the letter of the coordinate
 /// that it computes.

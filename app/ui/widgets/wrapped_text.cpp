@@ -1,10 +1,13 @@
 #include "app/ui/widgets/wrapped_text.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/line_breaks.h"
 #include "app/ui/widgets/palette.h"
 
 #include <imgui_internal.h> // the window's wrap position
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -122,10 +125,14 @@ void plainText(std::string_view words) {
     ImGui::PopTextWrapPos();
 }
 
-void dimPlainText(std::string_view words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+void plainText(std::string_view words, ImU32 ink) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
     plainText(words);
     ImGui::PopStyleColor();
+}
+
+void dimPlainText(std::string_view words) {
+    plainText(words, color::dim);
 }
 
 void plainWrappedText(std::string_view words) {
@@ -135,6 +142,44 @@ void plainWrappedText(std::string_view words) {
     plainText(words);
     if (!isWrapped)
         ImGui::PopTextWrapPos();
+}
+
+void text(std::string_view words) {
+    plainText(tr(words));
+}
+
+void text(std::string_view words, ImU32 ink) {
+    plainText(tr(words), ink);
+}
+
+void dimText(std::string_view words) {
+    text(words, color::dim);
+}
+
+void wrappedText(std::string_view words) {
+    plainWrappedText(tr(words));
+}
+
+void wrappedText(std::string_view words, ImU32 ink) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    wrappedText(words);
+    ImGui::PopStyleColor();
+}
+
+void dimWrappedText(std::string_view words) {
+    wrappedText(words, color::dim);
+}
+
+void caption(std::string_view words) {
+    const float em = ImGui::GetFontSize();
+    ImGui::Dummy({0, em * 0.15F});
+    text(words, color::text); // the dim colour means that something has no effect
+    const float left = ImGui::GetItemRectMax().x + em * 0.5F;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float middle = std::round((ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2);
+    if (left < right)
+        ImGui::GetWindowDrawList()->AddLine({left, middle}, {right, middle},
+                                            ImGui::GetColorU32(ImGuiCol_Separator), std::max(1.0F, em / 15));
 }
 
 void forgetWrappedTexts() {

@@ -10,10 +10,23 @@ namespace texplorer::ui {
 /// Untranslated text: names of files, models and lessons, and texts that are translated already. If Dear
 /// ImGui wraps text (PushTextWrapPos), lines are broken by `linesOf`.
 void plainText(std::string_view words);
+void plainText(std::string_view words, ImU32 ink);
 void dimPlainText(std::string_view words);
 
 /// The same, wrapped at the right edge unless another position is set.
 void plainWrappedText(std::string_view words);
+
+/// Texts in English, which are translated.
+void text(std::string_view words);
+void text(std::string_view words, ImU32 ink);
+void dimText(std::string_view words);
+/// Wraps at the available width.
+void wrappedText(std::string_view words);
+void wrappedText(std::string_view words, ImU32 ink);
+void dimWrappedText(std::string_view words);
+
+/// A small caption above a group, with a line to its right.
+void caption(std::string_view words);
 
 /// Such a text wrapped at a width in the current font, with newlines between its lines; and its size.
 [[nodiscard]] std::string wrappedLines(std::string_view words, float room);

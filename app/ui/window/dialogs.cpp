@@ -7,14 +7,9 @@
 #include "app/ui/model/sheet_file.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/window/changed_file_dialog.h"
-#include "app/ui/window/dialog_button.h"
-#include "app/ui/window/help_dialog.h"
-#include "app/ui/window/record_dialog.h"
-#include "app/ui/window/recovery_dialog.h"
+#include "app/ui/window/dialog_parts.h"
 #include "core/codec/registry.h"
 #include "core/scene/params/json.h"
 #include "core/scene/storage/scene_file.h"
@@ -65,6 +60,22 @@ bool maybeScene(const std::filesystem::path& file) {
                                    : isPictureWithScene(file, firstChunks);
 }
 
+/// The suggested name of a file to write; empty: as the browser suggests for a scene.
+std::string suggestedName(const Session& session) {
+    switch (session.window.dialog) {
+    case Dialog::SaveAnswers:
+        return "answers.json"; // never the scene's file
+    case Dialog::SaveRecording:
+        return recordingFileName(session);
+    case Dialog::SaveSheet:
+        return sheetFileName(session.document);
+    case Dialog::SaveProgram:
+        return programFileName(session.document, session.window.flavour);
+    default:
+        return {};
+    }
+}
+
 void beginBrowsing(DialogsState& state, const Session& session) {
     const Dialog dialog = session.window.dialog;
     if (std::exchange(state.browsed, dialog) == dialog)
@@ -72,30 +83,18 @@ void beginBrowsing(DialogsState& state, const Session& session) {
     const BrowserRow& row = *std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
     const Document& document = session.document;
     const bool opens = dialog == Dialog::OpenScene;
-    const bool isSheet = dialog == Dialog::SaveSheet;
-    const bool isProgram = dialog == Dialog::SaveProgram;
-    const bool isRecording = dialog == Dialog::SaveRecording;
+    const std::filesystem::path name = suggestedName(session);
     beginBrowsing(state.browser, row.title,
                   row.thumbnails ? imageExtensions()
                   : opens        ? std::vector<std::string>{".json", ".png"}
-                  : isSheet      ? std::vector<std::string>{".png"}
-                  : isProgram    ? std::vector{std::string(emit::extensionOf(session.window.flavour))}
-                  : isRecording  ? std::vector<std::string>{recordingFileName(session).substr(
-                                       recordingFileName(session).rfind('.'))}
-                                 : std::vector<std::string>{".json"},
+                          : std::vector{name.empty() ? std::string(".json") : name.extension().string()},
                   row.saving, document.file.empty() ? document.suggested : document.file,
                   opens ? maybeScene : nullptr);
     state.browser.thumbnails = row.thumbnails;
     if (dialog == Dialog::SaveScene)
         state.browser.suffix = sceneExtension;
-    if (dialog == Dialog::SaveAnswers)
-        state.browser.typed = "answers.json"; // never the scene's file
-    if (isRecording)
-        state.browser.typed = recordingFileName(session);
-    if (isSheet)
-        state.browser.typed = sheetFileName(document);
-    if (isProgram)
-        state.browser.typed = programFileName(document, session.window.flavour);
+    if (!name.empty())
+        state.browser.typed = name.string();
 }
 
 void drawDiscard(const Session& session) {
@@ -109,27 +108,10 @@ void drawDiscard(const Session& session) {
              ? "Save them before quitting?"
              : "Save them before opening another scene?");
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    const bool keep = dialogButton("Save") || isKeyPressed(key::enter, false);
-    noteItem("discard:save");
-    ImGui::SameLine();
-    const bool drop = dialogButton("Don't save");
-    noteItem("discard:drop");
-    ImGui::SameLine();
-    const bool stay = dialogButton("Cancel") || isKeyPressed(key::escape, false);
-    noteItem("discard:cancel");
-    if (keep || drop || stay) {
-        ImGui::CloseCurrentPopup();
-        act(session, [stay, drop](Session& s) {
-            s.window.dialog = Dialog::None;
-            if (stay)
-                s.window.pending = {};
-            else if (drop)
-                finishPending(s);
-            else
-                save(s);
-        });
-    }
-    ImGui::EndPopup();
+    endWithAnswers(session,
+                   {{"Save", "discard:save", save, key::enter},
+                    {"Don't save", "discard:drop", finishPending},
+                    {"Cancel", "discard:cancel", [](Session& s) { s.window.pending = {}; }, key::escape}});
 }
 
 /// A picture by texshot is an image, too.
@@ -139,27 +121,10 @@ void drawPictureQuestion(const Session& session) {
     const std::string name = session.window.askedPicture.file.filename().string();
     text(fmt::format("{} contains the scene that it was drawn from.", printable(name)));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    const bool open = dialogButton("Open its scene") || isKeyPressed(key::enter, false);
-    noteItem("picture:scene");
-    ImGui::SameLine();
-    const bool use = dialogButton("Use it as an image");
-    noteItem("picture:image");
-    ImGui::SameLine();
-    const bool stay = dialogButton("Cancel") || isKeyPressed(key::escape, false);
-    noteItem("picture:cancel");
-    if (open || use || stay) {
-        ImGui::CloseCurrentPopup();
-        act(session, [open, use](Session& s) {
-            s.window.dialog = Dialog::None;
-            if (open)
-                askPictureScene(s);
-            else if (use)
-                usePicture(s);
-            else
-                s.window.askedPicture = {};
-        });
-    }
-    ImGui::EndPopup();
+    endWithAnswers(
+        session, {{"Open its scene", "picture:scene", askPictureScene, key::enter},
+                  {"Use it as an image", "picture:image", usePicture},
+                  {"Cancel", "picture:cancel", [](Session& s) { s.window.askedPicture = {}; }, key::escape}});
 }
 
 /// One line per file with its reason: there may be hundreds.
@@ -183,15 +148,9 @@ void drawRefused(const Session& session) {
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
-    const bool read =
-        dialogButton("Close") || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false);
-    noteItem("refused:close");
-    if (read) {
-        change(session, [](WindowState& window) {
-            window.refused.clear();
-            window.dialog = Dialog::None;
-        });
-        ImGui::CloseCurrentPopup();
+    if (closeButton("refused:close")) {
+        closeDialog(session);
+        change(session, [](WindowState& window) { window.refused.clear(); });
     }
     ImGui::EndPopup();
 }

@@ -4,11 +4,10 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/dialog_parts.h"
 #include "core/scene/params/json.h"
 #include "core/text/printable.h"
 
@@ -350,13 +349,11 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
     const char* verb = !browser.saving ? "Open" : browser.overwrites ? "Overwrite" : "Save";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -
                     ImGui::GetStyle().ItemSpacing.x);
-    if (dialogButton("Cancel") || isKeyPressed(key::escape, false))
+    if (dialogButton("Cancel", "browser:cancel") || isKeyPressed(key::escape, false))
         result = Browsing::Cancelled;
-    noteItem("browser:cancel");
     ImGui::SameLine();
-    if (dialogButton(verb))
+    if (dialogButton(verb, "browser:ok"))
         result = choose(browser, chosen);
-    noteItem("browser:ok");
 
     if (isKeyPressed(key::down))
         moveMark(browser, 1);

@@ -1,17 +1,12 @@
-#include "app/ui/window/help_dialog.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/texture_space/plane_keys.h"
-#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/line_breaks.h"
 #include "app/ui/widgets/modal.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/wrapped_text.h"
-#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/dialog_parts.h"
 #include "app/ui/window/shortcuts.h"
 
 #include <algorithm>
@@ -122,7 +117,7 @@ HelpRows helpRows(const Session& session) {
     for (const Line& line : mouseLines)
         help.push_back({line.keys, line.effect});
     help.push_back({"Over the texture space", "", color::dim});
-    for (const PlaneKeyRow& row : planeKeys())
+    for (const PlaneKeyRow& row : planeKeys)
         help.push_back({row.keys, row.effect, color::text, color::dim, true});
     help.push_back({"Colours", "", color::dim});
     for (const Legend& legend : legends)
@@ -313,11 +308,8 @@ void drawHelp(const Session& session) {
     const auto count = static_cast<float>(plan.columns.size());
     helpText(intro, color::text, count * plan.width + (count - 1) * 2 * style.ItemSpacing.x);
     drawHelpColumns(plan, room);
-    if (dialogButton("Close") || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false)) {
-        change(session, [](WindowState& window) { window.dialog = Dialog::None; });
-        ImGui::CloseCurrentPopup();
-    }
-    noteItem("help:close");
+    if (closeButton("help:close"))
+        closeDialog(session);
     ImGui::EndPopup();
 }
 

@@ -19,12 +19,8 @@ struct KeptRow {
     const char* help;
     bool needsKept;
     void (*act)(Session& session);
-    bool (*isOn)(const Session& session);
+    bool (*isOn)(const Session& session) = nullptr;
 };
-
-bool never(const Session& /*session*/) {
-    return false;
-}
 
 void listChanges(Session& session) {
     session.window.wantedTab = Tab::Kept;
@@ -36,33 +32,25 @@ void takeAll(Session& session) {
 
 constexpr std::array keptRows{
     KeptRow{"keep", "Keep as A", "Keep as A", "keep",
-            "Keeps the present scene as A, to compare later changes with it.", false, keepAsA, never},
+            "Keeps the present scene as A, to compare later changes with it.", false, keepAsA},
     KeptRow{"flip", "Show A", "A", "flip",
             "Switches between A and the present scene. An edit switches back to the present scene.", true,
             flipKept, isKeptShown},
     KeptRow{"split", "Split A and now", "A | now", "split", "Shows both in one picture. Drag the seam.", true,
             splitKept, isKeptBeside},
-    KeptRow{"list",
-            "Differences",
-            nullptr,
-            {},
-            "Lists the differences from A. Each can be taken over.",
-            true,
-            listChanges,
-            never},
-    KeptRow{"take",
-            "Take over all of A",
-            nullptr,
-            {},
-            "Restores A, seen from the present camera. Undo reverts it.",
-            true,
-            takeAll,
-            never},
-    KeptRow{"forget", "Forget A", nullptr, {}, "Ends the comparison.", true, forgetKept, never},
+    KeptRow{"list", "Differences", nullptr, "", "Lists the differences from A. Each can be taken over.", true,
+            listChanges},
+    KeptRow{"take", "Take over all of A", nullptr, "",
+            "Restores A, seen from the present camera. Undo reverts it.", true, takeAll},
+    KeptRow{"forget", "Forget A", nullptr, "", "Ends the comparison.", true, forgetKept},
 };
 
 bool isInRow(const Session& session, const KeptRow& row) {
-    return row.brief && (row.needsKept ? session.document.kept.scene != nullptr : true);
+    return row.brief && (!row.needsKept || session.document.kept.scene);
+}
+
+bool isOn(const Session& session, const KeptRow& row) {
+    return row.isOn && row.isOn(session);
 }
 
 /// The key of the action; empty: none.
@@ -79,7 +67,7 @@ std::string helpOf(const Session& session, const KeptRow& row) {
 
 void drawKeptMenu(const Session& session) {
     for (const KeptRow& row : keptRows) {
-        if (ImGui::MenuItem(label(row.label), keyOf(session, row).c_str(), row.isOn(session),
+        if (ImGui::MenuItem(label(row.label), keyOf(session, row).c_str(), isOn(session, row),
                             !row.needsKept || session.document.kept.scene))
             act(session, row.act);
         noteItem(fmt::format("a-b:{}", row.name));
@@ -105,7 +93,7 @@ void drawKeptControls(const Session& session, float available) {
         if (!isInRow(session, row))
             continue;
         ImGui::PushStyleColor(ImGuiCol_Button,
-                              row.isOn(session) ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ImU32{0});
+                              isOn(session, row) ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ImU32{0});
         if (ImGui::Button(label(row.brief)))
             act(session, row.act);
         ImGui::PopStyleColor();

@@ -1,44 +1,34 @@
-#include "app/ui/window/menu_bar.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/model/preset_edits.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/model/texshot_command.h"
 #include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/program_menu.h"
-#include "app/ui/window/comfort.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/window/kept_controls.h"
+#include "app/ui/window/menu_items.h"
 #include "app/ui/window/notes.h"
 #include "app/ui/window/playback_controls.h"
-#include "app/ui/window/presets_menu.h"
 #include "app/ui/window/shortcuts.h"
+#include "app/ui/window/text_size.h"
+#include "app/ui/window/window_parts.h"
 #include "core/base/count.h"
 #include "core/lesson/example.h"
+#include "core/scene/storage/scene_link.h"
+#include "core/text/printable.h"
 
 #include <fmt/core.h>
 
 namespace texplorer::ui {
 namespace {
-
-/// `keys`: the shortcut, "Ctrl+S".
-bool item(const std::string& name, const std::string& keys = {}, bool enabled = true, bool marked = false) {
-    const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
-    noteItem("menu:" + name);
-    return pressed;
-}
-
-bool menu(const char* name) {
-    const bool open = ImGui::BeginMenu(label(name));
-    noteItem(std::string("menu:") + name);
-    return open;
-}
 
 /// GL's initial texture parameters; the image is kept.
 Texture withInitialParameters(const Texture& texture) {
@@ -69,18 +59,15 @@ void resetEverything(Scene& scene) {
     scene.material = {};
 }
 
-void examplesMenu(const Session& session) {
-    if (!menu("Examples"))
-        return;
+void examplesItems(const Session& session) {
     for (const Example& example : examples()) {
-        if (item(example.title))
+        if (menuItem(example.title))
             act(session, [&example](Session& s) { askExample(s, example.file); });
         helpTip(example.help);
     }
-    ImGui::EndMenu();
 }
 
-void drawLessonsMenu(const Session& session) {
+void lessonsItems(const Session& session) {
     const Language language = catalogueInUse() ? catalogueInUse()->language() : Language::English;
     for (const LessonTitle& each : lessonTitles(language)) {
         const LessonProgress progress = progressOf(session, each.name, each.steps);
@@ -92,126 +79,154 @@ void drawLessonsMenu(const Session& session) {
         helpTip(each.about);
     }
     ImGui::Separator();
-    if (item("Leave the lesson", {}, session.window.lesson != nullptr))
+    if (menuItem("Leave the lesson", {}, session.window.lesson != nullptr))
         act(session, [](Session& s) { closeLesson(s); });
-    if (item("Save my answers…", {}, !session.window.settings.lessons.empty()))
+    if (menuItem("Save my answers…", {}, !session.window.settings.lessons.empty()))
         act(session, askSaveAnswers);
-    if (item("Copy my answers", {}, !session.window.settings.lessons.empty())) {
+    if (menuItem("Copy my answers", {}, !session.window.settings.lessons.empty())) {
         ImGui::SetClipboardText(answersText(session).c_str());
         act(session, [](Session& s) { tell(s, "Copied your answers of all lessons as JSON."); });
     }
 }
 
+/// A file's name is not translated, and "##" in it has no special meaning.
+bool fileItem(const std::filesystem::path& file) {
+    const std::string name = printable(file.filename().string());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::Selectable("##file", false, 0, {ImGui::CalcTextSize(name.c_str()).x, 0});
+    noteItem("menu:" + name);
+    ImGui::GetWindowDrawList()->AddText(at, color::text, name.c_str());
+    return pressed;
+}
+
+void recentItems(const Session& session) {
+    const Settings& settings = session.window.settings;
+    if (settings.recentFiles.empty()) {
+        dimText("No files opened yet");
+        return;
+    }
+    for (const std::filesystem::path& file : settings.recentFiles) {
+        ImGui::PushID(static_cast<int>(&file - settings.recentFiles.data()));
+        if (fileItem(file))
+            act(session, [file](Session& s) { requestOpen(s, {file}); });
+        helpTip(file.string());
+        ImGui::PopID();
+    }
+    ImGui::Separator();
+    if (menuItem("Forget these files"))
+        change(session, [](WindowState& window) { window.settings.recentFiles.clear(); });
+}
+
+void copyTexshotCommand(Session& session, const Layout& layout) {
+    const Result<std::string> command =
+        texshotCommand(session, {std::max(1, layout.picture.width), std::max(1, layout.picture.height)});
+    if (!command)
+        return say(session, fmt::format("No command can draw this scene: {}.", command.error().message));
+    ImGui::SetClipboardText(command->c_str());
+    tell(session, "Copied a command that draws this view without a window.");
+}
+
+void copySceneLink(Session& session) {
+    const Result<std::string> link = sceneLink(session);
+    if (!link)
+        return say(session, link.error());
+    ImGui::SetClipboardText(link->c_str());
+    tell(session, fmt::format("Copied the scene as a text of {} letters. Paste it into Texplorer to open "
+                              "the scene.",
+                              link->size()));
+}
+
 /// `hasLessons`: lessons have no menu of their own and are listed here.
-void fileMenu(const Session& session, bool hasLessons) {
-    if (item("New"))
+void fileItems(const Session& session, const Layout& layout, bool hasLessons) {
+    if (menuItem("New"))
         act(session, askNewScene);
-    examplesMenu(session);
-    if (hasLessons && menu("Lessons")) {
-        drawLessonsMenu(session);
-        ImGui::EndMenu();
-    }
-    if (item("Open scene…", keysOf(session, "open scene")))
-        act(session, askOpenScene);
-    if (item("Open image…", keysOf(session, "open image")))
-        act(session, [](Session& s) { askOpenImage(s); });
-    if (menu("Open recent")) {
-        recentItems(session);
-        ImGui::EndMenu();
-    }
+    menuOf("Examples", [&] { examplesItems(session); });
+    if (hasLessons)
+        menuOf("Lessons", [&] { lessonsItems(session); });
+    shortcutItem(session, layout, "Open scene…", "open scene");
+    shortcutItem(session, layout, "Open image…", "open image");
+    menuOf("Open recent", [&] { recentItems(session); });
     ImGui::Separator();
-    if (item("Save", keysOf(session, "save")))
-        act(session, save);
-    if (item("Save as…", keysOf(session, "save as")))
-        act(session, askSaveAs);
-    if (menu("Export as program")) {
-        programMenuItems(session);
-        ImGui::EndMenu();
-    }
+    shortcutItem(session, layout, "Save", "save");
+    shortcutItem(session, layout, "Save as…", "save as");
+    menuOf("Export as program", [&] { programMenuItems(session); });
     ImGui::Separator();
-    if (item("Picture of the view", keysOf(session, "view picture")))
-        change(session, [](WindowState& window) { window.wantedCapture = Capture::View; });
+    shortcutItem(session, layout, "Picture of the view", "view picture");
     helpTip("Writes the view as a PNG file to your pictures folder.");
-    if (item("Picture of the window", keysOf(session, "window picture")))
-        change(session, [](WindowState& window) { window.wantedCapture = Capture::Window; });
+    shortcutItem(session, layout, "Picture of the window", "window picture");
     helpTip("Writes the whole window as a PNG file to your pictures folder.");
-    if (item("Sheet of variations…"))
+    if (menuItem("Sheet of variations…"))
         act(session, showSheet);
     helpTip("Draws the scene with every pair of values of two parameters. Right-click a parameter to put it "
             "there.");
-    if (item("Record animation…"))
+    if (menuItem("Record animation…"))
         change(session, [](WindowState& window) { window.dialog = Dialog::Record; });
     helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
-    if (item("Copy link to this scene"))
+    if (menuItem("Copy link to this scene"))
         act(session, copySceneLink);
     helpTip("Copies the scene as a text for a mail or a chat. Paste it to open the scene. Image files are "
             "named, not included.");
-    if (item("Paste scene", keysOf(session, "paste")))
-        act(session, pasteScene);
+    shortcutItem(session, layout, "Paste scene", "paste");
     helpTip("Opens the scene of a copied link.");
     ImGui::Separator();
-    if (item("Quit", keysOf(session, "quit")))
-        act(session, requestQuit);
+    shortcutItem(session, layout, "Quit", "quit");
 }
 
 /// Its tooltip says what would be lost.
 void resetItem(const Session& session) {
     const Document& document = session.document;
     const std::size_t count = changesBetween(document.saved, document.scene).size();
-    if (item(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
+    if (menuItem(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
         resetToSaved(session);
     helpTip(count == 0
                 ? std::string("The scene has not changed.")
                 : fmt::format("Reverts the changes of {}. Undo restores them.", countOf(count, "setting")));
 }
 
-void editMenu(const Session& session, const Layout& layout) {
+void editItems(const Session& session, const Layout& layout) {
     const History& history = session.document.history;
     const std::string_view undone = history.undoName();
     const std::string_view redone = history.redoName();
-    if (item(undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone), keysOf(session, "undo"),
-             history.canUndo()))
-        session.out.requests.emplace_back(Undo{});
-    if (item(redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone), keysOf(session, "redo"),
-             history.canRedo()))
-        session.out.requests.emplace_back(Redo{});
+    shortcutItem(session, layout, undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone),
+                 "undo", history.canUndo());
+    shortcutItem(session, layout, redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone),
+                 "redo", history.canRedo());
     ImGui::Separator();
-    if (item("Copy as texshot command"))
+    if (menuItem("Copy as texshot command"))
         act(session, [layout](Session& s) { copyTexshotCommand(s, layout); });
     helpTip("Copies a command that draws this view without a window, for scripts.");
     ImGui::Separator();
     resetItem(session);
     caption("Reset to GL's initial values");
     const Selection& at = session.window.selection;
-    if (item("Texture parameters", {}, boundTexture(session) != nullptr))
+    if (menuItem("Texture parameters", {}, boundTexture(session) != nullptr))
         submit(session, "Reset texture", [&](Scene& scene) {
             Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(scene, at).texture)];
             texture = withInitialParameters(texture);
         });
-    if (item("Texture unit"))
+    if (menuItem("Texture unit"))
         submit(session, "Reset unit", [&](Scene& scene) {
             Unit& unit = selectedUnit(scene, at);
             unit = withInitialParameters(unit);
         });
-    if (item("Everything but models and view"))
+    if (menuItem("Everything but models and view"))
         submit(session, "Reset everything", resetEverything);
 }
 
-std::string_view shortcutOf(RendererKind renderer) {
+std::string_view shortcutNameOf(RendererKind renderer) {
     constexpr std::array names{"fixed", "shader", "reference"};
     return names[static_cast<std::size_t>(renderer)];
 }
 
 /// For presentations.
-void presentingItems(const Session& session) {
-    if (item("Note", keysOf(session, "note")))
+void presentingItems(const Session& session, const Layout& layout) {
+    if (menuItem("Note", keysOf(session, "note")))
         act(session, addNoteInTheMiddle);
     helpTip("Adds a text over the view. Drag it, double-click to edit, Delete removes it. The key adds it "
             "at the pointer.");
-    if (item("Clear notes", {}, !session.window.notes.list.empty()))
+    if (menuItem("Clear notes", {}, !session.window.notes.list.empty()))
         act(session, clearNotes);
-    if (item("Spotlight", keysOf(session, "spotlight"), true, session.window.spotlight))
-        change(session, [](WindowState& window) { window.spotlight = !window.spotlight; });
+    shortcutItem(session, layout, "Spotlight", "spotlight", true, session.window.spotlight);
     helpTip("Dims everything except the surroundings of the pointer, for presentations.");
 }
 
@@ -221,17 +236,49 @@ template<Enumerated E>
 void methodItems(const Session& session, const char* title, E ViewSettings::*chosen) {
     for (const EnumRow& row : EnumTable<E>::rows) {
         const auto method = static_cast<E>(row.value);
-        if (item(fmt::format(fmt::runtime(title), row.label), {}, true,
-                 session.window.view.*chosen == method))
+        if (menuChoice(fmt::format(fmt::runtime(title), row.label), session.window.view.*chosen == method))
             change(session, [chosen, method](WindowState& window) { window.view.*chosen = method; });
         helpTip(row.help);
     }
 }
 
-void viewMenu(const Session& session, const Layout& layout) {
+/// Themes, text sizes, the place of help and full screen.
+void comfortItems(const Session& session, const Layout& layout) {
+    const Settings& settings = session.window.settings;
+    menuOf("Theme", [&] {
+        for (const ThemeRow& row : themeRows) {
+            if (menuChoice(row.label, settings.theme == row.theme))
+                change(session, [&row](WindowState& window) { window.settings.theme = row.theme; });
+        }
+    });
+    menuOf("Language", [&] {
+        for (const LanguageRow& row : languageRows) {
+            if (menuChoice(row.label, settings.language == row.language))
+                change(session, [&row](WindowState& window) { window.settings.language = row.language; });
+        }
+    });
+    menuOf("Text size", [&] {
+        shortcutItem(session, layout, "Larger", "larger text", settings.textPercent < Settings::maxText);
+        shortcutItem(session, layout, "Smaller", "smaller text", settings.textPercent > Settings::minText);
+        shortcutItem(session, layout, "Usual", "usual text");
+        ImGui::Separator();
+        for (const int size : textSizes) {
+            if (menuChoice(fmt::format("{} %", size), settings.textPercent == size))
+                change(session, [size](WindowState& window) { window.settings.textPercent = size; });
+        }
+    });
+    if (menuChoice("Help in the status bar", settings.helpBelow))
+        change(session, [](WindowState& window) { window.settings.helpBelow = !window.settings.helpBelow; });
+    helpTip("Explains what is under the pointer at the lower edge of the window, not in a tooltip.");
+    shortcutItem(session, layout, "Full screen", "full screen", true, session.window.fillsScreen);
+    shortcutItem(session, layout, "View alone", "view alone", true,
+                 maximisedOf(settings.workspace) == Maximised::View);
+}
+
+void viewItems(const Session& session, const Layout& layout) {
     const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
-        if (item(fmt::format("Show {}", row.label), {}, true, shown == row.show))
+        if (menuChoice(fmt::format("Show {}", row.label), shown == row.show))
             show(session, row, layout);
     }
     ImGui::Separator();
@@ -239,41 +286,56 @@ void viewMenu(const Session& session, const Layout& layout) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen =
             !comparesRenderers(session.window.view) && session.window.view.renderer == renderer;
-        if (item(fmt::format("Drawn by: {}", row.label), keysOf(session, shortcutOf(renderer)),
-                 session.window.view.offered.has(renderer), chosen))
-            change(session, [renderer](WindowState& window) { showOne(window.view, renderer); });
+        shortcutItem(session, layout, fmt::format("Drawn by: {}", row.label), shortcutNameOf(renderer),
+                     session.window.view.offered.has(renderer), chosen);
         helpTip(helpOf(session.window.view, row));
     }
-    if (item("Compare", keysOf(session, "compare"), canCompare(session.window.view),
-             comparesRenderers(session.window.view)))
-        change(session, [](WindowState& window) { showComparison(window.view); });
+    shortcutItem(session, layout, "Compare", "compare", canCompare(session.window.view),
+                 comparesRenderers(session.window.view));
     methodItems(session, "Anisotropy of the reference: {}", &ViewSettings::anisotropy);
     methodItems(session, "rho of the reference: {}", &ViewSettings::rho);
     ImGui::Separator();
-    if (menu("Picture or false colours")) {
-        shownItems(session);
-        ImGui::EndMenu();
-    }
-    if (item("Magnifier", keysOf(session, "magnifier"), true, session.window.view.magnifies))
-        change(session, [](WindowState& window) { window.view.magnifies = !window.view.magnifies; });
-    if (item("Picture pixel for pixel", keysOf(session, "pixel for pixel"),
-             session.window.view.zoom.factor > 1))
-        change(session, [](WindowState& window) { window.view.zoom = {}; });
+    menuOf("Picture or false colours", [&] { shownItems(session); });
+    shortcutItem(session, layout, "Magnifier", "magnifier", true, session.window.view.magnifies);
+    shortcutItem(session, layout, "Picture pixel for pixel", "pixel for pixel",
+                 session.window.view.zoom.factor > 1);
     ImGui::Separator();
-    presentingItems(session);
+    presentingItems(session, layout);
     ImGui::Separator();
-    if (item("OpenGL's names", {}, true, session.window.settings.glNames))
+    if (menuChoice("OpenGL's names", session.window.settings.glNames))
         change(session, [](WindowState& window) { window.settings.glNames = !window.settings.glNames; });
     helpTip("Shows OpenGL's names for parameters and choices.");
-    comfortItems(session);
+    comfortItems(session, layout);
     ImGui::Separator();
     layoutsMenu(session);
     panelsMenu(session);
     ImGui::Separator();
-    if (item("Frame the models", keysOf(session, "frame")))
-        frameAll(session, layout);
-    if (item("Reset camera", keysOf(session, "reset camera")))
-        resetCamera(session, layout);
+    shortcutItem(session, layout, "Frame the models", "frame");
+    shortcutItem(session, layout, "Reset camera", "reset camera");
+}
+
+/// Grouped, each previewed while the pointer rests on it.
+void presetsItems(const Session& session) {
+    std::string_view group;
+    for (const Preset& preset : presets()) {
+        if (preset.group != group) {
+            group = preset.group;
+            caption(group);
+        }
+        if (ImGui::MenuItem(label(preset.label).c_str()))
+            choosePreset(session, preset);
+        noteItem(fmt::format("preset:{}", preset.name));
+        if (ImGui::IsItemHovered())
+            previewPreset(session, preset);
+        helpTip(fmt::format("{}\n{}", preset.help, preset.look));
+    }
+}
+
+void helpItems(const Session& session, const Layout& layout) {
+    shortcutItem(session, layout, "Keys and mouse, about…", "help");
+    if (menuItem("Tour"))
+        change(session, [](WindowState& window) { window.tour = 0; });
+    helpTip("Explains the window in five steps");
 }
 
 /// The choice of the renderer, and A: as large as the room next to the clock allows. If there is little room,
@@ -312,38 +374,14 @@ void drawMenuBar(const Session& session, const Layout& layout) {
         // Without room next to the clock, lessons are in the menu File.
         const bool isWide =
             static_cast<float>(layout.menu.width) > ImGui::GetFontSize() * minWidthWithLessons;
-        if (menu("File")) {
-            fileMenu(session, !isWide);
-            ImGui::EndMenu();
-        }
-        if (menu("Edit")) {
-            editMenu(session, layout);
-            ImGui::EndMenu();
-        }
-        if (menu("View")) {
-            viewMenu(session, layout);
-            ImGui::EndMenu();
-        }
-        if (isWide && menu("Lessons")) {
-            drawLessonsMenu(session);
-            ImGui::EndMenu();
-        }
-        if (menu("Presets")) {
-            drawPresetsMenu(session);
-            ImGui::EndMenu();
-        }
-        if (menu("A/B")) {
-            drawKeptMenu(session);
-            ImGui::EndMenu();
-        }
-        if (menu("Help")) {
-            if (item("Keys and mouse, about…", keysOf(session, "help")))
-                change(session, [](WindowState& window) { window.dialog = Dialog::Help; });
-            if (item("Tour"))
-                change(session, [](WindowState& window) { window.tour = 0; });
-            helpTip("Explains the window in five steps");
-            ImGui::EndMenu();
-        }
+        menuOf("File", [&] { fileItems(session, layout, !isWide); });
+        menuOf("Edit", [&] { editItems(session, layout); });
+        menuOf("View", [&] { viewItems(session, layout); });
+        if (isWide)
+            menuOf("Lessons", [&] { lessonsItems(session); });
+        menuOf("Presets", [&] { presetsItems(session); });
+        menuOf("A/B", [&] { drawKeptMenu(session); });
+        menuOf("Help", [&] { helpItems(session, layout); });
         drawChoices(session);
         drawPlaybackControls(session);
         ImGui::EndMenuBar();

@@ -1,15 +1,11 @@
-#include "app/ui/window/record_dialog.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/texshot_command.h"
-#include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/dialog_parts.h"
 #include "core/base/count.h"
 #include "core/scene/animation.h"
 
@@ -96,9 +92,7 @@ void lengthLines(const Session& session) {
 void summary(const Session& session, const Result<Recording>& recording) {
     const ImVec2 from = ImGui::GetCursorPos();
     if (!recording) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        wrappedText(describe(recording.error()));
-        ImGui::PopStyleColor();
+        wrappedText(describe(recording.error()), color::problem);
         noteItem("record:problem");
     } else if (!isAnimated(session.document.scene)) {
         wrappedText("Nothing moves in this scene. All pictures will be the same.");
@@ -140,19 +134,15 @@ void drawRecord(const Session& session) {
     summary(session, recording);
     const bool typing = ImGui::GetIO().WantTextInput;
     ImGui::BeginDisabled(!recording);
-    const bool goesOn =
-        dialogButton("Choose a file…") || (recording && !typing && isKeyPressed(key::enter, false));
-    ImGui::EndDisabled();
-    noteItem("record:choose");
+    const bool goesOn = dialogButton("Choose a file…", "record:choose") ||
+                        (recording && !typing && isKeyPressed(key::enter, false));
     ImGui::SameLine();
-    ImGui::BeginDisabled(!recording);
-    const bool copies = dialogButton("Copy command");
+    const bool copies = dialogButton("Copy command", "record:copy");
     ImGui::EndDisabled();
-    noteItem("record:copy");
     helpTip("Copies a \"texshot animate\" command that writes the same file without a window, for scripts.");
     ImGui::SameLine();
-    const bool stays = dialogButton("Cancel") || (!typing && isKeyPressed(key::escape, false));
-    noteItem("record:cancel");
+    const bool stays =
+        dialogButton("Cancel", "record:cancel") || (!typing && isKeyPressed(key::escape, false));
     if (copies)
         act(session, copyCommand);
     if (goesOn || copies || stays) {

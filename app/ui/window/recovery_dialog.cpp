@@ -1,15 +1,12 @@
 // Unsaved work of a window that crashed.
 
-#include "app/ui/window/recovery_dialog.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/dialog_parts.h"
 #include "core/text/printable.h"
 
 #include <fmt/core.h>
@@ -49,17 +46,6 @@ void drawPicture(const Session& session, const Pictures& pictures) {
         ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, high, {0, 1}, {1, 0});
 }
 
-void decide(Session& session, bool restore, bool discard) {
-    session.window.dialog = Dialog::None; // opened again for the next one
-    Recovery& recovery = session.services.unsaved->recovery;
-    if (restore)
-        restoreUnsaved(session, recovery.restore());
-    else if (discard)
-        recovery.discard();
-    else
-        recovery.later();
-}
-
 } // namespace
 
 void drawRestore(const Session& session, const Pictures& pictures) {
@@ -80,9 +66,7 @@ void drawRestore(const Session& session, const Pictures& pictures) {
             ImGui::TextDisabled("%s", printable(file.string()).c_str());
     } else {
         text("A window closed unexpectedly with unsaved changes, and their copy can't be read.");
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        text(printable(describe(offer.draft.error())));
-        ImGui::PopStyleColor();
+        text(printable(describe(offer.draft.error())), color::problem);
         noteItem("restore:error");
     }
     ImGui::PopTextWrapPos();
@@ -92,28 +76,18 @@ void drawRestore(const Session& session, const Pictures& pictures) {
     if (readable)
         drawPicture(session, pictures);
     ImGui::Dummy({0, em * 0.3F});
-    const bool enter = isKeyPressed(key::enter, false);
-    bool restore = false;
-    if (readable) {
-        restore = dialogButton("Restore") || enter;
-        noteItem("restore:restore");
-        ImGui::SameLine();
-    }
-    bool discard = false;
-    if (offer.place.isOpen()) {
-        discard = dialogButton("Discard");
-        noteItem("restore:discard");
-        helpTip("Deletes it permanently.");
-        ImGui::SameLine();
-    }
-    const bool later = dialogButton("Later") || isKeyPressed(key::escape, false);
-    noteItem("restore:later");
-    helpTip("Asks again at the next start.");
-    if (restore || discard || later) {
-        ImGui::CloseCurrentPopup();
-        act(session, [restore, discard](Session& s) { decide(s, restore, discard); });
-    }
-    ImGui::EndPopup();
+    std::vector<DialogAnswer> answers; // after it the dialog opens for the next one
+    if (readable)
+        answers.push_back({"Restore", "restore:restore",
+                           [](Session& s) { restoreUnsaved(s, s.services.unsaved->recovery.restore()); },
+                           key::enter});
+    if (offer.place.isOpen())
+        answers.push_back({"Discard", "restore:discard",
+                           [](Session& s) { s.services.unsaved->recovery.discard(); }, 0,
+                           "Deletes it permanently."});
+    answers.push_back({"Later", "restore:later", [](Session& s) { s.services.unsaved->recovery.later(); },
+                       key::escape, "Asks again at the next start."});
+    endWithAnswers(session, answers);
 }
 
 } // namespace texplorer::ui

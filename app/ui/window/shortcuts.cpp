@@ -8,8 +8,9 @@
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/window/comfort.h"
 #include "app/ui/window/notes.h"
+#include "app/ui/window/text_size.h"
+#include "core/scene/storage/scene_link.h"
 
 #include <imgui.h>
 
@@ -41,40 +42,64 @@ void letGo(Session& session, const Layout& /*layout*/) {
         session.window.explaining.pixel.reset();
 }
 
+/// Reports errors.
+void pasteScene(Session& session) {
+    const char* text = ImGui::GetClipboardText();
+    if (!text || !isSceneLink(text))
+        return say(session, "The clipboard has no link to a scene.");
+    if (const Result<void> opened = openSceneLink(session, text); !opened)
+        say(session, fmt::format("The scene can't be pasted: {}.", describe(opened.error())));
+}
+
+/// For actions that need no layout.
+template<void (*act)(Session& session)>
+void runs(Session& session, const Layout& /*layout*/) {
+    act(session);
+}
+
+void undo(Session& session) {
+    session.out.requests.emplace_back(Undo{});
+}
+
+void redo(Session& session) {
+    session.out.requests.emplace_back(Redo{});
+}
+
+template<int steps>
+void resizeText(Session& session) {
+    changeTextSize(session, steps);
+}
+
+template<int steps>
+void walkKeys(Session& session) {
+    goToKey(session, steps);
+}
+
 constexpr std::array shortcutRows{
-    Shortcut{"undo", 'Z', true, false, "undo the last edit",
-             [](Session& s, const Layout&) { s.out.requests.emplace_back(Undo{}); }, true},
-    Shortcut{"redo", 'Z', true, true, "redo the last undone edit",
-             [](Session& s, const Layout&) { s.out.requests.emplace_back(Redo{}); }, true},
-    Shortcut{"", 'Y', true, false, "redo the last undone edit",
-             [](Session& s, const Layout&) { s.out.requests.emplace_back(Redo{}); }, true},
-    Shortcut{"open scene", 'O', true, false, "open a scene",
-             [](Session& s, const Layout&) { askOpenScene(s); }},
+    Shortcut{"undo", 'Z', true, false, "undo the last edit", runs<undo>, true},
+    Shortcut{"redo", 'Z', true, true, "redo the last undone edit", runs<redo>, true},
+    Shortcut{"", 'Y', true, false, "redo the last undone edit", runs<redo>, true},
+    Shortcut{"open scene", 'O', true, false, "open a scene", runs<askOpenScene>},
     Shortcut{"open image", 'I', true, false, "open an image",
              [](Session& s, const Layout&) { askOpenImage(s); }},
-    Shortcut{"save", 'S', true, false, "save the scene", [](Session& s, const Layout&) { save(s); }},
-    Shortcut{"save as", 'S', true, true, "save under another name",
-             [](Session& s, const Layout&) { askSaveAs(s); }},
-    Shortcut{"paste", 'V', true, false, "open the scene of a link in the clipboard",
-             [](Session& s, const Layout&) { pasteScene(s); }},
+    Shortcut{"save", 'S', true, false, "save the scene", runs<save>},
+    Shortcut{"save as", 'S', true, true, "save under another name", runs<askSaveAs>},
+    Shortcut{"paste", 'V', true, false, "open the scene of a link in the clipboard", runs<pasteScene>},
     Shortcut{"search", 'F', true, false, "search the parameters",
              [](Session& s, const Layout&) { s.out.wantsSearch = true; }},
-    Shortcut{"quit", 'Q', true, false, "quit Texplorer", [](Session& s, const Layout&) { requestQuit(s); }},
+    Shortcut{"quit", 'Q', true, false, "quit Texplorer", runs<requestQuit>},
     Shortcut{"play", key::space, false, false, "play or pause",
              [](Session& s, const Layout&) { s.window.playback.playing = !s.window.playback.playing; }},
-    Shortcut{"previous-key", ',', false, false, "go to the previous key frame",
-             [](Session& s, const Layout&) { goToKey(s, -1); }, true},
-    Shortcut{"next-key", '.', false, false, "go to the next key frame",
-             [](Session& s, const Layout&) { goToKey(s, 1); }, true},
+    Shortcut{"previous-key", ',', false, false, "go to the previous key frame", runs<walkKeys<-1>>, true},
+    Shortcut{"next-key", '.', false, false, "go to the next key frame", runs<walkKeys<1>>, true},
     Shortcut{"fixed", '1', false, false, "draw with OpenGL's fixed function", drawBy<RendererKind::Fixed>},
     Shortcut{"shader", '2', false, false, "draw with shaders", drawBy<RendererKind::Shader>},
     Shortcut{"reference", '3', false, false, "draw with the reference", drawBy<RendererKind::Reference>},
     Shortcut{"compare", '4', false, false, "compare two renderers",
              [](Session& s, const Layout&) { showComparison(s.window.view); }},
-    Shortcut{"keep", 'K', false, false, "keep the scene as A", [](Session& s, const Layout&) { keepAsA(s); }},
-    Shortcut{"flip", 'T', false, false, "switch between A and now",
-             [](Session& s, const Layout&) { flipKept(s); }},
-    Shortcut{"split", 'T', false, true, "split A and now", [](Session& s, const Layout&) { splitKept(s); }},
+    Shortcut{"keep", 'K', false, false, "keep the scene as A", runs<keepAsA>},
+    Shortcut{"flip", 'T', false, false, "switch between A and now", runs<flipKept>},
+    Shortcut{"split", 'T', false, true, "split A and now", runs<splitKept>},
     Shortcut{"magnifier", 'M', false, false, "magnifier: the pixels under the mouse and their colours",
              [](Session& s, const Layout&) { s.window.view.magnifies = !s.window.view.magnifies; }},
     Shortcut{"pixel for pixel", '0', false, false, "reset the enlargement",
@@ -91,16 +116,11 @@ constexpr std::array shortcutRows{
         "release the spotlight, the maximised panel, the picked texel, the pinned pixel or the explained "
         "pixel",
         letGo},
-    Shortcut{"larger text", '=', true, false, "larger text",
-             [](Session& s, const Layout&) { changeTextSize(s, 1); }, true},
-    Shortcut{"", '=', true, true, "larger text", [](Session& s, const Layout&) { changeTextSize(s, 1); },
-             true},
-    Shortcut{"", key::keypadPlus, true, false, "larger text",
-             [](Session& s, const Layout&) { changeTextSize(s, 1); }, true},
-    Shortcut{"smaller text", '-', true, false, "smaller text",
-             [](Session& s, const Layout&) { changeTextSize(s, -1); }, true},
-    Shortcut{"", key::keypadMinus, true, false, "smaller text",
-             [](Session& s, const Layout&) { changeTextSize(s, -1); }, true},
+    Shortcut{"larger text", '=', true, false, "larger text", runs<resizeText<1>>, true},
+    Shortcut{"", '=', true, true, "larger text", runs<resizeText<1>>, true},
+    Shortcut{"", key::keypadPlus, true, false, "larger text", runs<resizeText<1>>, true},
+    Shortcut{"smaller text", '-', true, false, "smaller text", runs<resizeText<-1>>, true},
+    Shortcut{"", key::keypadMinus, true, false, "smaller text", runs<resizeText<-1>>, true},
     Shortcut{"usual text", '0', true, false, "text of normal size",
              [](Session& s, const Layout&) { s.window.settings.textPercent = Settings{}.textPercent; }},
     Shortcut{
@@ -135,20 +155,22 @@ constexpr std::array keyNames{
     KeyName{key::f12, "F12"},
 };
 
-} // namespace
-
-std::span<const Shortcut> shortcuts() {
-    return shortcutRows;
-}
-
-namespace {
-
 std::string nameOfKey(int key) {
     const auto* named = std::ranges::find(keyNames, key, &KeyName::key);
     return named != keyNames.end() ? named->name : std::string(1, static_cast<char>(key));
 }
 
 } // namespace
+
+std::span<const Shortcut> shortcuts() {
+    return shortcutRows;
+}
+
+const Shortcut& shortcutOf(std::string_view name) {
+    const auto* row = std::ranges::find(shortcutRows, name, &Shortcut::name);
+    assert(row != shortcutRows.end());
+    return *row;
+}
 
 std::string labelOf(const Shortcut& shortcut) {
     std::string label;
@@ -164,9 +186,8 @@ bool isTaken(const Session& session, const Shortcut& shortcut) {
 }
 
 std::string keysOf(const Session& session, std::string_view name) {
-    const auto* row = std::ranges::find(shortcutRows, name, &Shortcut::name);
-    assert(row != shortcutRows.end());
-    return isTaken(session, *row) ? std::string() : labelOf(*row);
+    const Shortcut& row = shortcutOf(name);
+    return isTaken(session, row) ? std::string() : labelOf(row);
 }
 
 void handleShortcuts(const Session& session, const Layout& layout) {

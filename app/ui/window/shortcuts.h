@@ -21,6 +21,9 @@ struct Shortcut {
 
 [[nodiscard]] std::span<const Shortcut> shortcuts();
 
+/// The shortcut with this name.
+[[nodiscard]] const Shortcut& shortcutOf(std::string_view name);
+
 /// "Ctrl+Shift+Z"
 [[nodiscard]] std::string labelOf(const Shortcut& shortcut);
 

@@ -1,4 +1,4 @@
-#include "app/ui/window/spotlight.h"
+#include "app/ui/window/window_parts.h"
 
 #include <imgui.h>
 

@@ -1,5 +1,3 @@
-#include "app/ui/window/status_bar.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/consequence.h"
 #include "app/ui/model/findings.h"
@@ -7,9 +5,9 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
-#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/window_parts.h"
 #include "core/base/count.h"
 #include "core/text/printable.h"
 
@@ -199,9 +197,7 @@ void drawHint(const Hint& said, float from, float room) {
     if (said.words.empty())
         return;
     ImGui::SameLine(from);
-    ImGui::PushStyleColor(ImGuiCol_Text, said.isProblem ? color::problem : color::text);
-    ImGui::TextUnformatted(fitted(printable(said.words), room).c_str());
-    ImGui::PopStyleColor();
+    plainText(fitted(printable(said.words), room), said.isProblem ? color::problem : color::text);
     noteItem("hint");
 }
 

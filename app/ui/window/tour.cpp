@@ -1,12 +1,11 @@
-#include "app/ui/window/tour.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
-#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/dialog_parts.h"
+#include "app/ui/window/window_parts.h"
 
 #include <fmt/core.h>
 
@@ -67,11 +66,10 @@ bool hasCorner(const Rect& dock, ImVec2 size) {
     return static_cast<float>(dock.width) >= size.x * 1.5F && static_cast<float>(dock.height) >= size.y;
 }
 
-enum class TourAnswer { None, Back, Next, Skip };
-
-TourAnswer drawCard(int step, const TourRow& row) {
+/// Returns the step to go to; `tourSteps`: the tour ends.
+std::optional<int> drawCard(int step, const TourRow& row) {
     const float em = ImGui::GetFontSize();
-    TourAnswer answer = TourAnswer::None;
+    std::optional<int> wanted;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + em * tourWidth);
     dimText(fmt::format("{} of {}", step + 1, tourSteps));
     text(row.title);
@@ -79,21 +77,20 @@ TourAnswer drawCard(int step, const TourRow& row) {
     text(row.text);
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, em * 0.3F});
-    const auto button = [&](const char* name, TourAnswer meant, bool enabled) {
+    const auto button = [&](const char* name, int leadsTo, bool enabled) {
         ImGui::BeginDisabled(!enabled);
-        if (dialogButton(name))
-            answer = meant;
+        if (dialogButton(name, fmt::format("tour:{}", name)))
+            wanted = leadsTo;
         ImGui::EndDisabled();
-        noteItem(fmt::format("tour:{}", name));
         ImGui::SameLine();
     };
     const bool last = step + 1 == tourSteps;
-    button("Previous", TourAnswer::Back, step > 0);
-    button(last ? "Done" : "Next", TourAnswer::Next, true);
+    button("Previous", step - 1, step > 0);
+    button(last ? "Done" : "Next", step + 1, true);
     if (!last)
-        button("Skip", TourAnswer::Skip, true);
+        button("Skip", tourSteps, true);
     ImGui::NewLine();
-    return answer;
+    return wanted;
 }
 
 } // namespace
@@ -119,24 +116,22 @@ void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
                                 ImGuiCond_Always, {0, 1});
     else
         ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
-    TourAnswer answer = TourAnswer::None;
+    std::optional<int> wanted;
     if (ImGui::Begin("Tour", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
-        answer = drawCard(step, row);
+        wanted = drawCard(step, row);
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
     if (takesEscape && isKeyPressed(key::escape, false) && !session.out.keyTaken &&
         !ImGui::GetIO().WantTextInput) {
         session.out.keyTaken = true;
-        answer = TourAnswer::Skip;
+        wanted = tourSteps;
     }
-    if (answer == TourAnswer::Back)
-        change(session, [step](WindowState& window) { window.tour = step - 1; });
-    else if (answer == TourAnswer::Next && step + 1 < tourSteps)
-        change(session, [step](WindowState& window) { window.tour = step + 1; });
-    else if (answer != TourAnswer::None)
+    if (wanted && *wanted < tourSteps)
+        change(session, [wanted](WindowState& window) { window.tour = wanted; });
+    else if (wanted)
         change(session, [](WindowState& window) {
             window.tour.reset();
             window.settings.hasSeenTour = true;

@@ -16,15 +16,11 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
-#include "app/ui/window/comfort.h"
 #include "app/ui/window/lesson_keys.h"
-#include "app/ui/window/menu_bar.h"
 #include "app/ui/window/notes.h"
-#include "app/ui/window/pixel_keys.h"
 #include "app/ui/window/shortcuts.h"
-#include "app/ui/window/spotlight.h"
-#include "app/ui/window/status_bar.h"
-#include "app/ui/window/tour.h"
+#include "app/ui/window/text_size.h"
+#include "app/ui/window/window_parts.h"
 #include "app/view/driver_facts.h"
 
 #include <imgui_internal.h> // the progress of the darkening behind a dialog

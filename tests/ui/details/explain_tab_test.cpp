@@ -559,9 +559,9 @@ TEST_F(ExplainTab, NothingScrollsSideways) {
             ASSERT_TRUE(has("explain:pixel"));
             look();
             for (const StageRow& row : stageRows) {
-                states.details.explain.pipeline.open.emplace(row.stage, -1);
+                states.details.explain.open.emplace(row.stage, -1);
                 for (const int unit : {0, 1})
-                    states.details.explain.pipeline.open.emplace(row.stage, unit);
+                    states.details.explain.open.emplace(row.stage, unit);
             }
             frames(3);
             look();

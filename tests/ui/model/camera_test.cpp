@@ -1,5 +1,5 @@
 #include "app/ui/model/camera.h"
-#include "app/ui/view/show.h"
+#include "app/ui/view/framing.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"

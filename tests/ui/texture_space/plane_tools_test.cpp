@@ -213,9 +213,9 @@ TEST_F(PlaneTools, OfACubeMapHaveNoVertices) {
 TEST_F(PlaneTools, TheKeysOverThePlaneAreListed) {
     key(ui::key::f1);
     frames(2);
-    for (const PlaneKeyRow& row : planeKeys())
+    for (const PlaneKeyRow& row : planeKeys)
         EXPECT_TRUE(has(std::string("plane key:") + row.keys)) << row.keys;
-    EXPECT_GE(planeKeys().size(), 8U);
+    EXPECT_GE(planeKeys.size(), 8U);
 }
 
 /// With threads, a large image's levels arrive later: the previous picture stays until then.

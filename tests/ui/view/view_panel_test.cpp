@@ -1,5 +1,5 @@
+#include "app/ui/view/framing.h"
 #include "app/ui/view/panes.h"
-#include "app/ui/view/show.h"
 #include "app/ui/widgets/keys.h"
 #include "core/scene/picking.h"
 #include "tests/ui/workbench.h"

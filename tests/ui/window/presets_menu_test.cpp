@@ -1,3 +1,5 @@
+// The presets in the menu bar.
+
 #include "core/preset/preset.h"
 #include "tests/ui/workbench.h"
 

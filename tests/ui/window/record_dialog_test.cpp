@@ -1,6 +1,5 @@
 #include "app/ui/model/texshot_command.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/window/record_dialog.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 

@@ -1,4 +1,4 @@
-#include "app/ui/window/status_bar.h"
+#include "app/ui/window/window_parts.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::status_bar_test {

@@ -1,5 +1,5 @@
 #include "app/ui/widgets/keys.h"
-#include "app/ui/window/tour.h"
+#include "app/ui/window/window_parts.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::tour_test {

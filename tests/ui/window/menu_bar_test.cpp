@@ -2,14 +2,14 @@
 #include "app/ui/model/scene_saving.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
-#include "app/ui/window/comfort.h"
+#include "app/ui/window/text_size.h"
 #include "core/files/file_io.h"
 #include "core/scene/storage/scene_link.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
-namespace texplorer::comfort_test {
+namespace texplorer::menu_bar_test {
 namespace {
 
 using namespace ui;
@@ -19,12 +19,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class Comfort : public test::Workbench {
+class MenuBar : public test::Workbench {
 protected:
     [[nodiscard]] int& percent() { return session->window.settings.textPercent; }
 };
 
-TEST_F(Comfort, TextGrowsAndShrinksByKeys) {
+TEST_F(MenuBar, TextGrowsAndShrinksByKeys) {
     const float before = ImGui::GetFontSize();
     for (int i = 0; i < 3; ++i)
         key('=', {ctrl});
@@ -41,7 +41,7 @@ TEST_F(Comfort, TextGrowsAndShrinksByKeys) {
     EXPECT_FLOAT_EQ(ImGui::GetFontSize(), before);
 }
 
-TEST_F(Comfort, TextHasALargestAndASmallestSize) {
+TEST_F(MenuBar, TextHasALargestAndASmallestSize) {
     for (int i = 0; i < 20; ++i)
         changeTextSize(*session, 1);
     EXPECT_EQ(percent(), Settings::maxText);
@@ -58,7 +58,7 @@ TEST_F(Comfort, TextHasALargestAndASmallestSize) {
     expectSoundFrame();
 }
 
-TEST_F(Comfort, CtrlAndTheWheelResizeWhereNothingElseDoes) {
+TEST_F(MenuBar, CtrlAndTheWheelResizeWhereNothingElseDoes) {
     const auto turn = [&](ImVec2 where, float notches) {
         setHeld(ctrl, true);
         wheel(where, notches);
@@ -81,7 +81,7 @@ TEST_F(Comfort, CtrlAndTheWheelResizeWhereNothingElseDoes) {
     EXPECT_EQ(percent(), 90) << "Ctrl was let go in between";
 }
 
-TEST_F(Comfort, EverySizeOfTextFillsTheWindow) {
+TEST_F(MenuBar, EverySizeOfTextFillsTheWindow) {
     for (const int size : {Settings::minText, Settings::maxText}) {
         percent() = size;
         frames(3);
@@ -89,7 +89,7 @@ TEST_F(Comfort, EverySizeOfTextFillsTheWindow) {
     }
 }
 
-TEST_F(Comfort, AThemeIsChosenInTheMenu) {
+TEST_F(MenuBar, AThemeIsChosenInTheMenu) {
     click("menu:View");
     click("menu:Theme");
     click("menu:Light colours");
@@ -100,14 +100,14 @@ TEST_F(Comfort, AThemeIsChosenInTheMenu) {
               paletteOf(Theme::Light).panel);
 }
 
-TEST_F(Comfort, TextSizesAreInTheMenu) {
+TEST_F(MenuBar, TextSizesAreInTheMenu) {
     click("menu:View");
     click("menu:Text size");
     click("menu:200 %");
     EXPECT_EQ(percent(), 200);
 }
 
-TEST_F(Comfort, HelpStandsBelowOrBesideThePointer) {
+TEST_F(MenuBar, HelpStandsBelowOrBesideThePointer) {
     moveTo(place("play"));
     frames(2);
     EXPECT_TRUE(has("hint"));
@@ -117,7 +117,7 @@ TEST_F(Comfort, HelpStandsBelowOrBesideThePointer) {
 }
 
 /// A link in the clipboard, which Dear ImGui keeps if the system has none.
-TEST_F(Comfort, ALinkLeadsBackToTheScene) {
+TEST_F(MenuBar, ALinkLeadsBackToTheScene) {
     texture().wrapS = Wrap::ClampToBorder;
     recordEdit(*session, "Wrap s");
     click("menu:File");
@@ -135,7 +135,7 @@ TEST_F(Comfort, ALinkLeadsBackToTheScene) {
     EXPECT_FALSE(isDirty(session->document));
 }
 
-TEST_F(Comfort, UnsavedChangesAreAskedAboutBeforeALinkIsOpened) {
+TEST_F(MenuBar, UnsavedChangesAreAskedAboutBeforeALinkIsOpened) {
     const std::string link = writeSceneLink(defaultScene()).value();
     texture().wrapS = Wrap::ClampToBorder;
     recordEdit(*session, "Wrap s");
@@ -149,7 +149,7 @@ TEST_F(Comfort, UnsavedChangesAreAskedAboutBeforeALinkIsOpened) {
     EXPECT_EQ(texture().wrapS, defaultScene().textures.front().wrapS);
 }
 
-TEST_F(Comfort, WhatIsNoLinkIsSaid) {
+TEST_F(MenuBar, WhatIsNoLinkIsSaid) {
     for (const auto& [text, said] :
          {std::pair("some words", "no link"), std::pair("texplorer:1:%", "damaged"),
           std::pair("texplorer:2:AAAA", "later version")}) {
@@ -161,7 +161,7 @@ TEST_F(Comfort, WhatIsNoLinkIsSaid) {
     }
 }
 
-TEST_F(Comfort, RecentFilesOpenAgain) {
+TEST_F(MenuBar, RecentFilesOpenAgain) {
     const test::TempDir folder;
     ASSERT_TRUE(saveScene(*session, folder / "mine.json"));
     EXPECT_THAT(session->window.settings.recentFiles, ElementsAre(folder / "mine.json"));
@@ -180,4 +180,4 @@ TEST_F(Comfort, RecentFilesOpenAgain) {
 }
 
 } // namespace
-} // namespace texplorer::comfort_test
+} // namespace texplorer::menu_bar_test

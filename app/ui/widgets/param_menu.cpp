@@ -1,0 +1,132 @@
+#include "app/ui/widgets/param_menu.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/pinned.h"
+#include "app/ui/model/timeline_edits.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/palette.h"
+#include "app/ui/widgets/tip.h"
+#include "app/ui/widgets/widget_places.h"
+#include "app/ui/widgets/wrapped_text.h"
+#include "core/scene/params/key_edits.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+/// An item with its name in tests, "path#menu:name".
+bool menuItem(std::string_view words, const std::string& path, std::string_view name,
+              std::string_view help = {}, bool enabled = true) {
+    const bool pressed = ImGui::MenuItem(label(words).c_str(), nullptr, false, enabled);
+    noteItem(fmt::format("{}#menu:{}", path, name));
+    if (!help.empty())
+        helpTip(help);
+    return pressed;
+}
+
+/// Menu items for the key frames of a row.
+void keyItems(const Session& session, const std::string& path) {
+    const Timeline& timeline = presentScene(session).timeline;
+    const float time = presentKeyTime(session);
+    ImGui::Separator();
+    if (const std::optional<std::size_t> here = keyAt(timeline, path, time)) {
+        if (menuItem(fmt::format("Remove the key frame at {:.2f} s", time), path, "key"))
+            removeKey(session, *here);
+    } else if (menuItem(fmt::format("Add key frame at {:.2f} s", time), path, "key",
+                        "Stores the present value at this time. The parameter moves from each key frame to "
+                        "the next. The timeline lists them.")) {
+        addKey(session, path, time);
+    }
+    if (!hasKeys(timeline, path))
+        return;
+    if (menuItem("Show its key frames", path, "timeline"))
+        change(session, [](WindowState& window) { window.wantedTab = Tab::Timeline; });
+    if (menuItem("Remove its key frames", path, "no-keys", "The parameter keeps its present value."))
+        removeKeys(session, path);
+}
+
+struct SheetSide {
+    const char* words;
+    const char* name;
+};
+constexpr std::array sheetSides{SheetSide{"Vary on a sheet: rows", "rows"},
+                                SheetSide{"Vary on a sheet: columns", "columns"}};
+
+} // namespace
+
+void opensParamMenu() {
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
+        ImGui::OpenPopup("row");
+}
+
+bool paramMenu(const Session& session, const ParamRow& row, const std::string& path, const Value& initial,
+               bool changed) {
+    if (!ImGui::BeginPopup("row"))
+        return false;
+    caption(glNameOf(row).empty() ? std::string(row.label)
+                                  : fmt::format("{} · {}", row.label, glNameOf(row)));
+    const bool resets = menuItem(resetWords(row, initial), path, "reset", {}, changed);
+    const bool isThere = isEssential(path);
+    const bool pinned = isPinned(session.window.settings, path);
+    if (menuItem(pinned ? "Unpin from Essentials" : "Pin to Essentials", path, "pin",
+                 isThere  ? "It is in Essentials already"
+                 : pinned ? "Removes it from Essentials"
+                          : "Shows it at the end of Essentials, for the selected texture, unit or model",
+                 !isThere))
+        change(session, [path](WindowState& window) { togglePin(window.settings, path); });
+    keyItems(session, path);
+    if (canSweep(row)) {
+        ImGui::Separator();
+        for (std::size_t side = 0; side < sheetSides.size(); ++side) {
+            if (menuItem(sheetSides[side].words, path, sheetSides[side].name,
+                         "Shows the scene with each of its values on the sheet of variations."))
+                act(session, [path, side](Session& s) { varyOnSheet(s, path, side); });
+        }
+    }
+    ImGui::EndPopup();
+    return resets;
+}
+
+std::string resetWords(const ParamRow& row, const Value& initial) {
+    const std::string words = formatValue(row, initial);
+    return words.empty() ? "Reset to nothing" : fmt::format("Reset to {}", words);
+}
+
+void keySign(const Session& session, const std::string& path) {
+    const Timeline& timeline = presentScene(session).timeline;
+    if (!hasKeys(timeline, path))
+        return;
+    const float em = ImGui::GetFontSize();
+    const float time = presentKeyTime(session);
+    const std::optional<std::size_t> here = keyAt(timeline, path, time);
+    ImGui::SameLine(0, em * 0.25F);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton("key", {em * 0.8F, ImGui::GetFrameHeight()});
+    noteItem(path + "#key");
+    const ImVec2 at(low.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2);
+    const float radius = em * 0.34F;
+    const ImVec2 top(at.x, at.y - radius);
+    const ImVec2 right(at.x + radius, at.y);
+    const ImVec2 bottom(at.x, at.y + radius);
+    const ImVec2 left(at.x - radius, at.y);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (here)
+        draw.AddQuadFilled(top, right, bottom, left, color::accent);
+    else
+        draw.AddQuad(top, right, bottom, left, color::accent, std::max(1.0F, em / 12));
+    helpTip(
+        here ? fmt::format("It has a key frame at {:.2f} s. Click to remove it.", time)
+             : fmt::format("It has key frames, and an edit adds one at {:.2f} s. Click to add one with the "
+                           "present value.",
+                           time));
+    if (pressed && here)
+        removeKey(session, *here);
+    else if (pressed)
+        addKey(session, path, time);
+}
+
+} // namespace texplorer::ui

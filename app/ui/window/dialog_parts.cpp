@@ -1,0 +1,53 @@
+#include "app/ui/window/dialog_parts.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/tip.h"
+#include "app/ui/widgets/widget_places.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace texplorer::ui {
+
+float dialogButtonWidth(const char* words) {
+    const float em = ImGui::GetFontSize();
+    return std::max(em * 6.5F, ImGui::CalcTextSize(tr(words)).x + em * 1.5F);
+}
+
+bool dialogButton(const char* words, std::string_view name) {
+    const bool pressed = ImGui::Button(label(words), {dialogButtonWidth(words), 0});
+    noteItem(name);
+    return pressed;
+}
+
+bool closeButton(std::string_view name) {
+    return dialogButton("Close", name) || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false);
+}
+
+void closeDialog(const Session& session) {
+    change(session, [](WindowState& window) { window.dialog = Dialog::None; });
+    ImGui::CloseCurrentPopup();
+}
+
+void endWithAnswers(const Session& session, const std::vector<DialogAnswer>& answers) {
+    const DialogAnswer* given = nullptr;
+    for (const DialogAnswer& each : answers) {
+        if (&each != &answers.front())
+            ImGui::SameLine();
+        ImGui::BeginDisabled(!each.enabled);
+        if (dialogButton(each.words, each.name) || (each.key != 0 && isKeyPressed(each.key, false)))
+            given = &each;
+        ImGui::EndDisabled();
+        if (*each.help != '\0')
+            helpTip(each.help);
+    }
+    if (given) {
+        closeDialog(session);
+        act(session, given->action);
+    }
+    ImGui::EndPopup();
+}
+
+} // namespace texplorer::ui
