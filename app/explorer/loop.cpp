@@ -4,11 +4,13 @@
 #include "app/opengl/window_graphics.h"
 #include "app/stage/loop.h"
 #include "app/ui/editor/received_files.h"
-#include "app/ui/model/lesson_run.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/scene_paths.h"
+#include "app/ui/files/lessons.h"
+#include "app/ui/files/scene_files.h"
+#include "app/ui/files/scene_paths.h"
+#include "app/ui/files/unsaved_work.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/unsaved_work.h"
+#include "app/ui/services/unsaved_work.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -142,9 +144,9 @@ Result<void> runLoop(const Host& host, const Beginning& beginning) {
     lent.settings = &settings;
     lent.captures = &captures;
     ui::Session session(lent);
-    session.window.settings = settings.read();
+    session.settings = settings.read();
     session.window.systemLanguage = ui::languageOfSystem();
-    if (!session.window.settings.hasSeenTour)
+    if (!session.settings.hasSeenTour)
         session.window.tour = 0;
     stage::Loop loop(**graphics, session, window.surface(),
                      {[&window] { return window.clipboard(); },

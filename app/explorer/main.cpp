@@ -5,7 +5,7 @@
 #include "app/command_line/standard_streams.h"
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/scene_files.h"
 #include "app/view/pretence.h"
 #include "core/base/thrown.h"
 #include "core/lesson/lesson_files.h"

@@ -1,7 +1,6 @@
 #include "app/explorer/reopening.h"
 
-#include "app/ui/model/lesson_run.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 
 #include <fmt/core.h>
 
@@ -12,10 +11,10 @@ namespace texplorer::explorer {
 namespace {
 
 /// Another tab comes to the front: the driver makes what the tab GLSL shows.
-void coverShaders(ui::WindowState& window) {
-    if (window.wantedTab == ui::Tab::Glsl)
-        window.wantedTab.reset();
-    ui::Workspace& workspace = window.settings.workspace;
+void coverShaders(ui::Session& session) {
+    if (session.window.wantedTab == ui::Tab::Glsl)
+        session.window.wantedTab.reset();
+    ui::Workspace& workspace = session.settings.workspace;
     if (!ui::isShown(workspace, ui::Tab::Glsl))
         return;
     const auto isBeside = [&](const ui::TabRow& row) {
@@ -44,11 +43,11 @@ Reopening::Reopening(ui::Session& session, const stage::Graphics& graphics, cons
 
 void Reopening::begin() {
     if (beginning_.renderer) {
-        session_.window.view.arrangement = ui::Arrangement::One; // a lesson may have chosen others
-        ui::showOne(session_.window.view, *beginning_.renderer);
+        session_.view.arrangement = ui::Arrangement::One; // a lesson may have chosen others
+        ui::showOne(session_.view, *beginning_.renderer);
     }
     if (beginning_.renderer == RendererKind::Reference)
-        coverShaders(session_.window);
+        coverShaders(session_);
     if (!beginning_.hungFor)
         return;
     notice_ =
@@ -68,9 +67,9 @@ void Reopening::receive(const std::vector<stage::Event>& events) {
 void Reopening::keepNotice() {
     if (notice_.empty())
         return;
-    if (session_.window.notice.text.empty() && session_.documents != documents_)
+    if (session_.look.notice.text.empty() && session_.documents != documents_)
         ui::say(session_, notice_);
-    if (session_.window.notice.text != notice_)
+    if (session_.look.notice.text != notice_)
         notice_.clear(); // dismissed, or there is another one
     documents_ = session_.documents;
 }
@@ -80,16 +79,15 @@ bool Reopening::driverDraws() const {
     const auto isLive = [&](RendererKind kind) {
         return kind != RendererKind::Reference && offered.has(kind);
     };
-    return std::ranges::any_of(ui::shownRenderers(session_.window.view), isLive) ||
-           (ui::isShown(session_.window.settings.workspace, ui::Tab::Glsl) &&
-            offered.has(RendererKind::Shader));
+    return std::ranges::any_of(ui::shownRenderers(session_.view), isLive) ||
+           (ui::isShown(session_.settings.workspace, ui::Tab::Glsl) && offered.has(RendererKind::Shader));
 }
 
 std::vector<std::string> Reopening::shown() const {
     const ui::Document& document = session_.document;
     if (ui::isDirty(document))
         return {}; // it is offered as unsaved work
-    if (const auto& lesson = session_.window.lesson) {
+    if (const auto& lesson = session_.lesson) {
         const lesson::LessonFolder& folder = lesson->folder;
         return {"--lesson", folder.path().empty() ? folder.name() : folder.path().string()};
     }

@@ -1,7 +1,7 @@
 #include "app/explorer/window.h"
 
 #include "app/render/driver_cache.h"
-#include "app/ui/model/min_window_size.h"
+#include "app/ui/state/min_window_size.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

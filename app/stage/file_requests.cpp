@@ -1,12 +1,12 @@
 #include "app/stage/file_requests.h"
 
-#include "app/ui/model/asking.h"
-#include "app/ui/model/lesson_progress.h"
-#include "app/ui/model/program_file.h"
-#include "app/ui/model/recording_file.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/answers.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/program_file.h"
+#include "app/ui/files/recording_file.h"
+#include "app/ui/files/sheet_file.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/sheet_file.h"
 #include "core/base/parallel.h"
 #include "core/files/file_io.h"
 #include "core/scene/params/json.h"
@@ -42,7 +42,7 @@ void saveScene(ui::Session& session, const FileRequests& host) {
     document.suggested = files.front().name;
     document.saved = document.scene;
     host.save(std::move(files));
-    session.window.notice = {};
+    session.look.notice = {};
     ui::finishPending(session);
 }
 
@@ -78,20 +78,20 @@ bool answered(ui::Session& session, const FileRequests& host, Dialog dialog) {
         host.open({.isScene = true});
         return true;
     case Dialog::OpenImage:
-        host.open({.param = std::exchange(session.window.imageParam, {})});
+        host.open({.param = std::exchange(session.asking.imageParam, {})});
         return true;
     case Dialog::SaveScene:
         saveScene(session, host);
         return true;
     case Dialog::SaveAnswers:
-        host.save({{"answers.json", bytesOf(ui::answersText(session))}});
+        host.save({{"answers.json", bytesOf(ui::answersText(session.settings))}});
         return true;
     case Dialog::SaveSheet:
         saveOrder(session, host, sheetFileOf(session));
         return true;
     case Dialog::SaveProgram:
         saveOrder(session, host,
-                  ui::programOrder(session, ui::programFileName(session.document, session.window.flavour)));
+                  ui::programOrder(session, ui::programFileName(session.document, session.asking.flavour)));
         return true;
     case Dialog::SaveRecording:
         saveOrder(session, host, animationFileOf(session));
@@ -108,9 +108,9 @@ void requestFiles(ui::Session& session, const FileRequests& host) {
         return;
     Dialog dialog = Dialog::None;
     do { // an action that has waited for the file may open another dialog
-        dialog = std::exchange(session.window.dialog, Dialog::None);
+        dialog = std::exchange(session.asking.dialog, Dialog::None);
     } while (answered(session, host, dialog));
-    session.window.dialog = dialog; // not about a file
+    session.asking.dialog = dialog; // not about a file
 }
 
 } // namespace texplorer::stage

@@ -1,7 +1,8 @@
 #include "app/stage/given_files.h"
 
-#include "app/ui/model/loads.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/loads.h"
+#include "app/ui/files/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 #include "core/codec/registry.h"
 #include "core/scene/params/json.h"
@@ -87,14 +88,13 @@ void addImage(Target& target, const NamedFile& file) {
 void tellRefused(ui::Session& session, std::vector<Error> refused, std::size_t files) {
     if (files == 1 && refused.size() == 1)
         return ui::say(session, refused.front());
-    std::ranges::move(refused, std::back_inserter(session.window.refused));
+    std::ranges::move(refused, std::back_inserter(session.asking.refused));
 }
 
 /// The given images are edits of the document's scene.
 void addToDocument(ui::Session& session, const Target& target, const std::string& param) {
-    Load load{.kind = Load::Kind::Add,
-              .pass = session.window.selection.pass,
-              .unit = session.window.selection.unit};
+    Load load{
+        .kind = Load::Kind::Add, .pass = session.look.selection.pass, .unit = session.look.selection.unit};
     if (target.added.size() == 1) {
         load.kind = param.empty() ? Load::Kind::Import : Load::Kind::SetFile;
         load.path = load.file = target.added.front();
@@ -109,7 +109,7 @@ void showScene(ui::Session& session, Load load, std::vector<std::string> added) 
     load.added = std::move(added);
     ui::addImages(load.scene, load.images, load);
     ui::showLoadedScene(session, std::move(load));
-    if (session.window.dialog != ui::Dialog::Discard)
+    if (session.asking.dialog != ui::Dialog::Discard)
         session.document.used.clear(); // images that were not given are read
 }
 

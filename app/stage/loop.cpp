@@ -2,9 +2,10 @@
 
 #include "app/stage/given_files.h"
 #include "app/ui/editor/received_files.h"
-#include "app/ui/model/asking.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/unsaved_work.h"
+#include "app/ui/model/playback.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/unsaved_work.h"
 #include "core/text/printable.h"
 
 #include <algorithm>

@@ -2,7 +2,9 @@
 
 #include "app/stage/view_frames.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
+#include "app/ui/model/settle.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
@@ -139,18 +141,17 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
                          const std::function<void()>& feedInput) {
     Graphics& graphics = state_->graphics;
     if (const std::string problem =
-            state_->panels.setLook(surface.scale, session.window.settings, session.window.systemLanguage);
+            state_->panels.setLook(surface.scale, session.settings, session.window.systemLanguage);
         !problem.empty())
         ui::say(session, problem);
-    if (const std::string instead = ui::offerRenderers(session.window.view, graphics.renderers());
-        !instead.empty())
+    if (const std::string instead = ui::offerRenderers(session.view, graphics.renderers()); !instead.empty())
         ui::say(session, instead);
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
-    const ui::Settings& settings = session.window.settings;
+    const ui::Settings& settings = session.settings;
     const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height,
                                             ui::textScale(surface.scale / density, settings.textPercent),
-                                            settings.workspace, ui::gridOf(session.window.view));
+                                            settings.workspace, ui::gridOf(session.view));
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {

@@ -1,6 +1,8 @@
 #include "app/stage/view_frames.h"
 
 #include "app/stage/step_picture.h"
+#include "app/ui/model/kept.h"
+#include "app/ui/model/preview.h"
 #include "app/ui/model/shown_passes.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     addLightDepths(session);
     Scene stepped;
     const Subject now{view::Side::Now, ui::shownScene(session, stepped), images_};
-    for (const RendererKind kind : ui::shownRenderers(session.window.view)) {
+    for (const RendererKind kind : ui::shownRenderers(session.view)) {
         const auto drawn = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
         if (drawn != frames_.end()) // compared with itself
             frames_.push_back(ui::ViewFrame(*drawn));
@@ -24,8 +26,8 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     const std::shared_ptr<const Scene> kept =
         ui::isKeptBeside(session) ? session.document.kept.seen : nullptr;
     if (kept)
-        frames_.push_back(draw(session.window.view.renderer,
-                               {view::Side::Kept, *kept, session.document.images}, session, size));
+        frames_.push_back(
+            draw(session.view.renderer, {view::Side::Kept, *kept, session.document.images}, session, size));
     const bool asksReference =
         std::ranges::find(frames_, RendererKind::Reference, &ui::ViewFrame::renderer) != frames_.end();
     if (!asksReference)
@@ -33,7 +35,7 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     if (!asksReference || !kept)
         session.services.kept.rest();
     keepStepPicture(session);
-    compareViews(session.window.view);
+    compareViews(session.view);
     problems_.clear();
     shaders_.clear();
     for (const ui::ViewFrame& view : frames_) {
@@ -45,9 +47,8 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     }
     const bool drawn =
         std::ranges::find(frames_, RendererKind::Shader, &ui::ViewFrame::renderer) != frames_.end();
-    const bool offered = session.window.view.offered.has(RendererKind::Shader);
-    if (isShown(session.window.settings.workspace, ui::Tab::Glsl) && offered &&
-        !drawn) { // they are made by drawing
+    const bool offered = session.view.offered.has(RendererKind::Shader);
+    if (isShown(session.settings.workspace, ui::Tab::Glsl) && offered && !drawn) { // they are made by drawing
         const view::Frame frame = drawLive(RendererKind::Shader, now, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
@@ -60,11 +61,11 @@ void ViewFrames::addLightDepths(const ui::Session& session) {
     const auto isLive = [](RendererKind kind) { return kind != RendererKind::Reference; };
     images_ = session.document.images;
     if (!(bound && bound->source == SourceKind::LightDepth) &&
-        std::ranges::none_of(ui::shownRenderers(session.window.view), isLive) &&
-        !isShown(session.window.settings.workspace, ui::Tab::Glsl))
+        std::ranges::none_of(ui::shownRenderers(session.view), isLive) &&
+        !isShown(session.settings.workspace, ui::Tab::Glsl))
         return;
     Scene stepped;
-    images_ = lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.window.playback.time);
+    images_ = lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.look.playback.time);
 }
 
 void ViewFrames::addProblems(const std::vector<std::string>& problems) {
@@ -84,14 +85,14 @@ ui::ViewFrame ViewFrames::drawLive(RendererKind kind, const Subject& subject, ui
                                    view::Size size) {
     ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true, subject.side};
     Result<view::Frame> frame = graphics_.draw(kind, subject.side, subject.scene, subject.images,
-                                               session.window.playback.time, size, session.services.levels);
+                                               session.look.playback.time, size, session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;
     }
     view.frame = std::move(*frame);
     Pixels& pixels = pixels_[{subject.side, kind}];
-    if (!ui::wantsPixels(session.window.view) && !session.window.explaining.pixel) {
+    if (!ui::wantsPixels(session.view) && !session.look.explaining.pixel) {
         pixels.image.reset();
         return view;
     }
@@ -111,8 +112,8 @@ ui::ViewFrame ViewFrames::drawReference(const Subject& subject, ui::Session& ses
     reference::DrawWorker& worker =
         subject.side == view::Side::Now ? session.services.reference : session.services.kept;
     const reference::DrawWorker::Frame& picture =
-        worker.frame({subject.scene, subject.images, session.window.playback.time, size.width, size.height,
-                      session.window.view.anisotropy, session.window.view.rho});
+        worker.frame({subject.scene, subject.images, session.look.playback.time, size.width, size.height,
+                      session.view.anisotropy, session.view.rho});
     const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
             {shown, size, picture.milliseconds, picture.problems, false},
@@ -126,7 +127,7 @@ ui::ViewFrame ViewFrames::drawReference(const Subject& subject, ui::Session& ses
 void ViewFrames::keepStepPicture(ui::Session& session) {
     History& history = session.document.history;
     const ui::ViewFrame& view = frames_.front();
-    if (history.pictureOf(history.position()) || session.window.preview || ui::isKeptShown(session) ||
+    if (history.pictureOf(history.position()) || session.look.preview || ui::isKeptShown(session) ||
         !view.whole || view.frame.unfinished || ImGui::IsAnyMouseDown() || session.out.keyTaken ||
         session.document.scene != history.current())
         return;

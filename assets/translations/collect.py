@@ -30,7 +30,7 @@ CATALOGUES = {
     "parameters": ["core/scene/params/params"],
     "diagnosis": ["core/diagnosis/"],
     "explanation": ["core/reference/"],
-    "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/model/", "app/ui/editor/", "app/ui/view/", "app/ui/language/", "app/stage/"],
+    "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/state/", "app/ui/services/", "app/ui/model/", "app/ui/files/", "app/ui/editor/", "app/ui/view/", "app/ui/language/", "app/stage/"],
     "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
                "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],

@@ -30,6 +30,21 @@ class Frame(unittest.TestCase):
                 found = re.findall(r"(?<!const )\b(?:Session|WindowState|Document|Workspace|Settings|Playback)&", text)
                 self.assertEqual(found, [], header)
 
+    def test_no_includes_of_the_window_are_a_cycle(self):
+        """A unit is a header with its source."""
+        sources = [each for each in (ROOT / "app/ui").rglob("*.*") if each.suffix in (".h", ".cpp")]
+        below = {}
+        for source in sources:
+            unit = str(source.relative_to(ROOT).with_suffix(""))
+            found = re.findall(r'^#include "(app/ui/\S+)\.h"', source.read_text(), re.M)
+            below.setdefault(unit, set()).update(each for each in found if each != unit)
+        while lowest := [unit for unit, rest in below.items() if not rest]:
+            for unit in lowest:
+                del below[unit]
+            for rest in below.values():
+                rest.difference_update(lowest)
+        self.assertEqual(below, {}, "they include each other, or units that do")
+
     def test_the_window_needs_no_opengl_and_no_thread(self):
         """A browser could be its host: it draws with stage::Graphics, and threads are those of core/base/worker.h."""
         foreign = re.compile(r'^\s*#\s*include\s+(?:"app/(?:render|opengl|offscreen|explorer)/|'

@@ -6,8 +6,8 @@
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
 #include "app/ui/editor/received_files.h"
-#include "app/ui/model/lesson_run.h"
-#include "app/ui/model/loads.h"
+#include "app/ui/files/lessons.h"
+#include "app/ui/files/loads.h"
 #include "core/lesson/lesson_files.h"
 
 #include <GL/glew.h>

@@ -5,6 +5,7 @@
 #include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
+#include "app/ui/model/playback.h"
 #include "app/ui/widgets/widget_places.h"
 
 #include <GL/glew.h>
@@ -48,7 +49,7 @@ void windowDrag(benchmark::State& state) {
     scene.models.front().slices = 128;
     scene.models.front().stacks = 64;
     constexpr std::size_t vertex = 4000;
-    session.window.selection.vertex = vertex;
+    session.look.selection.vertex = vertex;
     const auto draw = [&](ImVec2 mouse, bool pressed) {
         stage.draw(session, {window, window, 1}, 1.0F / 60, [&] {
             ImGui::GetIO().MousePos = mouse;
@@ -104,7 +105,7 @@ void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Move
     };
     for (int i = 0; i < 3; ++i)
         draw();
-    session.window.explaining.pixel = {150, 200};
+    session.look.explaining.pixel = {150, 200};
     draw();
     if (moves == Moves::No) // until everything is drawn
         session.services.sheet.wait();

@@ -1,7 +1,7 @@
 #include "tests/random/layout_trial.h"
 
-#include "app/ui/model/details_tabs.h"
-#include "app/ui/model/sections.h"
+#include "app/ui/state/details_tabs.h"
+#include "app/ui/state/sections.h"
 #include "tests/ui/window_sizes.h"
 
 #include <array>
@@ -95,24 +95,23 @@ LayoutTrial::LayoutTrial(unsigned seed, int number, Journal& journal)
          filling.name + ", " + tab.label + " " + dock.label);
 
     start(defaultScene(), size.width, size.height, scale);
-    WindowState& window = session->window;
     if (views.renderers.size() == 1)
-        showOne(window.view, views.renderers[0]);
+        showOne(session->view, views.renderers[0]);
     else
-        showComparison(window.view, views.renderers);
-    window.view.magnifies = views.magnifies;
-    Workspace& workspace = window.settings.workspace;
+        showComparison(session->view, views.renderers);
+    session->view.magnifies = views.magnifies;
+    Workspace& workspace = session->settings.workspace;
     workspace = workspaceOf(layoutRow);
     workspace.seams = seams.seams;
     moveTab(workspace, tab.tab, dock.dock);
     workspace.maximised = filling.what;
-    window.showRq = number % 2 == 0;
-    window.selection.vertex = 3;
+    session->window.showRq = number % 2 == 0;
+    session->look.selection.vertex = 3;
     texture().mipmaps = MipPolicy::None; // something to say in the status bar
     unit().envMode = EnvMode::Combine;
     unit().matrix = {{MatrixOp::Scale, {1, 0, 1}}};
     frames(2);
-    window.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
+    session->look.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
     moveTo({static_cast<float>(layout.picture.x + layout.picture.width / 3),
             static_cast<float>(layout.picture.y + layout.picture.height / 3)});
 }

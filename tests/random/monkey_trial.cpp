@@ -1,5 +1,6 @@
 #include "tests/random/monkey_trial.h"
 
+#include "app/ui/model/playback.h"
 #include "app/ui/widgets/keys.h"
 #include "core/scene/params/json.h"
 #include "tests/random/random_scene.h"
@@ -82,7 +83,7 @@ void MonkeyTrial::act() {
         at("click");
         clickAt(place, below(4) == 0 ? ImGuiMouseButton_Right : ImGuiMouseButton_Left);
     }
-    if (session->window.dialog != Dialog::None)
+    if (session->asking.dialog != Dialog::None)
         key(key::escape);
     advance(*session, 0.01);
 }

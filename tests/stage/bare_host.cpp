@@ -110,9 +110,9 @@ BareHost::BareHost(const Surface& surface, std::optional<RendererKind> chosen)
            {[this](const FileWish& wish) { wishes.push_back(wish); },
             [this](std::vector<NamedFile> files) { saved.push_back(std::move(files)); }}) {
     if (chosen)
-        showOne(session.window.view, *chosen);
+        showOne(session.view, *chosen);
     else // the window's usual renderer is not the user's choice: no message about it
-        static_cast<void>(offerRenderers(session.window.view, graphics.renderers()));
+        static_cast<void>(offerRenderers(session.view, graphics.renderers()));
 }
 
 void BareHost::run(std::vector<Event> events) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/stage/loop.h"
-#include "app/ui/model/services.h"
 #include "app/ui/model/session.h"
+#include "app/ui/services/services.h"
 
 #include <cstddef>
 #include <map>

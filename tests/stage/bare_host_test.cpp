@@ -1,7 +1,7 @@
 // The window in a host as bare as a browser.
 
-#include "app/ui/model/asking.h"
-#include "app/ui/model/lesson_run.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/lessons.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/files/file_io.h"
 #include "core/reference/draw.h"
@@ -89,7 +89,7 @@ TEST_F(BareHostTest, TheWindowOpensWithThePictureOfTheReferenceAndSleeps) {
         reference::drawReference({scene(), host.session.document.images, 0, shown->width, shown->height});
     ASSERT_TRUE(expected);
     EXPECT_EQ(*shown, expected->image);
-    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference);
+    EXPECT_EQ(host.session.view.renderer, RendererKind::Reference);
     EXPECT_THAT(host.loop.problems(), IsEmpty());
 }
 
@@ -112,7 +112,7 @@ TEST_F(BareHostTest, ADroppedImageBecomesATexture) {
     EXPECT_EQ(texture().file, "red.bmp");
     EXPECT_NE(*host.graphics.largest(), before);
     EXPECT_THAT(host.loop.problems(), IsEmpty());
-    EXPECT_EQ(host.session.window.notice.text, "");
+    EXPECT_EQ(host.session.look.notice.text, "");
     press('Z');
     EXPECT_EQ(*host.graphics.largest(), before) << "it is one undo step";
 }
@@ -131,14 +131,14 @@ TEST_F(BareHostTest, SeveralImagesAreOneStepAndWhatIsRefusedIsListed) {
     host.run({FilesGiven{{named("a.bmp", red), named("b.txt", "no image"), named("c.bmp", blue)}}});
     EXPECT_EQ(texture().file, "a.bmp");
     EXPECT_EQ(scene().textures.back().file, "c.bmp");
-    ASSERT_THAT(host.session.window.refused, SizeIs(1));
-    EXPECT_EQ(host.session.window.refused.front().where, "b.txt");
+    ASSERT_THAT(host.session.asking.refused, SizeIs(1));
+    EXPECT_EQ(host.session.asking.refused.front().where, "b.txt");
     click("refused:close");
     press('Z');
     EXPECT_EQ(scene().textures, defaultScene().textures);
     host.run({FilesGiven{{named("b.txt", "no image")}}});
-    EXPECT_THAT(host.session.window.notice.text, HasSubstr("b.txt"));
-    EXPECT_THAT(host.session.window.refused, IsEmpty());
+    EXPECT_THAT(host.session.look.notice.text, HasSubstr("b.txt"));
+    EXPECT_THAT(host.session.asking.refused, IsEmpty());
 }
 
 TEST_F(BareHostTest, AnImageIsRequestedForAParameter) {
@@ -148,7 +148,7 @@ TEST_F(BareHostTest, AnImageIsRequestedForAParameter) {
     ASSERT_THAT(host.wishes, SizeIs(1));
     EXPECT_FALSE(host.wishes[0].isScene);
     EXPECT_EQ(host.wishes[0].param, "textures[0].file");
-    EXPECT_EQ(host.session.window.dialog, ui::Dialog::None) << "no list of a folder";
+    EXPECT_EQ(host.session.asking.dialog, ui::Dialog::None) << "no list of a folder";
     EXPECT_EQ(host.last.wake, std::nullopt) << "it waits for the host";
     host.run({FilesGiven{{named("blue.bmp", blue)}, host.wishes[0]}});
     EXPECT_EQ(scene().textures[0].file, "blue.bmp");
@@ -183,7 +183,7 @@ TEST_F(BareHostTest, WhatWasSavedIsOpenedAgainWithItsImage) {
     host.run({FilesGiven{host.saved.at(0), host.wishes[0]}});
     EXPECT_EQ(scene(), before);
     EXPECT_THAT(host.loop.problems(), IsEmpty());
-    EXPECT_EQ(host.session.window.notice.text, "");
+    EXPECT_EQ(host.session.look.notice.text, "");
     EXPECT_EQ(host.last.title, "scene.texplorer.json - Texplorer");
 }
 
@@ -194,7 +194,7 @@ TEST_F(BareHostTest, AnImageOfTheSceneMayArriveLaterOrFromTheHost) {
     const FilesGiven dropped{{named("a.json", writeScene(given))}};
     host.run({dropped});
     EXPECT_EQ(scene().textures, given.textures);
-    EXPECT_THAT(host.session.window.notice.text, HasSubstr("red.bmp: the host does not have it"));
+    EXPECT_THAT(host.session.look.notice.text, HasSubstr("red.bmp: the host does not have it"));
     host.run({FilesGiven{{named("red.bmp", red)}}});
     EXPECT_EQ(scene().textures, given.textures) << "it names the image already";
     EXPECT_THAT(host.loop.problems(), IsEmpty());
@@ -209,11 +209,11 @@ TEST_F(BareHostTest, AnImageOfTheSceneMayArriveLaterOrFromTheHost) {
 TEST_F(BareHostTest, AQuestionComesBeforeADroppedSceneReplacesWork) {
     click("textures[0].wrapS=GL_CLAMP");
     host.run({FilesGiven{{named("a.json", writeScene(defaultScene()))}}});
-    EXPECT_EQ(host.session.window.dialog, ui::Dialog::Discard);
+    EXPECT_EQ(host.session.asking.dialog, ui::Dialog::Discard);
     click("discard:save");
     ASSERT_THAT(host.saved, SizeIs(1));
     EXPECT_EQ(scene().textures, defaultScene().textures) << "then it is opened";
-    EXPECT_EQ(host.session.window.dialog, ui::Dialog::None);
+    EXPECT_EQ(host.session.asking.dialog, ui::Dialog::None);
 }
 
 TEST_F(BareHostTest, ARequestThatFollowsSavingReachesTheHostToo) {
@@ -222,12 +222,12 @@ TEST_F(BareHostTest, ARequestThatFollowsSavingReachesTheHostToo) {
     click("discard:save");
     EXPECT_THAT(host.saved, SizeIs(1));
     ASSERT_THAT(host.wishes, SizeIs(1));
-    EXPECT_EQ(host.session.window.dialog, ui::Dialog::None);
+    EXPECT_EQ(host.session.asking.dialog, ui::Dialog::None);
 }
 
 TEST_F(BareHostTest, OtherFilesAreSavedTheSameWay) {
     for (const ui::Dialog dialog : {ui::Dialog::SaveProgram, ui::Dialog::SaveAnswers}) {
-        host.session.window.dialog = dialog;
+        host.session.asking.dialog = dialog;
         host.run({Refresh{}});
     }
     ASSERT_THAT(host.saved, SizeIs(2));
@@ -239,23 +239,23 @@ TEST_F(BareHostTest, OtherFilesAreSavedTheSameWay) {
 TEST_F(BareHostTest, ARendererThatIsNotThereIsNotOffered) {
     for (const EnumRow& row : EnumTable<RendererKind>::rows)
         click("renderer:" + std::string(row.label));
-    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference);
+    EXPECT_EQ(host.session.view.renderer, RendererKind::Reference);
     click("renderer:Compare");
-    EXPECT_FALSE(isComparing(host.session.window.view)) << "with one renderer there is nothing to compare";
+    EXPECT_FALSE(isComparing(host.session.view)) << "with one renderer there is nothing to compare";
     host.run({at("view")});
     for (const int key : {int{'1'}, int{'2'}, int{'4'}})
         press(key, {});
-    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference) << "keys are no way around it";
-    EXPECT_FALSE(isComparing(host.session.window.view));
-    EXPECT_THAT(host.session.window.notice.text, HasSubstr("there is no OpenGL here"));
+    EXPECT_EQ(host.session.view.renderer, RendererKind::Reference) << "keys are no way around it";
+    EXPECT_FALSE(isComparing(host.session.view));
+    EXPECT_THAT(host.session.look.notice.text, HasSubstr("there is no OpenGL here"));
 }
 
 TEST_F(BareHostTest, ALessonThatShowsAnotherRendererShowsTheReference) {
     for (const auto& [lesson, step] : {std::pair("laboratory", 1U), std::pair("environments", 6U)}) {
         ASSERT_TRUE(ui::openLessonNamed(host.session, lesson, step));
         host.run({Refresh{}});
-        EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference) << lesson;
-        EXPECT_FALSE(isComparing(host.session.window.view)) << lesson;
+        EXPECT_EQ(host.session.view.renderer, RendererKind::Reference) << lesson;
+        EXPECT_FALSE(isComparing(host.session.view)) << lesson;
         EXPECT_TRUE(host.graphics.largest()) << lesson;
     }
 }
@@ -265,8 +265,8 @@ TEST(BareHostsSettingsTest, ARendererThatWasChosenElsewhereIsReplacedByTheRefere
     const NoFiles files;
     BareHost host(wide, RendererKind::Shader);
     host.run();
-    EXPECT_EQ(host.session.window.view.renderer, RendererKind::Reference);
-    EXPECT_THAT(host.session.window.notice.text, HasSubstr("there is no OpenGL here"));
+    EXPECT_EQ(host.session.view.renderer, RendererKind::Reference);
+    EXPECT_THAT(host.session.look.notice.text, HasSubstr("there is no OpenGL here"));
     EXPECT_TRUE(host.graphics.largest());
     EXPECT_EQ(host.graphics.refusals, 0);
 }
@@ -274,11 +274,11 @@ TEST(BareHostsSettingsTest, ARendererThatWasChosenElsewhereIsReplacedByTheRefere
 TEST_F(BareHostTest, ALessonIsOpenedAndAnsweredByMouse) {
     ui::askLesson(host.session, "first-texture");
     host.run({Refresh{}});
-    ASSERT_TRUE(host.session.window.lesson);
+    ASSERT_TRUE(host.session.lesson);
     click("lesson:Next");
     click("answer:3");
-    EXPECT_EQ(host.session.window.lesson->answer, 2U);
-    EXPECT_TRUE(host.session.window.settings.lessons.at("first-texture").at(1).done);
+    EXPECT_EQ(host.session.lesson->answer, 2U);
+    EXPECT_TRUE(host.session.settings.lessons.at("first-texture").at(1).done);
     EXPECT_TRUE(places.items.contains("reason"));
     EXPECT_EQ(host.last.wake, std::nullopt);
 }

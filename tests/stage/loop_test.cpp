@@ -1,8 +1,7 @@
 // The program without a display: takes events and the time, returns frames and the time of the next one.
 
 #include "app/stage/loop.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/sheet_file.h"
+#include "app/ui/files/sheet_file.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/files/file_io.h"
@@ -110,10 +109,10 @@ TEST_F(LoopTest, WhatPlaysIsDrawnWithEveryRefreshAndFollowsTheClock) {
     start(spinning());
     for (int i = 0; i < 20; ++i) {
         EXPECT_THAT(step().wake, Optional(now)) << "as soon as the display can";
-        EXPECT_DOUBLE_EQ(session->window.playback.time, i * frame);
+        EXPECT_DOUBLE_EQ(session->look.playback.time, i * frame);
         now += frame;
     }
-    session->window.playback.playing = false;
+    session->look.playback.playing = false;
     run();
     EXPECT_EQ(last.wake, std::nullopt);
 }
@@ -124,7 +123,7 @@ TEST_F(LoopTest, KeyFramesPlayAndSleepWhileTimeStands) {
     start(std::move(scene));
     step();
     EXPECT_TRUE(last.wake) << "it plays";
-    session->window.playback.playing = false;
+    session->look.playback.playing = false;
     session->window.wantedTab = ui::Tab::Timeline;
     run({Refresh{}});
     EXPECT_EQ(last.wake, std::nullopt);
@@ -136,12 +135,12 @@ TEST_F(LoopTest, AfterALongPauseTheSceneGoesOnWhereItWas) {
     step();
     now += 3600;
     step();
-    EXPECT_DOUBLE_EQ(session->window.playback.time, 0.1);
+    EXPECT_DOUBLE_EQ(session->look.playback.time, 0.1);
 }
 
 TEST_F(LoopTest, ATextCursorBlinks) {
     start();
-    session->window.dialog = ui::Dialog::SaveScene;
+    session->asking.dialog = ui::Dialog::SaveScene;
     run({Refresh{}});
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     EXPECT_THAT(last.wake, Optional(DoubleEq(now - frame + 0.4)));
@@ -154,7 +153,7 @@ TEST_F(LoopTest, ATextCursorBlinks) {
 TEST_F(LoopTest, ADialogDarkensTheWindowStepByStep) {
     start();
     run();
-    session->window.dialog = ui::Dialog::Help;
+    session->asking.dialog = ui::Dialog::Help;
     run({Refresh{}});
     EXPECT_GT(drawn, 5);
     EXPECT_EQ(last.wake, std::nullopt);
@@ -188,7 +187,7 @@ TEST_F(LoopTest, ASheetIsWrittenWhileTheWindowSleeps) {
                                  all.patterns, all.levelPictures, all.lessons, all.environments,
                                  all.plainProbe, all.sheet, all.programs, beside});
     loop.emplace(graphics, *session, wide, Clipboard{});
-    session->window.sheet.width = session->window.sheet.height = 16;
+    session->sheet.width = session->sheet.height = 16;
     ASSERT_TRUE(ui::saveSheet(*session, folder / "sheet.png"));
     begun.wait();
     run({Refresh{}});
@@ -198,7 +197,7 @@ TEST_F(LoopTest, ASheetIsWrittenWhileTheWindowSleeps) {
     beside.wait();
     run({Refresh{}});
     EXPECT_FALSE(places.items.contains("writing file"));
-    EXPECT_THAT(session->window.notice.text, HasSubstr("Written: "));
+    EXPECT_THAT(session->look.notice.text, HasSubstr("Written: "));
     EXPECT_EQ(last.wake, std::nullopt);
 }
 
@@ -212,7 +211,7 @@ TEST_F(LoopTest, NobodySeesAMinimisedWindow) {
     EXPECT_EQ(drawn, 0) << "nor one without pixels";
     now += 60;
     EXPECT_TRUE(step({SurfaceChanged{wide}}).drawn);
-    EXPECT_LE(session->window.playback.time, 0.1) << "its time has not gone on meanwhile";
+    EXPECT_LE(session->look.playback.time, 0.1) << "its time has not gone on meanwhile";
 }
 
 TEST_F(LoopTest, AWindowIsClosedAtOnceOrAfterAQuestion) {
@@ -225,7 +224,7 @@ TEST_F(LoopTest, AWindowIsClosedAtOnceOrAfterAQuestion) {
     session->document.scene.material.shininess = 3;
     ui::recordEdit(*session, "Shininess");
     EXPECT_FALSE(step({CloseAsked{}}).quit);
-    EXPECT_EQ(session->window.dialog, ui::Dialog::Discard);
+    EXPECT_EQ(session->asking.dialog, ui::Dialog::Discard);
 }
 
 TEST_F(LoopTest, DroppedFilesAreOpened) {
@@ -255,18 +254,18 @@ TEST_F(LoopTest, AShortcutWithinOneFrameSaves) {
 
 TEST_F(LoopTest, EveryClickWithinOneFrameCounts) {
     start(spinning());
-    session->window.playback.speed = 0; // nothing moves, but the button is still shown
+    session->look.playback.speed = 0; // nothing moves, but the button is still shown
     run();
     const PointerMoved play = at("play");
     for (const int clicks : {1, 2, 3}) {
-        session->window.playback.playing = true;
+        session->look.playback.playing = true;
         std::vector<Event> events{play};
         for (int i = 0; i < clicks; ++i) {
             events.emplace_back(ButtonChanged{0, true});
             events.emplace_back(ButtonChanged{0, false});
         }
         run(events);
-        EXPECT_EQ(session->window.playback.playing, clicks % 2 == 0) << clicks;
+        EXPECT_EQ(session->look.playback.playing, clicks % 2 == 0) << clicks;
     }
 }
 

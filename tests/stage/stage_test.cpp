@@ -1,5 +1,6 @@
 // A frame of a host without OpenGL.
 
+#include "app/ui/model/kept.h"
 #include "app/ui/widgets/palette.h"
 #include "tests/stage/numbers_for_pictures.h"
 
@@ -46,7 +47,7 @@ TEST_F(StageTest, AFrameIsDrawnByWhatTheHostLends) {
 }
 
 TEST_F(StageTest, TheReferenceNeedsNoRenderer) {
-    showOne(session.window.view, RendererKind::Reference);
+    showOne(session.view, RendererKind::Reference);
     frame();
     EXPECT_THAT(graphics.drawn, IsEmpty());
     const auto isView = [](const auto& shown) { // the panels' small pictures are scaled
@@ -59,48 +60,48 @@ TEST_F(StageTest, TheReferenceNeedsNoRenderer) {
 TEST_F(StageTest, OnlyWhatTheHostHasIsAskedFor) {
     session.window.wantedTab = ui::Tab::Glsl;
     frame();
-    showOne(session.window.view, RendererKind::Shader);
+    showOne(session.view, RendererKind::Shader);
     for (int i = 0; i < 3; ++i)
         frame();
-    EXPECT_TRUE(isShown(session.window.settings.workspace, ui::Tab::Glsl));
-    EXPECT_EQ(session.window.view.renderer, RendererKind::Fixed);
+    EXPECT_TRUE(isShown(session.settings.workspace, ui::Tab::Glsl));
+    EXPECT_EQ(session.view.renderer, RendererKind::Fixed);
     EXPECT_THAT(graphics.drawn, Each(RendererKind::Fixed));
     EXPECT_THAT(stage.problems(), IsEmpty());
-    EXPECT_EQ(session.window.notice.text, "") << "it was requested only after that frame";
+    EXPECT_EQ(session.look.notice.text, "") << "it was requested only after that frame";
 }
 
 TEST_F(StageTest, WhatWasChosenAndIsNotThereGivesWayAndIsSaid) {
     graphics.offered.withhold(RendererKind::Fixed, "the driver has a core profile");
     frame();
-    EXPECT_EQ(session.window.view.renderer, RendererKind::Reference);
-    EXPECT_THAT(session.window.notice.text, HasSubstr("the driver has a core profile"));
+    EXPECT_EQ(session.view.renderer, RendererKind::Reference);
+    EXPECT_THAT(session.look.notice.text, HasSubstr("the driver has a core profile"));
     EXPECT_THAT(graphics.drawn, IsEmpty());
     EXPECT_THAT(stage.problems(), IsEmpty());
 }
 
 TEST_F(StageTest, AHostMayLoseWhatItHadAndHaveItAgain) {
     graphics.offered = {};
-    showComparison(session.window.view, {RendererKind::Fixed, RendererKind::Shader});
+    showComparison(session.view, {RendererKind::Fixed, RendererKind::Shader});
     frame();
     EXPECT_THAT(graphics.drawn, ElementsAre(RendererKind::Fixed, RendererKind::Shader));
     graphics.drawn.clear();
     graphics.offered.withhold(RendererKind::Shader, "its context is lost");
     frame();
     EXPECT_THAT(graphics.drawn, ElementsAre(RendererKind::Fixed));
-    EXPECT_THAT(session.window.view.compared, ElementsAre(RendererKind::Fixed, RendererKind::Reference));
-    EXPECT_TRUE(isComparing(session.window.view));
+    EXPECT_THAT(session.view.compared, ElementsAre(RendererKind::Fixed, RendererKind::Reference));
+    EXPECT_TRUE(isComparing(session.view));
     graphics.offered.withhold(RendererKind::Fixed, "its context is lost");
     frame();
-    EXPECT_FALSE(isComparing(session.window.view)) << "one picture is no comparison";
-    EXPECT_EQ(session.window.view.renderer, RendererKind::Reference);
+    EXPECT_FALSE(isComparing(session.view)) << "one picture is no comparison";
+    EXPECT_EQ(session.view.renderer, RendererKind::Reference);
     graphics.offered = {};
     frame();
-    showOne(session.window.view, RendererKind::Shader);
-    EXPECT_EQ(session.window.view.renderer, RendererKind::Shader);
+    showOne(session.view, RendererKind::Shader);
+    EXPECT_EQ(session.view.renderer, RendererKind::Shader);
 }
 
 TEST_F(StageTest, PixelsAreReadOnceForEachPicture) {
-    showComparison(session.window.view, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session.view, {RendererKind::Fixed, RendererKind::Reference});
     for (int i = 0; i < 3; ++i)
         frame();
     EXPECT_EQ(graphics.reads, 1) << "its revision stays";

@@ -2,9 +2,11 @@
 // recent files, the answers of lessons; and the translation of a lesson. tests/core/released_files_test.cpp
 // has the scenes.
 
+#include "app/ui/files/answers.h"
 #include "app/ui/language/lesson_catalogue.h"
-#include "app/ui/model/lesson_progress.h"
-#include "app/ui/model/settings_file.h"
+#include "app/ui/services/settings_file.h"
+#include "app/ui/services/settings_json.h"
+#include "app/ui/state/lesson_records.h"
 #include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
@@ -83,18 +85,18 @@ nlohmann::json withoutTitles(const std::string& answers) {
 // Programs of teachers read them.
 TEST_F(ReleasedAnswers, AreWrittenInTheSameWay) {
     const fs::path release = releases / "0.1.0";
-    session->window.settings = settingsOf(release);
-    EXPECT_EQ(withoutTitles(answersText(*session)), withoutTitles(textIn(release / "answers.json")));
-    EXPECT_TRUE(isStepDone(*session, "/home/ann/lab/lesson", 1));
-    EXPECT_EQ(progressOf(*session, "wrap", 7).done, 1U);
+    session->settings = settingsOf(release);
+    EXPECT_EQ(withoutTitles(answersText(session->settings)), withoutTitles(textIn(release / "answers.json")));
+    EXPECT_TRUE(isStepDone(session->settings, "/home/ann/lab/lesson", 1));
+    EXPECT_EQ(progressOf(session->settings, "wrap", 7).done, 1U);
 }
 
 TEST_F(ReleasedAnswers, ComeWithAWorkspaceThatIsShown) {
-    session->window.settings = settingsOf(releases / "0.1.0");
-    session->window.settings.language = Language::English;
+    session->settings = settingsOf(releases / "0.1.0");
+    session->settings.language = Language::English;
     frames(3);
-    EXPECT_TRUE(isShown(session->window.settings.workspace, Tab::Figures));
-    EXPECT_EQ(frontOf(session->window.settings.workspace, Dock::Right), Tab::Lesson);
+    EXPECT_TRUE(isShown(session->settings.workspace, Tab::Figures));
+    EXPECT_EQ(frontOf(session->settings.workspace, Dock::Right), Tab::Lesson);
     expectSoundFrame();
 }
 

@@ -4,7 +4,8 @@
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/view_frames.h"
 #include "app/ui/editor/received_files.h"
-#include "app/ui/model/loads.h"
+#include "app/ui/files/loads.h"
+#include "app/ui/model/settle.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
@@ -127,7 +128,7 @@ void Workbench::speak(Language language, std::set<std::string, std::less<>>* gap
 
 /// As the stage does before a frame.
 void Workbench::layOut() {
-    const Settings& settings = session->window.settings;
+    const Settings& settings = session->settings;
     const ImDrawData* drawn = ImGui::GetDrawData();
     const bool lacksLetters = drawn && letters_.look(*drawn);
     if (lacksLetters || settings.theme != theme_ || settings.textPercent != textPercent_) {
@@ -142,7 +143,7 @@ void Workbench::layOut() {
             drawing_->graphics->fontsChanged();
     }
     layout = layoutFor(width_, height_, textScale(scale_, textPercent_), settings.workspace,
-                       gridOf(session->window.view));
+                       gridOf(session->view));
     settle(*session, layout);
 }
 
@@ -151,7 +152,7 @@ void Workbench::frames(int count) {
         receiveFiles(*session);
         layOut();
         std::vector<ViewFrame> frames;
-        for (const RendererKind renderer : shownRenderers(session->window.view))
+        for (const RendererKind renderer : shownRenderers(session->view))
             frames.push_back(
                 {renderer, {{}, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
         build({frames});
@@ -310,7 +311,7 @@ void Workbench::open(std::string_view section) {
 }
 
 void Workbench::putListRight() {
-    moveTab(session->window.settings.workspace, Tab::Vertices, Dock::Right);
+    moveTab(session->settings.workspace, Tab::Vertices, Dock::Right);
     frames(3);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/fonts.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/layout.h"

@@ -9,7 +9,7 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
-#include "app/ui/model/min_window_size.h"
+#include "app/ui/state/min_window_size.h"
 #include "core/reference/false_colors.h"
 
 #include <fmt/core.h>

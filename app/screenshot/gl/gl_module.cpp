@@ -9,7 +9,8 @@
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
 #include "app/stage/loop.h"
-#include "app/ui/model/lesson_run.h"
+#include "app/ui/files/lessons.h"
+#include "app/ui/files/replaced_document.h"
 #include "app/ui/model/session.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/window/layout.h"
@@ -74,10 +75,10 @@ Result<Shot> drawWindow(const ShotRequest& request) {
 
     ui::ServicesAtOnce services(request.levels);
     ui::Session session(services.lend(), {request.scene, request.images, request.file});
-    ui::Workspace& workspace = session.window.settings.workspace;
+    ui::Workspace& workspace = session.settings.workspace;
     workspace = workspaceOf(request.layout);
-    session.window.settings.theme = request.theme;
-    session.window.settings.language = request.language;
+    session.settings.theme = request.theme;
+    session.settings.language = request.language;
     session.window.systemLanguage = ui::languageOfSystem();
     session.window.textureUnits = (*graphics)->capabilities().textureUnits;
     const bool hasLesson = !request.lesson.empty();
@@ -92,15 +93,15 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     }
     // What the call says goes before what the lesson's step wants to be looked at.
     if (!request.compared.empty())
-        showComparison(session.window.view, request.compared);
+        showComparison(session.view, request.compared);
     else if (!hasLesson || request.rendererIsGiven)
-        showOne(session.window.view, request.renderer);
-    session.window.view.anisotropy = request.anisotropy;
-    session.window.view.rho = request.rho;
+        showOne(session.view, request.renderer);
+    session.view.anisotropy = request.anisotropy;
+    session.view.rho = request.rho;
     if (!hasLesson || request.shownIsGiven) {
-        session.window.view.shown = request.shown;
-        session.window.selection.pass = request.shownUnit.pass;
-        session.window.selection.unit = request.shownUnit.unit;
+        session.view.shown = request.shown;
+        session.look.selection.pass = request.shownUnit.pass;
+        session.look.selection.unit = request.shownUnit.unit;
     }
     if (request.tab) {
         showTab(workspace, *request.tab);
@@ -113,9 +114,9 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     if (request.tour > 0)
         session.window.tour = request.tour - 1;
     if (request.probed) {
-        session.window.wantedProbe.reset();
+        session.look.wantedProbe.reset();
         const ui::Rect picture = ui::layoutFor(request.size.width, request.size.height, request.scale,
-                                               workspace, ui::gridOf(session.window.view))
+                                               workspace, ui::gridOf(session.view))
                                      .picture;
         const auto [x, y] = *request.probed;
         if (x >= picture.width || y >= picture.height)
@@ -123,9 +124,9 @@ Result<Shot> drawWindow(const ShotRequest& request) {
                         fmt::format("the picture in this window has {} pixels, and none at {},{}",
                                     view::asText({picture.width, picture.height}), x, y),
                         "--probe");
-        session.window.explaining.pixel = {x, picture.height - 1 - y};
+        session.look.explaining.pixel = {x, picture.height - 1 - y};
     }
-    session.window.playback.time = request.time;
+    session.look.playback.time = request.time;
     session.window.showsFrameTime = false;
     stage::Loop loop(**graphics, session, {request.size, request.size, request.scale});
     for (int frame = 0, last = settlingFrames; frame < std::min(last, maxFrames); ++frame) {

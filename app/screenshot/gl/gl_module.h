@@ -5,10 +5,10 @@
 // OSMesa and one for EGL, of the same sources: both libraries define gl* functions, and each module sees its
 // own.
 
-#include "app/ui/model/details_tabs.h"
-#include "app/ui/model/figures.h"
-#include "app/ui/model/sections.h"
-#include "app/ui/model/settings.h"
+#include "app/ui/state/details_tabs.h"
+#include "app/ui/state/figures.h"
+#include "app/ui/state/sections.h"
+#include "app/ui/state/settings.h"
 #include "app/view/context_choice.h"
 #include "app/view/offered_renderers.h"
 #include "app/view/pretence.h"

@@ -1,7 +1,7 @@
 #include "app/screenshot/reports/lesson_step.h"
 
 #include "app/screenshot/reports/step_programs.h"
-#include "app/ui/model/figures.h"
+#include "app/ui/state/figures.h"
 #include "core/codec/png/png.h"
 #include "core/image/convert.h"
 #include "core/lesson/match.h"

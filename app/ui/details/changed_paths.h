@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/document.h"
+#include "app/ui/state/document.h"
 #include "core/emit/code.h"
 
 #include <functional>

@@ -1,9 +1,9 @@
 #include "app/ui/details/commands_tab.h"
 
 #include "app/ui/details/code_controls.h"
+#include "app/ui/files/program_file.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/program_file.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/program_menu.h"
@@ -29,7 +29,7 @@ void toolRow(const Session& session, CommandsTabState& state) {
     const float width = buttonWidth(copy) + inner + buttonWidth(save);
     bool all = session.window.allCalls;
     if (ImGui::Checkbox(label("All calls"), &all))
-        change(session, [all](WindowState& window) { window.allCalls = all; });
+        act(session, [all](Session& changed) { changed.window.allCalls = all; });
     noteItem("all commands");
     helpTip("Off: only the calls that change OpenGL's initial state");
     ImGui::SameLine(0, ImGui::GetFontSize());

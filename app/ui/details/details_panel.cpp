@@ -3,6 +3,7 @@
 #include "app/ui/details/lesson_tab.h"
 #include "app/ui/details/memory_tab.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -76,7 +77,7 @@ void handleTab(const Session& session, DetailsState& state, const TabRow& row, D
 
 /// The tabs, with short labels if the long ones do not fit.
 void drawTabBar(const Session& session, DetailsState& state, Dock dock) {
-    const Workspace& workspace = session.window.settings.workspace;
+    const Workspace& workspace = session.settings.workspace;
     const float em = ImGui::GetFontSize();
     float width = 0;
     for (const TabRow& row : tabRows)
@@ -106,7 +107,7 @@ void drawTabBar(const Session& session, DetailsState& state, Dock dock) {
 
 /// The menu of the whole dock, at the right end of its tabs.
 void dockButtons(const Session& session, Dock dock) {
-    const Workspace& shown = session.window.settings.workspace;
+    const Workspace& shown = session.settings.workspace;
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Button, 0));
     if (squareButton("+", fmt::format("panels:{}", rowOf(dock).name), "The tabs of this panel", true))
         ImGui::OpenPopup("panels");
@@ -163,7 +164,7 @@ void drawDock(const Session& session, DetailsState& state, const Pictures& pictu
     const float top = ImGui::GetCursorPosY() + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
     drawTabs(session, state, dock);
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, top});
-    if (const std::optional<Tab> front = frontOf(session.window.settings.workspace, dock)) {
+    if (const std::optional<Tab> front = frontOf(session.settings.workspace, dock)) {
         ImGui::PushID(rowOf(*front).label);
         drawTab(session, state, pictures, *front);
         ImGui::PopID();
@@ -175,7 +176,7 @@ void drawDraggedTab(const Session& session, DetailsState& state, const Layout& l
     if (!state.dragged)
         return;
     const Dock target =
-        dockOf(session.window.settings.workspace, *state.dragged) == Dock::Right ? Dock::Below : Dock::Right;
+        dockOf(session.settings.workspace, *state.dragged) == Dock::Right ? Dock::Below : Dock::Right;
     const Rect zone = dropZone(layout, target);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool falls = zone.contains(mouse.x, mouse.y);

@@ -10,6 +10,7 @@
 #include "app/ui/details/timeline_tab.h"
 #include "app/ui/details/vertices_tab.h"
 #include "app/ui/figures/figures_tab.h"
+#include "app/ui/state/layout.h"
 
 #include <optional>
 

@@ -1,6 +1,7 @@
 #include "app/ui/details/explain_comparison.h"
 
 #include "app/ui/details/explain_cards.h"
+#include "app/ui/model/explaining.h"
 
 #include <fmt/core.h>
 
@@ -37,7 +38,7 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
         reference::StepCell remark;
         if (comparable) {
             const int most = reference::differenceOf(explanation.bytes, bytes);
-            const int tolerance = session.window.view.tolerance;
+            const int tolerance = session.view.tolerance;
             const bool isTie = most > tolerance && reference::isAsRight(explanation, bytes, tolerance);
             comparison.most = std::max(comparison.most, isTie ? 0 : most);
             comparison.compared.emplace_back(rowOf(view.renderer).label);
@@ -53,7 +54,7 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
 
 bool mayDifferByMethod(const Session& session, const Explanation& explanation) {
     const reference::FragmentExplanation* seen = explanation.seen();
-    return seen && session.window.view.anisotropy == reference::AnisotropyMethod::Probes &&
+    return seen && session.view.anisotropy == reference::AnisotropyMethod::Probes &&
            std::ranges::any_of(seen->units, [](const reference::UnitExplanation& unit) {
                return unit.sampler.maxAnisotropy > 1 && unit.sample.lod.probes > 1;
            });

@@ -4,6 +4,7 @@
 #include "app/ui/details/explain_list.h"
 #include "app/ui/details/step_rows.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -41,7 +42,7 @@ void offerMethod(const Session& session, reference::AnisotropyMethod method) {
     const float button = buttonWidth(offer);
     sameLineFor(button, ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::SmallButton(label(offer)))
-        change(session, [method](WindowState& window) { window.view.anisotropy = method; });
+        act(session, [method](Session& changed) { changed.view.anisotropy = method; });
     noteItem("explain:use method");
     helpTip(texplorer::rowOf(method).help);
 }
@@ -73,7 +74,7 @@ float lineEnd() {
 
 /// At the right end of the line, or below if it does not fit.
 void pixelButtons(const Session& session) {
-    const bool pinned = session.window.explaining.pinned != nullptr;
+    const bool pinned = session.look.explaining.pinned != nullptr;
     const char* pin = pinned ? "Unpin" : "Pin";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(pin) + gap + buttonWidth("Clear");
@@ -81,7 +82,7 @@ void pixelButtons(const Session& session) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton(label(pin))) {
         if (pinned)
-            change(session, [](WindowState& window) { window.explaining.pinned.reset(); });
+            act(session, [](Session& changed) { changed.look.explaining.pinned.reset(); });
         else
             act(session, pinPixel);
     }
@@ -92,8 +93,8 @@ void pixelButtons(const Session& session) {
     sameLineFor(buttonWidth("Clear"), gap);
     if (ImGui::SmallButton(label("Clear")))
         act(session, [](Session& s) {
-            s.window.explaining.pixel.reset();
-            s.window.explaining.pinned.reset();
+            s.look.explaining.pixel.reset();
+            s.look.explaining.pinned.reset();
             clearTexel(s);
         });
     noteItem("explain:clear");
@@ -118,7 +119,7 @@ void drawHead(const Session& session, const Pictures& pictures, const Explanatio
         noteItem("explain:compared " + label);
     const DriverFacts& driver = session.document.diagnosis.driver;
     const reference::AnisotropyMethod method = reference::anisotropyMethodOf(driver.renderer, driver.version);
-    if (comparison.most > session.window.view.tolerance && method != session.window.view.anisotropy &&
+    if (comparison.most > session.view.tolerance && method != session.view.anisotropy &&
         mayDifferByMethod(session, explanation))
         offerMethod(session, method);
 }
@@ -137,7 +138,7 @@ std::string readersOf(const Explaining& asked) {
 }
 
 void drawTexelLine(const Session& session) {
-    const Explaining& asked = session.window.explaining;
+    const Explaining& asked = session.look.explaining;
     if (!asked.texel)
         return;
     const auto& [level, index] = asked.texel->texel;
@@ -237,8 +238,8 @@ void drawInvitation(const Session& session, const Pictures& pictures, bool wide)
                 "order.");
     noteItem("explain:none");
     if (ImGui::SmallButton(label("Explain the pixel in the middle")))
-        change(session, [middle = reference::PixelPlace{width / 2, height / 2}](WindowState& window) {
-            window.explaining.pixel = middle;
+        act(session, [middle = reference::PixelPlace{width / 2, height / 2}](Session& changed) {
+            changed.look.explaining.pixel = middle;
         });
     noteItem("explain:middle");
     if (wide) {
@@ -252,9 +253,9 @@ void drawInvitation(const Session& session, const Pictures& pictures, bool wide)
 void drawExplainTab(const Session& session, ExplainTabState& state, const Pictures& pictures) {
     ImGui::BeginChild("explain", {0, 0});
     const bool wide = ImGui::GetContentRegionAvail().x >= minPipeline * ImGui::GetFontSize();
-    const auto& answer = session.window.explaining.answer;
+    const auto& answer = session.look.explaining.answer;
     const Explanation* explanation = explanationOf(session);
-    if (!session.window.explaining.pixel) {
+    if (!session.look.explaining.pixel) {
         drawInvitation(session, pictures, wide);
         drawTexelLine(session);
     } else if (!explanation) {
@@ -269,7 +270,7 @@ void drawExplainTab(const Session& session, ExplainTabState& state, const Pictur
         const auto& fragments = state.steps.of(answer);
         const Explanation* pinned = pinnedExplanation(session);
         const auto& pinnedFragments =
-            pinned ? state.pinnedSteps.of(session.window.explaining.pinned) : state.pinnedSteps.steps;
+            pinned ? state.pinnedSteps.of(session.look.explaining.pinned) : state.pinnedSteps.steps;
         if (const std::string cut = cutSentence(*explanation); !cut.empty()) {
             wrappedText(cut);
             noteItem("explain:cut");

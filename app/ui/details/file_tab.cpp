@@ -214,10 +214,10 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
 
 /// One line with the file's name and its problem.
 void heading(const Session& session) {
-    const InspectedFile& view = session.window.fileView;
+    const InspectedFile& view = session.look.fileView;
     if (!view.chosen.empty()) {
         if (ImGui::SmallButton("←"))
-            change(session, [](WindowState& window) { window.fileView.chosen.clear(); });
+            act(session, [](Session& changed) { changed.look.fileView.chosen.clear(); });
         noteItem("file:back");
         helpTip("Back to the file of the bound texture");
         ImGui::SameLine();
@@ -246,7 +246,7 @@ void heading(const Session& session) {
 } // namespace
 
 void drawFileTab(const Session& session, FileTabState& state) {
-    const InspectedFile& view = session.window.fileView;
+    const InspectedFile& view = session.look.fileView;
     const Texture* texture = boundTexture(session);
     if (view.shown.empty()) {
         wrappedText(texture ? "This texture is a built-in pattern without a file. Open an "

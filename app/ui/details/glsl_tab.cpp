@@ -61,7 +61,7 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
     }
     const char* copy = "Copy";
     const float width = buttonWidth(copy);
-    const std::string pass = fmt::format("pass {}", session.window.selection.pass);
+    const std::string pass = fmt::format("pass {}", session.look.selection.pass);
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(pass).c_str()).x + 2 * width) {
         dimText(pass);
         ImGui::SameLine();
@@ -191,12 +191,12 @@ void drawSource(GlslTabState& state, const PassShader& shader) {
 } // namespace
 
 void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pictures) {
-    const auto pass = static_cast<std::size_t>(session.window.selection.pass);
+    const auto pass = static_cast<std::size_t>(session.look.selection.pass);
     const std::shared_ptr<const PassShader> shader =
         pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
     if (!shader) {
         ImGui::PushTextWrapPos(0);
-        std::string reason = session.window.view.offered.whyNot(RendererKind::Shader);
+        std::string reason = session.view.offered.whyNot(RendererKind::Shader);
         if (reason.empty())
             reason = presentScene(session).passes[pass].enabled ? "see the status bar"
                                                                 : fmt::format("pass {} is not drawn", pass);

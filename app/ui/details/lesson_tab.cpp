@@ -1,10 +1,13 @@
 #include "app/ui/details/lesson_tab.h"
 
 #include "app/ui/details/lesson_key_caps.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/lessons.h"
+#include "app/ui/files/replaced_document.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/state/lesson_records.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -73,7 +76,7 @@ void stepMarks(const Session& session, const LessonRun& run) {
         const ImVec2 middle(low.x + width / 2, low.y + em / 2);
         const float radius = width * 0.3F;
         const bool isHere = i == run.step;
-        if (isStepDone(session, run.key, i))
+        if (isStepDone(session.settings, run.key, i))
             draw.AddCircleFilled(middle, radius, isHere ? color::chosen : color::accent);
         else
             draw.AddCircle(middle, radius, isHere ? color::chosen : color::dim, 0, em * 0.1F);
@@ -240,9 +243,9 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
     // It stays in place when disabled: it may have the keyboard focus.
     ImGui::BeginDisabled(passed);
     if (ImGui::SmallButton(label("Hint")))
-        change(session, [](WindowState& window) {
-            if (window.lesson)
-                window.lesson->wantsHint = true;
+        act(session, [](Session& changed) {
+            if (changed.lesson)
+                changed.lesson->wantsHint = true;
         });
     if (!passed)
         noteItem("match:hint");
@@ -256,8 +259,8 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
     if (!run.hint->hint)
         return;
     wrappedText(fmt::format("Change {}.", tr(run.hint->hint->label)));
-    if (session.window.shownParam != run.hint->hint->path)
-        change(session, [path = run.hint->hint->path](WindowState& window) { window.shownParam = path; });
+    if (session.look.shownParam != run.hint->hint->path)
+        act(session, [path = run.hint->hint->path](Session& changed) { changed.look.shownParam = path; });
 }
 
 /// The current step and the buttons to the others.
@@ -309,9 +312,9 @@ void drawStep(const Session& session, const LessonRun& run, const Pictures& pict
     if (run.wantedScroll == LessonRun::Scroll::Top)
         ImGui::SetScrollY(0);
     if (run.wantedScroll != LessonRun::Scroll::None) // first: an answer or another step scrolls again
-        change(session, [done = run.wantedScroll](WindowState& window) {
-            if (window.lesson && window.lesson->wantedScroll == done)
-                window.lesson->wantedScroll = LessonRun::Scroll::None;
+        act(session, [done = run.wantedScroll](Session& changed) {
+            if (changed.lesson && changed.lesson->wantedScroll == done)
+                changed.lesson->wantedScroll = LessonRun::Scroll::None;
         });
     lessonTextIn(color::dim, run.text(run.lesson.title));
     if (run.step == 0 && !run.lesson.source.empty())
@@ -338,7 +341,7 @@ void drawList(const Session& session) {
     for (const LessonTitle& each :
          lessonTitles(catalogueInUse() ? catalogueInUse()->language() : Language::English)) {
         ImGui::PushID(each.name.c_str());
-        const LessonProgress progress = progressOf(session, each.name, each.steps);
+        const LessonProgress progress = progressOf(session.settings, each.name, each.steps);
         const std::string count = fmt::format("{} of {}", progress.done, progress.steps);
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x;
         if (ImGui::Selectable(each.title.c_str(), false, 0, {room - ImGui::GetFontSize(), 0}))
@@ -358,8 +361,8 @@ void drawList(const Session& session) {
 } // namespace
 
 void drawLessonTab(const Session& session, const Pictures& pictures) {
-    if (const std::shared_ptr<LessonRun> run = session.window.lesson)
-        drawStep(session, *run, pictures);
+    if (session.lesson)
+        drawStep(session, *session.lesson, pictures);
     else
         drawList(session);
 }

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/level_edits.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -114,7 +115,7 @@ void drawLodRange(const Session& session, const Texture& texture, const StripPla
     const float y = place.axis;
     draw.AddRectFilled({place.origin.x, y - 1}, {place.origin.x + place.strip.extent.x, y + 1}, color::faint);
     const reference::LevelMap* map = levelMapOf(session);
-    if (!map || session.window.view.shown != reference::Shown::Lambda)
+    if (!map || session.view.shown != reference::Shown::Lambda)
         return draw.AddRectFilled({low, y - thick / 2}, {high, y + thick / 2}, color::dim);
     const int steps = reference::stepsOf(*map);
     constexpr float step = 4; // pixels

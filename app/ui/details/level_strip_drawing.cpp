@@ -3,6 +3,7 @@
 #include "app/ui/details/level_handles.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/level_edits.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/image/mip_colors.h"

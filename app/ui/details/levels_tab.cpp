@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/level_edits.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -62,7 +63,7 @@ const Finding* incompleteness(const Session& session, const std::string& texture
 std::string remark(const Session& session, const Texture& texture, const Unit& unit,
                    const LevelsSummary& summary) {
     if (!unit.enabled)
-        return fmt::format("Unit {} is off: its texture is not read.", session.window.selection.unit);
+        return fmt::format("Unit {} is off: its texture is not read.", session.look.selection.unit);
     const std::vector<LevelReport>& levels = summary.report.levels;
     if (texture.baseLevel == texture.maxLevel && levels.size() > 1)
         return fmt::format("Only level {} is read, for any λ.", texture.baseLevel);

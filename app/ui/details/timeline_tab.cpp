@@ -69,20 +69,20 @@ void timeControls(const Session& session, TimelineTabState& state) {
         act(session, [](Session& s) { goToKey(s, 1); });
     ImGui::SameLine(0, gap);
     ImGui::AlignTextToFramePadding();
-    text(fmt::format("{:.2f} of {:.2f} s", session.window.playback.time, lengthOf(timeline)));
+    text(fmt::format("{:.2f} of {:.2f} s", session.look.playback.time, lengthOf(timeline)));
     noteItem("timeline:time");
     helpTip("The scene's time and the time of the last key frame");
     besideOrBelow(ImGui::GetFontSize() * 4);
-    bool loops = session.window.playback.loops;
+    bool loops = session.look.playback.loops;
     if (ImGui::Checkbox(label("Loop"), &loops))
-        change(session, [loops](WindowState& window) { window.playback.loops = loops; });
+        act(session, [loops](Session& changed) { changed.look.playback.loops = loops; });
     noteItem("timeline:loop");
     helpTip("Time restarts after the last key frame.");
     besideOrBelow(ImGui::GetFontSize() * 6);
     gridChoice(state);
     besideOrBelow(buttonWidth(recordWords));
     if (ImGui::Button(label(recordWords)))
-        change(session, [](WindowState& window) { window.dialog = Dialog::Record; });
+        act(session, [](Session& changed) { changed.asking.dialog = Dialog::Record; });
     noteItem("timeline:record");
     helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
 }
@@ -139,10 +139,10 @@ float valueWidth(const ParamRow& row) {
 /// Edits the value of the key at the present time with the parameter's own control.
 void valueOfKey(const Session& session, const KeyFrame& key, const ParamRow& row) {
     std::optional<ParamPlace> place = placeOf(presentScene(session), key.path);
-    const bool isNow = key.time == presentKeyTime(session) && !session.window.playback.playing;
+    const bool isNow = key.time == presentKeyTime(session) && !session.look.playback.playing;
     if (!isNow || !place || place->vertex || isList(row.kind) || row.kind == Kind::Matrix) {
         ImGui::AlignTextToFramePadding();
-        dimText(wordsOfValue(session.window.settings, row, key.value));
+        dimText(wordsOfValue(session.settings, row, key.value));
         noteItem("key:value");
         return;
     }
@@ -158,7 +158,7 @@ void keyControls(const Session& session, TimelineTabState& state) {
     if (!row)
         return;
     ImGui::AlignTextToFramePadding();
-    text(shownName(session.window.settings, **row));
+    text(shownName(session.settings, **row));
     helpTip(key.path);
     besideOrBelow(em * 5);
     timeOfKey(session, chosen, key.time);

@@ -45,7 +45,7 @@ TrackPlan planTracks(const Session& session, const TimelineTabState& state) {
     const Timeline& timeline = presentScene(session).timeline;
     plan.scale.left = ImGui::GetCursorScreenPos().x + plan.names + 2 * plan.key;
     plan.scale.width = std::max(em, room - plan.names - 4 * plan.key);
-    plan.scale.seconds = state.seconds.value_or(secondsFor(lengthOf(timeline), session.window.playback.time));
+    plan.scale.seconds = state.seconds.value_or(secondsFor(lengthOf(timeline), session.look.playback.time));
     return plan;
 }
 
@@ -60,7 +60,7 @@ void scrub(const Session& session, TimelineTabState& state, const TimeScale& sca
 }
 
 void drawPresent(ImDrawList& draw, const Session& session, const TimeScale& scale, float top, float bottom) {
-    const double time = session.window.playback.time;
+    const double time = session.look.playback.time;
     if (time > static_cast<double>(scale.seconds))
         return;
     const float x = std::floor(scale.xOf(time)) + 0.5F;
@@ -121,7 +121,7 @@ void drawKey(const Session& session, TimelineTabState& state, const TrackPlan& p
     noteItem(fmt::format("key:{}@{:g}", key.path, key.time));
     const bool isFocused = ImGui::IsItemFocused() && !ImGui::GetCurrentContext()->NavDisableHighlight;
     const bool isHovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    const std::string words = wordsOfValue(session.window.settings, row, key.value);
+    const std::string words = wordsOfValue(session.settings, row, key.value);
     helpTip(fmt::format("{:.2f} s: {}, {}. Drag: move it. Right click: more.", key.time, words,
                         rowOf(key.easing).label));
     if (isHovered)
@@ -157,7 +157,7 @@ void drawKey(const Session& session, TimelineTabState& state, const TrackPlan& p
         drawDiamond(draw, at, plan.key * 1.45F, isChosen ? color::text : color::accent);
     if (isChosen)
         drawDiamond(draw, at, plan.key * 1.15F, color::panel);
-    const bool isNow = std::abs(static_cast<double>(key.time) - session.window.playback.time) < 0.005;
+    const bool isNow = std::abs(static_cast<double>(key.time) - session.look.playback.time) < 0.005;
     drawDiamond(draw, at, plan.key * 0.85F, isNow || isHovered ? color::accent : color::text);
     const float em = ImGui::GetFontSize();
     if (room > em * 1.5F) {
@@ -208,8 +208,7 @@ void trackName(const Session& session, const TrackPlan& plan, const std::string&
         ImGui::EndPopup();
     }
     const Result<std::string> now = getParam(presentScene(session), path);
-    const std::string value =
-        fitted(now ? wordsOfValue(session.window.settings, row, *now) : "", width * 0.45F);
+    const std::string value = fitted(now ? wordsOfValue(session.settings, row, *now) : "", width * 0.45F);
     const float valueWidth = ImGui::CalcTextSize(value.c_str()).x;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float top = low.y + (plan.height - em) / 2;
@@ -269,7 +268,7 @@ std::vector<std::string> namesOfTracks(const Session& session, const std::vector
     std::map<std::string, int> count;
     for (const Track& track : tracks) {
         const auto row = rowAt(presentScene(session), track.path);
-        names.push_back(row ? tr(shownName(session.window.settings, **row)) : std::string(track.path));
+        names.push_back(row ? tr(shownName(session.settings, **row)) : std::string(track.path));
         ++count[names.back()];
     }
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -11,7 +11,7 @@ namespace texplorer::ui {
 
 std::string meshPath(const Session& session, const std::string& key) {
     return fmt::format("{}.{}.{}",
-                       elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),
+                       elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model)),
                        keyOf<&Model::mesh>(), key);
 }
 

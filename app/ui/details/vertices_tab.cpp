@@ -1,7 +1,7 @@
 #include "app/ui/details/vertices_tab.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/model_choice.h"
@@ -68,7 +68,7 @@ private:
 };
 
 void editAll(const Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     TexCoords coords = effectiveTexCoords(*selectedModel(session), selectedMesh(session), selection.unit);
     edit(coords);
     submitTexCoords(session, what, std::move(coords));
@@ -94,7 +94,7 @@ void coordButtons(const Session& session, ButtonLine& line) {
 
 /// Shows the positions of its vertices, which are edited most.
 void makeMesh(const Session& session, VerticesTabState& state) {
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     Result<void> made;
     submit(
         session, "Make it a mesh",
@@ -109,11 +109,11 @@ void makeMesh(const Session& session, VerticesTabState& state) {
 /// Adds and removes vertices, in all lists and in the order.
 void vertexButtons(const Session& session, ButtonLine& line) {
     const Model& model = *selectedModel(session);
-    const std::optional<std::size_t> chosen = session.window.selection.vertex;
+    const std::optional<std::size_t> chosen = session.look.selection.vertex;
     const std::size_t count = model.mesh.positions.size();
     const bool isChosen = chosen && *chosen < count;
     const auto change = [&](const char* what, std::optional<std::size_t> next, auto&& edit) {
-        const Selection& selection = session.window.selection;
+        const Selection& selection = session.look.selection;
         auto step = stepThat(
             session, what, [&](Scene& scene) { edit(selectedModel(scene, selection)); },
             meshPath(session, keyOf<&MeshData::positions>()));
@@ -143,7 +143,7 @@ void clearButton(const Session& session, ButtonLine& line, const VertexPartRow& 
     if (line.button("Clear", std::string("clear ") + part.label, help, !isEmpty))
         submit(
             session, fmt::format("Clear {}", part.label),
-            [&](Scene& scene) { (selectedModel(scene, session.window.selection).mesh.*List).clear(); },
+            [&](Scene& scene) { (selectedModel(scene, session.look.selection).mesh.*List).clear(); },
             part.path(session));
 }
 
@@ -190,7 +190,7 @@ struct List {
 /// Its row is in sight.
 void chooseVertex(const Session& session, const List& list, std::size_t vertex) {
     list.revealed = vertex;
-    change(session, [vertex](WindowState& window) { window.selection.vertex = vertex; });
+    act(session, [vertex](Session& changed) { changed.look.selection.vertex = vertex; });
 }
 
 glm::vec4 valueOf(const Session& session, const List& list, std::size_t vertex) {
@@ -216,7 +216,7 @@ void vertexRow(const Session& session, const List& list, std::size_t vertex) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(vertex));
-    const bool chosen = session.window.selection.vertex == vertex;
+    const bool chosen = session.look.selection.vertex == vertex;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? color::chosen : color::dim);
     const std::string name = std::to_string(vertex);
@@ -241,7 +241,7 @@ void vertexRow(const Session& session, const List& list, std::size_t vertex) {
     ImGui::PopID();
     if (!changed)
         return;
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     submitDrag(
         session, fmt::format("{} {}", list.part.edit, name),
         [&](Scene& scene) {
@@ -311,7 +311,7 @@ std::vector<std::uint32_t> leftOver(const Mesh& mesh) {
 void vertexGroup(const Session& session, const List& list, const std::string& name,
                  const std::vector<std::uint32_t>& vertices, bool opened, bool reveal) {
     std::optional<std::size_t> chosenRow;
-    if (const auto& chosen = session.window.selection.vertex) {
+    if (const auto& chosen = session.look.selection.vertex) {
         const auto found = std::ranges::find(vertices, static_cast<std::uint32_t>(*chosen));
         if (found != vertices.end())
             chosenRow = static_cast<std::size_t>(found - vertices.begin());
@@ -346,7 +346,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - checkbox);
     bool showRq = session.window.showRq;
     if (ImGui::Checkbox("r, q", &showRq))
-        change(session, [showRq](WindowState& window) { window.showRq = showRq; });
+        act(session, [showRq](Session& changed) { changed.window.showRq = showRq; });
     noteItem("show r, q");
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
     partButtons(session, state);
@@ -360,7 +360,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     }
 
     const Mesh& mesh = selectedMesh(session);
-    const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
+    const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.look.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
     const bool two = part.part == VertexPart::Coordinates && !showRq && std::ranges::none_of(coords, usesRq);
     const List list{part, path, coords, two ? 2 : part.components, state.together, state.revealed};
@@ -370,7 +370,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     ImGui::Dummy({0, 0});
     header(list);
     const bool reveal =
-        std::exchange(state.revealed, session.window.selection.vertex) != session.window.selection.vertex;
+        std::exchange(state.revealed, session.look.selection.vertex) != session.look.selection.vertex;
     const bool few = mesh.faces.size() <= 6;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

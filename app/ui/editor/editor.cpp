@@ -2,8 +2,8 @@
 
 #include "app/ui/editor/followed_selection.h"
 #include "app/ui/model/explaining.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/requests.h"
-#include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/scene/animation.h"
@@ -17,8 +17,8 @@ namespace {
 /// Records the document's scene for undo.
 void record(Session& session, const Step& step) {
     Document& document = session.document;
-    if (session.window.notice.isGood)
-        session.window.notice = {}; // messages about earlier actions are out of date
+    if (session.look.notice.isGood)
+        session.look.notice = {}; // messages about earlier actions are out of date
     if (!step.continues)
         document.history.seal();
     document.history.record(document.scene, step.name);
@@ -33,7 +33,7 @@ bool appliesPreset(const Step& step) {
 }
 
 void selectAfter(Session& session, const Step& step) {
-    Selection& selection = session.window.selection;
+    Selection& selection = session.look.selection;
     bool renumbered = false;
     for (const Edit& each : step.edits)
         renumbered |= follow(selection, each);
@@ -81,7 +81,7 @@ void take(Session& session, GoToStep to) {
 
 void take(Session& session, const Step& step) {
     Scene& scene = session.document.scene;
-    Playback& playback = session.window.playback;
+    Playback& playback = session.look.playback;
     const bool moved = isAnimated(scene);
     const Result<bool> keyed =
         makeEditsAt(scene, step.edits, {.shown = playback.time, .key = presentKeyTime(session)});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/selection.h"
+#include "app/ui/state/selection.h"
 #include "core/scene/edit/edit.h"
 
 namespace texplorer::ui {

@@ -1,9 +1,11 @@
 #include "app/ui/editor/received_files.h"
 
 #include "app/ui/editor/editor.h"
+#include "app/ui/files/inspected_file.h"
+#include "app/ui/files/loads.h"
+#include "app/ui/files/scene_files.h"
 #include "app/ui/model/lesson_run.h"
-#include "app/ui/model/loads.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 #include "core/scene/params/keys.h"
 
@@ -47,7 +49,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
 }
 
 void finishImport(Session& session, const Load& load) {
-    session.window.fileView.chosen.clear(); // the tab shows the new image
+    session.look.fileView.chosen.clear(); // the tab shows the new image
     submit(session, fmt::format("Open {}", load.path.filename().string()),
            [&](Scene& scene) { bindFile(scene, load.pass, load.unit, load.file); });
 }
@@ -60,7 +62,7 @@ void finishAdd(Session& session, Load& load) {
 
 /// The user gets the message in the next frame that has room for it.
 void tellRefused(Session& session, std::vector<Error>& refused) {
-    session.window.refused.insert(session.window.refused.end(), refused.begin(), refused.end());
+    session.asking.refused.insert(session.asking.refused.end(), refused.begin(), refused.end());
     refused.clear();
 }
 
@@ -78,8 +80,8 @@ void finishSetFile(Session& session, const Load& load) {
 
 void finishReload(Session& session, const Load& load) {
     if (session.document.damaged.erase(load.file) > 0 &&
-        session.window.notice.file == session.document.images.directory() / load.file)
-        session.window.notice = {};
+        session.look.notice.file == session.document.images.directory() / load.file)
+        session.look.notice = {};
 }
 
 /// Whether it makes an undo step, or another scene.
@@ -113,7 +115,7 @@ bool finish(Session& session, Load& load) {
         putAll(session.document.images, load);
         return true;
     case Load::Kind::Scene:
-        if (session.window.dialog != Dialog::None)
+        if (session.asking.dialog != Dialog::None)
             return false;
         putAll(load.images, load);
         addImages(load.scene, load.images, load);
@@ -151,7 +153,7 @@ void finishInOrder(Session& session) {
 }
 
 void receive(Session& session, ImageLoader::Loaded loaded) {
-    if (loaded.ticket == session.window.fileView.ticket)
+    if (loaded.ticket == session.look.fileView.ticket)
         return receiveInspected(session, std::move(loaded.content));
     const auto load = std::ranges::find_if(
         session.document.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
@@ -187,10 +189,10 @@ bool reloadChanged(Session& session) {
         if (!load.file.empty())
             files.insert(load.file);
     }
-    const std::shared_ptr<LessonRun> lesson = session.window.lesson;
+    std::optional<LessonRun>& lesson = session.lesson;
     bool lessonHasChanged = false;
     for (const fs::path& changed : session.services.files.changed()) {
-        if (changed == session.window.fileView.shown)
+        if (changed == session.look.fileView.shown)
             refreshInspected(session);
         if (lesson && std::ranges::find(lesson->files, changed) != lesson->files.end())
             lesson->hasChanged = lessonHasChanged = true;
@@ -222,10 +224,10 @@ void watchFiles(Session& session) {
         if (!load.file.empty())
             paths.push_back(session.document.images.directory() / load.file);
     }
-    if (!session.window.fileView.shown.empty() && !session.window.fileView.inMemory)
-        paths.push_back(session.window.fileView.shown);
-    if (session.window.lesson)
-        std::ranges::copy(session.window.lesson->files, std::back_inserter(paths));
+    if (!session.look.fileView.shown.empty() && !session.look.fileView.inMemory)
+        paths.push_back(session.look.fileView.shown);
+    if (session.lesson)
+        std::ranges::copy(session.lesson->files, std::back_inserter(paths));
     session.services.files.watch(std::move(paths));
 }
 

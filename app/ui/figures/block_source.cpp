@@ -1,6 +1,7 @@
 #include "app/ui/figures/block_columns.h"
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"

@@ -258,7 +258,7 @@ void drawLensStrips(const Session& session, const ParamPlace& place, const LensR
     const float em = ImGui::GetFontSize();
     float names = 0;
     for (const EnumRow& mode : wrapRows)
-        names = std::max(names, ImGui::CalcTextSize(tr(shownBrief(session.window.settings, mode)).c_str()).x);
+        names = std::max(names, ImGui::CalcTextSize(tr(shownBrief(session.settings, mode)).c_str()).x);
     names = std::min(std::ceil(names + em * 0.8F), width * 0.5F);
     const std::string path = place.owner.pathOf(*place.row);
     std::optional<Wrap> wanted;
@@ -276,7 +276,7 @@ void drawLensStrips(const Session& session, const ParamPlace& place, const LensR
                     fmt::format("{}: {}", place.row->label, mode.label),
                     [&](Scene& scene) { (void)setParam(scene, path, mode.name); });
         ImDrawList& draw = *ImGui::GetWindowDrawList();
-        const std::string name = fitted(shownBrief(session.window.settings, mode), names - em * 0.6F);
+        const std::string name = fitted(shownBrief(session.settings, mode), names - em * 0.6F);
         draw.AddText({low.x + em * 0.2F, low.y + (height - em) / 2},
                      wrap == chosen ? color::chosen : color::text, name.c_str());
         const PlotBox box{

@@ -188,7 +188,7 @@ void take(Scene& scene, const Selection& selection, const TableSubject& subject,
 void cellTip(const Session& session, const CellPlace& cell, const TableColors& colors) {
     if (!ImGui::IsItemHovered())
         return;
-    const Settings& settings = session.window.settings;
+    const Settings& settings = session.settings;
     const reference::EnvironmentEquations equations =
         reference::equationsOf(cell.mode(), cell.format(), reference::inputsOf(cell.format(), colors));
     std::string words = fmt::format("{}, {}", tr(shownName(settings, texplorer::rowOf(cell.mode()))),
@@ -232,7 +232,7 @@ void drawCell(const Session& session, const TableSubject& subject, const TableCo
     if (own)
         noteItem("cell:own");
     cellTip(session, cell, colors);
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     if (hovered && !own)
         preview(session, "cell:" + nameOf(cell), wordsOf(cell),
                 [&](Scene& scene) { take(scene, selection, subject, cell); });
@@ -254,7 +254,7 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     const float gap = em * 0.4F;
     const float patch = std::round(small * 1.5F);
     const float top = std::round(low.y + std::max(0.0F, (size.y - large - small) / 2));
-    shrunkText({low.x, top}, tr(shownName(session.window.settings, row)), large, size.x - gap, color::text);
+    shrunkText({low.x, top}, tr(shownName(session.settings, row)), large, size.x - gap, color::text);
     const ImVec2 at(low.x, top + large);
     colorPatch(*ImGui::GetWindowDrawList(), {at.x, at.y + 1}, {at.x + patch, at.y + small},
                reference::inputsOf(format, colors).source);
@@ -274,8 +274,7 @@ float headWidth(const Session& session) {
     float width = em * 1.6F + ImGui::CalcTextSize("Cs = Lt, As = At").x * 0.8F;
     for (const BaseFormat format : tableFormats)
         width = std::max(
-            width,
-            ImGui::CalcTextSize(tr(shownName(session.window.settings, texplorer::rowOf(format))).c_str()).x);
+            width, ImGui::CalcTextSize(tr(shownName(session.settings, texplorer::rowOf(format))).c_str()).x);
     return std::min(std::ceil(width + em * 0.4F), std::floor(ImGui::GetContentRegionAvail().x / 4));
 }
 
@@ -284,8 +283,8 @@ void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap)
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const EnvMode own = presentScene(session)
-                            .passes[static_cast<std::size_t>(session.window.selection.pass)]
-                            .units[static_cast<std::size_t>(session.window.selection.unit)]
+                            .passes[static_cast<std::size_t>(session.look.selection.pass)]
+                            .units[static_cast<std::size_t>(session.look.selection.unit)]
                             .envMode;
     for (std::size_t column = 0; column < tableModes.size(); ++column) {
         const EnumRow& row = texplorer::rowOf(tableModes.at(column));
@@ -293,7 +292,7 @@ void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap)
         ImGui::SetCursorScreenPos({left, origin.y});
         ImGui::Dummy({cell.x, columnHeadHeight()});
         choiceTip(row);
-        shrunkText({left, origin.y}, tr(shownName(session.window.settings, row)), em, cell.x,
+        shrunkText({left, origin.y}, tr(shownName(session.settings, row)), em, cell.x,
                    tableModes.at(column) == own ? color::accent : color::text);
     }
     ImGui::SetCursorScreenPos({origin.x, origin.y + columnHeadHeight()});

@@ -35,8 +35,8 @@ void figureNames(const Session& session) {
                          noteItem(fmt::format("figure:{}", figureRows[i].name));
                      });
     if (pressed)
-        change(session,
-               [figure = figureRows[*pressed].figure](WindowState& window) { window.figure = figure; });
+        act(session,
+            [figure = figureRows[*pressed].figure](Session& changed) { changed.window.figure = figure; });
 }
 
 } // namespace

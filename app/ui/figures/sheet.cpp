@@ -2,8 +2,9 @@
 
 #include "app/ui/figures/plot.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/preview.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/sheet_choice.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -39,7 +40,7 @@ NamedAxis namedAxis(const Session& session, SweepAxis axis) {
     named.all = named.axis.values.size();
     named.axis.values.resize(std::min(named.all, maxPerSide));
     const sheet::LabelKind kind =
-        session.window.settings.glNames ? sheet::LabelKind::Names : sheet::LabelKind::Words;
+        session.settings.glNames ? sheet::LabelKind::Names : sheet::LabelKind::Words;
     named.labels = std::move(sheet::labelsOf(scene, std::span(&named.axis, 1), kind).front().values);
     for (std::string& each : named.labels)
         each = tr(each);
@@ -89,7 +90,7 @@ struct Axes {
 };
 
 std::string wordsOf(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
-    const Settings& settings = session.window.settings;
+    const Settings& settings = session.settings;
     return fmt::format("{}: {}, {}: {}", tr(shownName(settings, *axes.rows.row)), axes.rows.labels.at(row),
                        tr(shownName(settings, *axes.columns.row)), axes.columns.labels.at(column));
 }
@@ -236,8 +237,8 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
     // The pictures do not depend on the scene's values on both axes.
     Result<Scene> base = sheetScene(presentScene(session), axes.rows.axis, 0, axes.columns.axis, 0);
     return {{base ? *std::move(base) : presentScene(session), session.document.images,
-             session.window.playback.time, pixels(plan.cell.x, density.x), pixels(plan.cell.y, density.y),
-             session.window.view.anisotropy, session.window.view.rho},
+             session.look.playback.time, pixels(plan.cell.x, density.x), pixels(plan.cell.y, density.y),
+             session.view.anisotropy, session.view.rho},
             axes.rows.axis,
             axes.columns.axis};
 }

@@ -1,9 +1,10 @@
 #include "app/ui/figures/sheet.h"
+#include "app/ui/files/sheet_file.h"
+#include "app/ui/files/texshot_command.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/param_match.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/sheet_file.h"
-#include "app/ui/model/texshot_command.h"
+#include "app/ui/model/sheet_choice.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
@@ -25,7 +26,7 @@ constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
 /// The label of the parameter at a path; the path if there is none.
 std::string labelAt(const Session& session, const std::string& path) {
     const Result<ParamAt> at = paramAt(presentScene(session), path);
-    return at ? std::string(shownName(session.window.settings, *at->row)) : path;
+    return at ? std::string(shownName(session.settings, *at->row)) : path;
 }
 
 void findOffers(const Session& session, SheetState& state) {
@@ -44,7 +45,7 @@ void findOffers(const Session& session, SheetState& state) {
             return;
         const bool selected = (bound && path.starts_with(texture)) || path.starts_with(unit);
         found.emplace_back((match == 2 ? 0 : 2) + (selected ? 0 : 1),
-                           SheetState::Offer{path, std::string(shownName(session.window.settings, row))});
+                           SheetState::Offer{path, std::string(shownName(session.settings, row))});
     });
     std::ranges::stable_sort(found, {}, &std::pair<int, SheetState::Offer>::first);
     for (auto& [rank, offer] : found)
@@ -97,13 +98,13 @@ constexpr const char* copyWords = "Copy command";
 void fileOptions(const Session& session) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
-    const SheetChoice& choice = session.window.sheet;
+    const SheetChoice& choice = session.sheet;
     const auto number = [&](const char* name, int SheetChoice::*member) {
         int value = choice.*member;
         ImGui::SetNextItemWidth(em * 4.5F);
         if (ImGui::DragInt(name, &value, 1, 1, reference::maxPictureExtent, "%d",
                            ImGuiSliderFlags_AlwaysClamp))
-            change(session, [member, value](WindowState& window) { window.sheet.*member = value; });
+            act(session, [member, value](Session& changed) { changed.sheet.*member = value; });
         markDraggable();
         noteItem(fmt::format("sheet file:{}", name + 2));
         helpTip("The size of each picture in pixels. Drag it, or double-click to type a number.");
@@ -126,8 +127,8 @@ void fileOptions(const Session& session) {
             ImGui::SameLine(0, em * 0.8F);
         if (ImGui::RadioButton(label(row.label).c_str(),
                                row.value == static_cast<std::uint32_t>(choice.labels)))
-            change(session, [&row](WindowState& window) {
-                window.sheet.labels = static_cast<sheet::LabelKind>(row.value);
+            act(session, [&row](Session& changed) {
+                changed.sheet.labels = static_cast<sheet::LabelKind>(row.value);
             });
         noteItem(fmt::format("sheet file:{}", row.name));
         helpTip(row.help);
@@ -166,7 +167,7 @@ void fileControls(const Session& session) {
         sheetProblem(describe(extent.error()));
     ImGui::BeginDisabled(!extent);
     if (ImGui::Button(label("Choose a file…"))) {
-        change(session, [](WindowState& window) { window.dialog = Dialog::SaveSheet; });
+        act(session, [](Session& changed) { changed.asking.dialog = Dialog::SaveSheet; });
         ImGui::CloseCurrentPopup();
     }
     noteItem("sheet file:choose");
@@ -180,8 +181,8 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const SheetAxis& axis = shown.at(side);
     const auto choose = [&](SheetAxis chosen) {
-        change(session, [shown, side, chosen = std::move(chosen)](WindowState& window) {
-            std::optional<SheetAxes>& axes = window.sheet.own;
+        act(session, [shown, side, chosen = std::move(chosen)](Session& changed) {
+            std::optional<SheetAxes>& axes = changed.sheet.own;
             if (!axes)
                 axes = shown;
             axes->at(side) = chosen;
@@ -215,7 +216,7 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
 }
 
 void pairChoice(const Session& session, float width) {
-    const SheetChoice& choice = session.window.sheet;
+    const SheetChoice& choice = session.sheet;
     const char* current = choice.own ? "Your own pair" : sheetPairs().at(choice.pair).label;
     ImGui::SetNextItemWidth(width);
     const std::string name = fitted(current, listRoom(width));
@@ -227,9 +228,9 @@ void pairChoice(const Session& session, float width) {
     for (std::size_t i = 0; i < sheetPairs().size(); ++i) {
         const SheetPair& pair = sheetPairs().at(i);
         if (ImGui::Selectable(label(pair.label), !choice.own && choice.pair == i))
-            change(session, [i](WindowState& window) {
-                window.sheet.own.reset();
-                window.sheet.pair = i;
+            act(session, [i](Session& changed) {
+                changed.sheet.own.reset();
+                changed.sheet.pair = i;
             });
         noteItem(fmt::format("sheet pair:{}", pair.name));
         helpTip(pair.help);
@@ -262,8 +263,8 @@ void drawSheetControls(const Session& session, SheetState& state, const SheetAxe
     pairChoice(session, std::floor(inLine ? spare * 0.23F : std::min(room * 0.5F, em * 14)));
     ImGui::SameLine(0, gap);
     if (ImGui::Button(label("Swap")))
-        change(session, [](WindowState& window) {
-            SheetChoice& choice = window.sheet;
+        act(session, [](Session& changed) {
+            SheetChoice& choice = changed.sheet;
             if (choice.own)
                 std::swap((*choice.own)[0], (*choice.own)[1]);
             else

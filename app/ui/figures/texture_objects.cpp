@@ -56,7 +56,7 @@ template<class Enum, class CallOf>
 void enumCalls(const Session& session, std::string_view name, std::span<const Enum> choices, Enum chosen,
                float width, Wanted& wanted, const CallOf& callOf) {
     std::vector<Segment> segments =
-        segmentsOf(choices, [&](Enum each) { return shownBrief(session.window.settings, rowOf(each)); });
+        segmentsOf(choices, [&](Enum each) { return shownBrief(session.settings, rowOf(each)); });
     if constexpr (std::is_same_v<Enum, MinFilter>)
         segments.back().text = "Blended mips"; // Nearest within each: the initial value
     ImGui::PushID(name.data());
@@ -202,7 +202,7 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
     ImGui::PopStyleColor();
     if (isNew || isMade)
         lightItem(true, fmt::format("name {}", name));
-    const auto choice = [&](auto value) { return tr(shownName(session.window.settings, rowOf(value))); };
+    const auto choice = [&](auto value) { return tr(shownName(session.settings, rowOf(value))); };
     if (object) {
         ImGui::TableNextColumn();
         const float side = ImGui::GetFrameHeight();
@@ -224,7 +224,7 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
                    changed([](const TextureObject& o) { return o.state.minFilter; }),
                    fmt::format("min {}", name));
         const Texture& texture = object->state;
-        const auto brief = [&](Wrap wrap) { return tr(shownBrief(session.window.settings, rowOf(wrap))); };
+        const auto brief = [&](Wrap wrap) { return tr(shownBrief(session.settings, rowOf(wrap))); };
         const std::string wraps = texture.wrapS == texture.wrapT
                                       ? brief(texture.wrapS)
                                       : fmt::format("{}, {}", brief(texture.wrapS), brief(texture.wrapT));

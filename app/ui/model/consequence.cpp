@@ -1,5 +1,6 @@
 #include "app/ui/model/consequence.h"
 
+#include "app/ui/model/explaining.h"
 #include "core/reference/explain/explanation_steps.h"
 #include "core/reference/sampling/comparison.h"
 

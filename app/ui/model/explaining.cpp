@@ -1,5 +1,6 @@
 #include "app/ui/model/explaining.h"
 
+#include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/shown_passes.h"
 
@@ -23,15 +24,14 @@ std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
 
 reference::DrawRequest pictureNow(const Session& session, int width, int height) {
     Scene stepped;
-    return {
-        shownScene(session, stepped),   session.document.images, session.window.playback.time, width, height,
-        session.window.view.anisotropy, session.window.view.rho};
+    return {shownScene(session, stepped), session.document.images, session.look.playback.time, width, height,
+            session.view.anisotropy,      session.view.rho};
 }
 
 /// The image in which the unit that is asked about would look up the texel now.
 std::shared_ptr<const TextureImage> imageAsked(const Session& session) {
     const Scene& scene = presentScene(session);
-    const reference::TexelQuestion& asked = *session.window.explaining.texel;
+    const reference::TexelQuestion& asked = *session.look.explaining.texel;
     const auto pass = static_cast<std::size_t>(asked.pass);
     if (pass >= scene.passes.size())
         return nullptr;
@@ -43,7 +43,7 @@ std::shared_ptr<const TextureImage> imageAsked(const Session& session) {
 } // namespace
 
 void askAboutPicture(Session& session, view::Size picture) {
-    Explaining& asked = session.window.explaining;
+    Explaining& asked = session.look.explaining;
     if (asked.texel && asked.texelOf != imageAsked(session))
         clearTexel(session);
     const auto [width, height] = picture;
@@ -66,28 +66,28 @@ void askAboutPicture(Session& session, view::Size picture) {
 }
 
 const reference::Explanation* explanationOf(const Session& session) {
-    const auto& answer = session.window.explaining.answer;
-    return session.window.explaining.pixel && answer && answer->explanation && *answer->explanation
+    const auto& answer = session.look.explaining.answer;
+    return session.look.explaining.pixel && answer && answer->explanation && *answer->explanation
                ? &**answer->explanation
                : nullptr;
 }
 
 const reference::Explanation* pinnedExplanation(const Session& session) {
-    const auto& pinned = session.window.explaining.pinned;
+    const auto& pinned = session.look.explaining.pinned;
     return pinned ? &**pinned->explanation : nullptr;
 }
 
 void pinPixel(Session& session) {
     if (explanationOf(session))
-        session.window.explaining.pinned = session.window.explaining.answer;
+        session.look.explaining.pinned = session.look.explaining.answer;
 }
 
 bool explainsThePicture(const Session& session) {
     const reference::Explanation* explanation = explanationOf(session);
     if (!explanation)
         return false;
-    const reference::ProbeRequest& answered = session.window.explaining.answer->request;
-    return answered.pixel == session.window.explaining.pixel &&
+    const reference::ProbeRequest& answered = session.look.explaining.answer->request;
+    return answered.pixel == session.look.explaining.pixel &&
            answered.picture == pictureNow(session, explanation->width, explanation->height);
 }
 
@@ -97,29 +97,28 @@ const reference::UnitExplanation* probedUnit(const Session& session) {
         return nullptr;
     for (std::size_t i = explanation->fragments.size(); i > 0; --i) {
         const reference::FragmentExplanation& fragment = explanation->fragments[i - 1];
-        if (fragment.pass != session.window.selection.pass ||
+        if (fragment.pass != session.look.selection.pass ||
             fragment.outcome != reference::FragmentOutcome::Drawn)
             continue;
-        const auto unit = std::ranges::find(fragment.units, session.window.selection.unit,
-                                            &reference::UnitExplanation::unit);
+        const auto unit =
+            std::ranges::find(fragment.units, session.look.selection.unit, &reference::UnitExplanation::unit);
         return unit == fragment.units.end() ? nullptr : &*unit;
     }
     return nullptr;
 }
 
 void chooseTexel(Session& session, const reference::TexelPlace& texel) {
-    const reference::TexelQuestion question{session.window.selection.pass, session.window.selection.unit,
-                                            texel};
-    std::optional<reference::TexelQuestion>& chosen = session.window.explaining.texel;
+    const reference::TexelQuestion question{session.look.selection.pass, session.look.selection.unit, texel};
+    std::optional<reference::TexelQuestion>& chosen = session.look.explaining.texel;
     if (chosen == question)
         return clearTexel(session);
     chosen = question;
-    session.window.explaining.texelOf = imageAsked(session);
+    session.look.explaining.texelOf = imageAsked(session);
 }
 
 void clearTexel(Session& session) {
-    session.window.explaining.texel.reset();
-    session.window.explaining.texelOf.reset();
+    session.look.explaining.texel.reset();
+    session.look.explaining.texelOf.reset();
 }
 
 } // namespace texplorer::ui

@@ -24,7 +24,7 @@ int indexIn(const std::string& path, std::string_view list) {
 void diagnoseSession(Session& session, const DriverFacts& driver) {
     Diagnosis& last = session.document.diagnosis;
     std::vector<TexturePictures> pictures;
-    const StandingScene scene(session.document.scene, session.window.playback.time);
+    const StandingScene scene(session.document.scene, session.look.playback.time);
     for (const Texture& texture : scene->textures)
         pictures.push_back(session.document.images.picturesOf(texture));
     if (last.scene == *scene && last.pictures == pictures && last.driver == driver)
@@ -47,7 +47,7 @@ std::string sentenceOf(const Finding& finding) {
 }
 
 void reveal(Session& session, const std::string& path) {
-    Selection& selection = session.window.selection;
+    Selection& selection = session.look.selection;
     if (const int pass = indexIn(path, "passes"); pass >= 0)
         selection.pass = pass;
     if (const int unit = indexIn(path, "units"); unit >= 0)
@@ -73,7 +73,7 @@ void reveal(Session& session, const std::string& path) {
         }
     }
     session.out.wantedParam = path;
-    session.window.shownParam = path;
+    session.look.shownParam = path;
 }
 
 std::string assignmentsOf(const Fix& fix) {

@@ -1,6 +1,6 @@
 #include "app/ui/model/kept.h"
 
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 
 #include <fmt/core.h>
@@ -50,7 +50,7 @@ Scene keptFrom(const Session& session) {
 }
 
 void take(const Session& session, std::string name, const std::string& path) {
-    Selection selection = session.window.selection;
+    Selection selection = session.look.selection;
     selectAsInA(selection, session.document.kept.selection, path);
     edit::Replace replace{std::make_shared<const Scene>(keptFrom(session))};
     if (!path.empty())
@@ -68,12 +68,12 @@ bool isKeptShown(const Session& session) {
 }
 
 bool isKeptBeside(const Session& session) {
-    return session.window.view.arrangement == Arrangement::Kept;
+    return session.view.arrangement == Arrangement::Kept;
 }
 
 void keepAsA(Session& session) {
     session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt,
-                             session.window.selection};
+                             session.look.selection};
     followKept(session);
     tell(session, "Kept as A. Change something and compare it with the menu A/B.");
 }
@@ -84,7 +84,7 @@ void flipKept(Session& session) {
         return;
     const bool shown = isKeptShown(session);
     if (isKeptBeside(session))
-        session.window.view.arrangement = Arrangement::One;
+        session.view.arrangement = Arrangement::One;
     kept.flippedAt.reset();
     if (!shown)
         kept.flippedAt = session.document.scene;
@@ -96,7 +96,7 @@ void splitKept(Session& session) {
     if (!kept.scene)
         return;
     kept.flippedAt.reset();
-    session.window.view.arrangement = isKeptBeside(session) ? Arrangement::One : Arrangement::Kept;
+    session.view.arrangement = isKeptBeside(session) ? Arrangement::One : Arrangement::Kept;
     followKept(session);
 }
 
@@ -107,7 +107,7 @@ void forgetKept(Session& session) {
 
 void followKept(Session& session) {
     Kept& kept = session.document.kept;
-    ViewSettings& view = session.window.view;
+    ViewSettings& view = session.view;
     if (!kept.scene && view.arrangement == Arrangement::Kept)
         view.arrangement = Arrangement::One;
     if (kept.flippedAt && (!isSame(*kept.flippedAt, session.document.scene) || isComparing(view)))

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,7 +16,7 @@ bool isUsable(const LessonRun& run, std::size_t key) {
 }
 
 bool isTakenByLesson(const Session& session, std::string_view key) {
-    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    const std::optional<LessonRun>& run = session.lesson;
     if (!run)
         return false;
     const std::vector<lesson::LessonKey>& keys = run->lesson.keys;
@@ -26,7 +25,7 @@ bool isTakenByLesson(const Session& session, std::string_view key) {
 }
 
 void pressLessonKeys(const Session& session, std::span<const KeyPress> presses) {
-    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    const std::optional<LessonRun>& run = session.lesson;
     if (!run || presses.empty())
         return;
     std::string words;
@@ -37,7 +36,7 @@ void pressLessonKeys(const Session& session, std::span<const KeyPress> presses) 
         const lesson::LessonKey& pressed = run->lesson.keys[press.key];
         if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
             // At the end of its range a number stays unchanged, without a message.
-            static_cast<void>(addTo(sum, *addition, press.times, session.window.playback.time));
+            static_cast<void>(addTo(sum, *addition, press.times, session.look.playback.time));
             words = fmt::format("Key {}", pressed.key);
             continue;
         }
@@ -48,12 +47,12 @@ void pressLessonKeys(const Session& session, std::span<const KeyPress> presses) 
         submit(session, fmt::format("Key {}", pressed.key), [&](Scene& scene) { scene = changed; });
         const bool isOverridden = changed == presentScene(session); // by another key's choice
         act(session, [isOverridden, made = PressedKey{std::move(changed), std::move(chosen)}](Session& s) {
-            if (!s.window.lesson)
+            if (!s.lesson)
                 return;
             if (isOverridden)
-                s.window.lesson->chosen = made.chosen;
+                s.lesson->chosen = made.chosen;
             else
-                s.window.lesson->pressed = made;
+                s.lesson->pressed = made;
         });
     }
     submitDrag(session, words, [&](Scene& scene) { scene = std::move(sum); });

@@ -1,8 +1,10 @@
 #include "app/ui/model/lesson_list.h"
 
-#include "app/ui/model/lesson_run.h"
+#include "app/ui/language/lesson_catalogue.h"
+#include "core/lesson/lesson_files.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace texplorer::ui {

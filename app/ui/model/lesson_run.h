@@ -1,8 +1,9 @@
 #pragma once
 
 #include "app/ui/language/lesson_catalogue.h"
-#include "app/ui/model/lesson_progress.h"
-#include "app/ui/model/lesson_work.h"
+#include "app/ui/services/lesson_work.h"
+#include "app/ui/state/lesson_records.h"
+#include "app/ui/state/view_settings.h"
 #include "core/lesson/lesson_keys.h"
 #include "core/lesson/lesson_scene.h"
 
@@ -10,18 +11,21 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace texplorer::ui {
 
-struct Session;
-
 /// The scene and the choices after a key was pressed, until the step is made.
 struct PressedKey {
     Scene scene;
     lesson::ChosenChoices chosen; ///< of that scene; several choices may fit it
+};
+
+/// The pictures that a lesson's step shows, and those that it replaced.
+struct LessonPictures {
+    ShownPictures before{};
+    ShownPictures chosen{};
 };
 
 /// An open lesson. The results of its steps are kept longer: see lesson_progress.h.
@@ -34,7 +38,8 @@ struct LessonRun {
         , start(std::move(scene)) {}
 
     lesson::LessonFolder folder;
-    std::string key; ///< see progressKey
+    std::string key;                        ///< see progressKey
+    std::optional<LessonPictures> lookedAt; ///< of its step
     lesson::Lesson lesson;
     std::size_t step = 0;
     lesson::LessonScene start;                  ///< the step's initial scene
@@ -74,38 +79,5 @@ struct LessonRun {
 
 /// The wrong part of a compared picture in percent; 0: the target is reached.
 [[nodiscard]] long percentWrong(const lesson::Grade& grade);
-
-/// Opens a lesson at its last shown step and replaces the scene: see askLesson. Errors: those of readLesson
-/// and startOf; nothing has changed then. Images of a folder arrive later, as for any scene.
-[[nodiscard]] Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
-                                      std::optional<std::size_t> step = {});
-
-/// Opens a built-in lesson or a folder's. Errors: those of LessonFolder::builtIn and openLesson.
-[[nodiscard]] Result<void> openLessonNamed(Session& session, const std::string& nameOrFolder,
-                                           std::optional<std::size_t> step = {});
-
-/// Whether the tab stays open with the list of all lessons.
-enum class KeepsTab : bool { No, Yes };
-void closeLesson(Session& session, KeepsTab tab = KeepsTab::No);
-
-/// Shows another step, or restarts the current one.
-void goToLessonStep(Session& session, std::size_t step);
-
-/// The student's answer. The right one shows its scene, and later the reason.
-void answerQuestion(Session& session, std::size_t answer);
-
-/// Where a lesson is shown: the picture in the view, and the driver.
-struct LessonPlace {
-    lesson::PictureSize picture;
-    int units = maxUnits; ///< the number of the driver's texture units
-};
-
-/// Call once per frame. Takes finished results, and requests the grade of a changed scene, a wanted hint, and
-/// the numbers of another picture. Restarts the step if the driver turns out to have fewer texture units.
-void followLesson(Session& session, const LessonPlace& place);
-
-/// Reads a lesson's folder again after its files have changed; the shown step stays. If a file cannot be read
-/// or is invalid, nothing changes and the user gets a message.
-void reloadLesson(Session& session);
 
 } // namespace texplorer::ui

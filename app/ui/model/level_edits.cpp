@@ -97,7 +97,7 @@ void setUnitBias(const Session& session, float bias) {
 
 float biasOf(const Session& session) {
     const Texture* texture = boundTexture(session);
-    const Selection& at = session.window.selection;
+    const Selection& at = session.look.selection;
     const Pass& pass = presentScene(session).passes[static_cast<std::size_t>(at.pass)];
     return (texture ? texture->lodBias : 0) + pass.units[static_cast<std::size_t>(at.unit)].lodBias;
 }
@@ -109,7 +109,7 @@ bool limitsLevels(const Session& session) {
 }
 
 void readAllLevels(const Session& session) {
-    const Selection& at = session.window.selection;
+    const Selection& at = session.look.selection;
     submit(session, "Read all levels", [&at](Scene& scene) {
         Unit& unit = selectedUnit(scene, at);
         unit.lodBias = 0;

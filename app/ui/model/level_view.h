@@ -4,19 +4,11 @@
 #include "core/reference/explain/explanation.h"
 #include "core/reference/level_map_worker.h"
 
-#include <memory>
 #include <optional>
 
 namespace texplorer::ui {
 
 struct Session;
-
-/// The levels that each pixel reads: shown as false colours over the pictures, and in the tab Levels.
-struct LevelView {
-    std::optional<reference::PixelPlace> hovered{}; ///< the pixel under the pointer, set by the view
-    std::shared_ptr<const reference::LevelMapWorker::Answer>
-        answer{}; ///< the newest; may be for an earlier question
-};
 
 /// Call once per frame, before the panels. Asks for the levels of the pixels if a panel shows them, and takes
 /// finished answers. A picture has this size in pixels.

@@ -9,8 +9,8 @@ namespace texplorer::ui {
 namespace {
 
 PresetPlace selectedPlace(const Session& session) {
-    return {static_cast<std::size_t>(session.window.selection.pass),
-            static_cast<std::size_t>(session.window.selection.unit)};
+    return {static_cast<std::size_t>(session.look.selection.pass),
+            static_cast<std::size_t>(session.look.selection.unit)};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "app/ui/model/preview.h"
 
+#include "app/ui/model/kept.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/scene/params/key_edits.h"
@@ -12,12 +13,12 @@ namespace texplorer::ui {
 
 void preview(const Session& session, std::string_view choice, std::string_view text,
              const std::function<void(Scene&)>& edit) {
-    const std::optional<Preview>& shown = session.window.preview;
+    const std::optional<Preview>& shown = session.look.preview;
     const Scene& scene = presentScene(session);
     if (shown && shown->choice == choice && shown->madeOf == scene)
-        return change(session, [](WindowState& window) {
-            if (window.preview)
-                window.preview->wanted = true;
+        return act(session, [](Session& changed) {
+            if (changed.look.preview)
+                changed.look.preview->wanted = true;
         });
     Scene edited = scene;
     edit(edited);
@@ -27,20 +28,20 @@ void preview(const Session& session, std::string_view choice, std::string_view t
         filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
     if (!isLoaded)
         return;
-    change(session, [made = Preview{std::string(choice), std::string(text),
-                                    std::make_shared<const Scene>(std::move(edited)), scene,
-                                    true}](WindowState& window) { window.preview = made; });
+    act(session, [made = Preview{std::string(choice), std::string(text),
+                                 std::make_shared<const Scene>(std::move(edited)), scene,
+                                 true}](Session& changed) { changed.look.preview = made; });
 }
 
 void endPreview(Session& session) {
-    std::optional<Preview>& shown = session.window.preview;
+    std::optional<Preview>& shown = session.look.preview;
     if (shown && !std::exchange(shown->wanted, false))
         shown.reset();
 }
 
 const Scene& shownScene(const Session& session) {
-    if (session.window.preview)
-        return *session.window.preview->scene;
+    if (session.look.preview)
+        return *session.look.preview->scene;
     return isKeptShown(session) && session.document.kept.seen ? *session.document.kept.seen
                                                               : session.document.scene;
 }

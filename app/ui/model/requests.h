@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/ui/model/sections.h"
-#include "app/ui/model/selection.h"
+#include "app/ui/state/sections.h"
+#include "app/ui/state/selection.h"
 #include "core/scene/edit/edit.h"
 
 #include <cstddef>

@@ -1,15 +1,22 @@
 #pragma once
 
-#include "app/ui/model/document.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/requests.h"
-#include "app/ui/model/services.h"
-#include "app/ui/model/window_state.h"
+#include "app/ui/services/services.h"
+#include "app/ui/state/asking.h"
+#include "app/ui/state/document.h"
+#include "app/ui/state/look.h"
+#include "app/ui/state/notes.h"
+#include "app/ui/state/recording_choice.h"
+#include "app/ui/state/settings.h"
+#include "app/ui/state/sheet_choice.h"
+#include "app/ui/state/view_settings.h"
+#include "app/ui/state/window_state.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace texplorer::ui {
 
@@ -26,6 +33,14 @@ struct Session {
 
     Services services;
     Document document;
+    Look look;         ///< reset for another document
+    Settings settings; ///< kept between windows
+    ViewSettings view; ///< the renderers and how their frames are shown
+    Asking asking;
+    std::optional<LessonRun> lesson; ///< nothing: none is open
+    SheetChoice sheet;
+    RecordingChoice recording;
+    ViewNotes notes;
     WindowState window;
     mutable Outbox out;       ///< of this frame
     mutable MeshOfModel mesh; ///< see selectedMesh
@@ -33,29 +48,8 @@ struct Session {
         0; ///< the number of replaced documents, for panels to detect that their state is out of date
 };
 
-/// Replaces the document and resets how it is shown, with the renderers that the user has chosen; the rest of
-/// the window stays. Cancels the loads of the old document, and closes the lesson, unless the new document
-/// belongs to it.
-void replaceDocument(Session& session, Document document);
-/// Replaces the document by another state of it, without resetting how it is shown.
-void exchangeDocument(Session& session, Document document);
-
-/// Restores the renderers that were shown before a lesson's step chose others, unless the user has chosen
-/// some since.
-void endLessonPictures(WindowState& window);
-
 /// Selects the first visible model if the selected one is not drawn.
 void leaveHiddenModel(Session& session);
-
-/// Call before a frame is rendered and its panels are drawn: fits a camera that needs it, and corrects
-/// selections that are not in the scene.
-void settle(Session& session, const Layout& layout);
-
-/// Advances the clock by `seconds` of real time, if it plays and something depends on it.
-void advance(Session& session, double seconds);
-
-/// Whether the next frame differs even without input.
-[[nodiscard]] bool isMoving(const Session& session);
 
 /// The scene at the present time, which panels show and edit: parameters with key frames have the values that
 /// are seen.
@@ -73,8 +67,6 @@ void bringSelectionBack(Session& session);
 
 /// Has something done at the end of the frame (app/ui/editor), after the earlier requests.
 void act(const Session& session, Action action);
-/// The same for a change of the window's state.
-void change(const Session& session, std::function<void(WindowState&)> make);
 /// The same for panels, their places and sizes.
 void rearrange(const Session& session, std::function<void(Workspace&)> make);
 

@@ -11,7 +11,7 @@ namespace texplorer::ui {
 namespace {
 
 std::string boundTexturePath(const Session& session, const std::string& key) {
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     const int bound = presentScene(session)
                           .passes.at(static_cast<std::size_t>(selection.pass))
                           .units.at(static_cast<std::size_t>(selection.unit))
@@ -62,7 +62,7 @@ const std::array<SheetPair, 4>& sheetPairs() {
 }
 
 SheetAxes axesOf(const Session& session) {
-    const SheetChoice& choice = session.window.sheet;
+    const SheetChoice& choice = session.sheet;
     if (choice.own)
         return *choice.own;
     SheetAxes axes = sheetPairs().at(choice.pair).axes(session);
@@ -92,7 +92,7 @@ void varyOnSheet(Session& session, std::string path, std::size_t side) {
         std::swap(axes[0], axes[1]);
     else if (axes[side].path != path)
         axes[side] = {std::move(path)};
-    session.window.sheet.own = std::move(axes);
+    session.sheet.own = std::move(axes);
     showSheet(session);
 }
 

@@ -1,27 +1,16 @@
 #pragma once
 
+#include "app/ui/state/sheet_choice.h"
 #include "core/scene/params/sweep_axis.h"
 #include "core/sheet/axis_labels.h"
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace texplorer::ui {
 
 struct Session; // see session.h
-
-/// The rows or the columns of the sheet of variations.
-struct SheetAxis {
-    std::string path;
-    std::string values = "*"; ///< in the format of sweepAxis
-
-    bool operator==(const SheetAxis&) const = default;
-};
-
-/// Rows and columns.
-using SheetAxes = std::array<SheetAxis, 2>;
 
 /// A pair of related parameters of the selected objects.
 struct SheetPair {
@@ -31,17 +20,6 @@ struct SheetPair {
     SheetAxes (*axes)(const Session& session);
 };
 [[nodiscard]] const std::array<SheetPair, 4>& sheetPairs();
-
-/// The content of the sheet and the options of its file.
-struct SheetChoice {
-    std::size_t pair = 0;         ///< index into sheetPairs
-    std::optional<SheetAxes> own; ///< chosen by the user instead of the pair
-    bool swapped = false;         ///< exchanges the pair's rows and columns
-
-    int width = 320; ///< of each picture in the file, in pixels
-    int height = 200;
-    sheet::LabelKind labels = sheet::LabelKind::Names; ///< in the file
-};
 
 /// The axes that the sheet shows.
 [[nodiscard]] SheetAxes axesOf(const Session& session);

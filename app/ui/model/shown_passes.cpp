@@ -9,9 +9,9 @@ namespace texplorer::ui {
 
 std::size_t shownPasses(const Session& session) {
     const std::size_t count = shownScene(session).passes.size();
-    if (!session.window.view.stepsThroughPasses)
+    if (!session.view.stepsThroughPasses)
         return count;
-    return std::min(count, static_cast<std::size_t>(session.window.selection.pass) + 1);
+    return std::min(count, static_cast<std::size_t>(session.look.selection.pass) + 1);
 }
 
 const Scene& shownScene(const Session& session, Scene& stepped) {
@@ -20,7 +20,7 @@ const Scene& shownScene(const Session& session, Scene& stepped) {
     const bool moves = !whole.timeline.keys.empty();
     if (shown == whole.passes.size() && !moves)
         return whole;
-    stepped = moves ? sceneAt(whole, session.window.playback.time) : whole;
+    stepped = moves ? sceneAt(whole, session.look.playback.time) : whole;
     stepped.passes.resize(shown);
     return stepped;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
 
 namespace texplorer::ui {

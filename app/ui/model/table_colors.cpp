@@ -36,7 +36,7 @@ const reference::EnvironmentInputs* inputsIn(const reference::Explanation& expla
 
 /// From the probed pixel; nothing: none is probed, it has no such fragment, or nothing is known yet.
 std::optional<reference::EnvironmentInputs> probedInputs(const Session& session, view::Size picture) {
-    const std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
+    const std::optional<reference::PixelPlace>& pixel = session.look.explaining.pixel;
     const bool isInside =
         pixel && pixel->x < picture.width && pixel->y < picture.height && boundTexture(session);
     if (!isInside) {
@@ -47,13 +47,13 @@ std::optional<reference::EnvironmentInputs> probedInputs(const Session& session,
     Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(session).texture)];
     texture.internalFormat = wholeFormat(texture.internalFormat);
     const auto answer = session.services.plainProbe.answer(
-        {{std::move(scene), session.document.images, session.window.playback.time, picture.width,
-          picture.height, session.window.view.anisotropy, session.window.view.rho},
+        {{std::move(scene), session.document.images, session.look.playback.time, picture.width,
+          picture.height, session.view.anisotropy, session.view.rho},
          pixel,
          std::nullopt});
     if (!answer || !answer->explanation || !*answer->explanation)
         return std::nullopt;
-    const reference::EnvironmentInputs* inputs = inputsIn(**answer->explanation, session.window.selection);
+    const reference::EnvironmentInputs* inputs = inputsIn(**answer->explanation, session.look.selection);
     return inputs ? std::optional(*inputs) : std::nullopt;
 }
 

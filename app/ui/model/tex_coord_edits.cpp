@@ -14,7 +14,7 @@ namespace texplorer::ui {
 namespace {
 
 Step coordsStep(const Session& session, std::string name, TexCoords coords) {
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     auto changed = std::make_shared<Scene>(presentScene(session));
     selectedModel(*changed, selection).texCoords[static_cast<std::size_t>(selection.unit)] =
         std::move(coords);
@@ -31,8 +31,7 @@ glm::vec4 withinCoordRange(glm::vec4 coord) {
 }
 
 std::string coordsPath(const Session& session) {
-    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
-                       session.window.selection.unit);
+    return fmt::format("models[{}].texCoords{}", session.look.selection.model, session.look.selection.unit);
 }
 
 void submitTexCoords(const Session& session, std::string name, TexCoords coords) {

@@ -1,6 +1,6 @@
 #include "app/ui/model/timeline_edits.h"
 
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 #include "core/scene/params/key_edits.h"
 #include "core/scene/params/keys.h"
@@ -28,7 +28,7 @@ void sayNotAdded(const Session& session, const Error& error) {
 } // namespace
 
 float presentKeyTime(const Session& session) {
-    const double time = std::round(session.window.playback.time * keysPerSecond) / keysPerSecond;
+    const double time = std::round(session.look.playback.time * keysPerSecond) / keysPerSecond;
     return static_cast<float>(std::clamp(time, 0.0, double{maxKeyTime}));
 }
 
@@ -37,12 +37,12 @@ void holdTime(Session& session) {
 }
 
 void goToTime(Session& session, double seconds) {
-    session.window.playback.playing = false;
-    session.window.playback.time = std::max(0.0, seconds);
+    session.look.playback.playing = false;
+    session.look.playback.time = std::max(0.0, seconds);
 }
 
 void goToKey(Session& session, int direction) {
-    const double now = session.window.playback.time;
+    const double now = session.look.playback.time;
     std::optional<double> nearest;
     for (const KeyFrame& key : presentScene(session).timeline.keys) {
         const double time = double{key.time};
@@ -80,8 +80,8 @@ void turnView(Session& session) {
     submit(
         session, "Turn the view", [&](Scene& changed) { changed.timeline = std::move(scene.timeline); },
         path);
-    session.window.playback.time = 0;
-    session.window.playback.playing = true;
+    session.look.playback.time = 0;
+    session.look.playback.playing = true;
 }
 
 void removeKey(const Session& session, std::size_t key) {

@@ -3,7 +3,6 @@
 #include "core/scene/timeline.h"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 namespace texplorer::ui {

@@ -1,13 +1,13 @@
 #include "app/ui/model/unseen.h"
 
 #include "app/ui/model/session.h"
-#include "app/ui/model/workspace.h"
+#include "app/ui/state/workspace.h"
 
 namespace texplorer::ui {
 
 void restUnseen(Session& session) {
     const auto isSeen = [&](Figure figure) {
-        return session.window.figure == figure && isShown(session.window.settings.workspace, Tab::Figures);
+        return session.window.figure == figure && isShown(session.settings.workspace, Tab::Figures);
     };
     const Services& services = session.services;
     if (!isSeen(Figure::Environments)) {
@@ -16,7 +16,7 @@ void restUnseen(Session& session) {
     }
     if (!isSeen(Figure::Sheet))
         services.sheet.rest();
-    if (!isShown(session.window.settings.workspace, Tab::Commands))
+    if (!isShown(session.settings.workspace, Tab::Commands))
         services.programs.rest();
 }
 

@@ -86,7 +86,7 @@ void drawEquation(const Session& session, const Combine& combine, const Half& ha
         return;
     }
     std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));
-    const std::string meaning = inWords(combine, half, symbols, session.window.selection.unit == 0);
+    const std::string meaning = inWords(combine, half, symbols, session.look.selection.unit == 0);
     const int factor = static_cast<int>(isAlpha ? combine.alphaScale : combine.rgbScale);
     if (factor != 1)
         symbols = fmt::format("{} × ({})", factor, symbols);
@@ -155,7 +155,7 @@ void combineSection(const Session& session) {
     static const Combine initial;
     const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {
         const bool isNone =
-            session.window.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
+            session.look.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
         return std::string(isNone ? "No unit before" : choice.label);
     };
     const Owner owner{&combine,

@@ -2,7 +2,7 @@
 // its mode reads while it is on.
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/light_projection.h"
@@ -30,7 +30,7 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &U
 void lightButtons(const Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     const auto button = [&](const char* words, const char* tip, auto&& edit) {
         if (ImGui::Button(label(words), {width, 0})) {
             bool hasRoom = false;

@@ -1,3 +1,4 @@
+#include "app/ui/model/explaining.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
 #include "app/ui/parameters/sections.h"
@@ -32,8 +33,8 @@ struct EnvironmentSample {
 
 /// The units of a pass up to the selected one, with glColor and the mean of each image.
 EnvironmentSample referenceSample(const Session& session, const Scene& scene, const Pass& pass) {
-    const auto chosen = static_cast<std::size_t>(session.window.selection.unit);
-    const auto model = static_cast<std::size_t>(session.window.selection.model);
+    const auto chosen = static_cast<std::size_t>(session.look.selection.unit);
+    const auto model = static_cast<std::size_t>(session.look.selection.model);
     const glm::vec4 primary = glm::clamp(
         model < scene.models.size() ? materialOf(scene, scene.models[model]).color : scene.material.color,
         0.0F, 1.0F);
@@ -71,7 +72,7 @@ EnvironmentSample referenceSample(const Session& session, const Scene& scene, co
 }
 
 EnvironmentSample sampleOf(const Session& session, const Scene& scene, const Pass& pass) {
-    const Unit& unit = pass.units[static_cast<std::size_t>(session.window.selection.unit)];
+    const Unit& unit = pass.units[static_cast<std::size_t>(session.look.selection.unit)];
     const reference::UnitExplanation* probed = probedUnit(session);
     if (probed && probed->mode == unit.envMode)
         return {probed->format, probed->inputs, probed->equations, probed->result, true};
@@ -124,7 +125,7 @@ bool hasSymbol(const EnvironmentEquations& equations, const char* color, const c
 
 void environmentLine(const Session& session) {
     const Scene& scene = shownScene(session);
-    const auto number = static_cast<std::size_t>(session.window.selection.pass);
+    const auto number = static_cast<std::size_t>(session.look.selection.pass);
     if (number >= scene.passes.size())
         return;
     const EnvironmentSample sample = sampleOf(session, scene, scene.passes[number]);
@@ -141,7 +142,7 @@ void environmentLine(const Session& session) {
         const char* help;
     };
     const std::array inputs{Input{"Cp", "Ap", sample.inputs.previous,
-                                  session.window.selection.unit == 0
+                                  session.look.selection.unit == 0
                                       ? "Cp: the fragment's colour from lighting or glColor"
                                       : "Cp: the result of the units before this one"},
                             Input{"Cs", "As", sample.inputs.source,

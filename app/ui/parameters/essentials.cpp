@@ -1,9 +1,9 @@
 #include "app/ui/language/translate.h"
-#include "app/ui/model/pinned.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/parameters/anisotropy_line.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"
+#include "app/ui/state/pinned.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
@@ -27,15 +27,15 @@ const ParamRow& essentialRow(const StructTable& table, std::string_view key) {
 
 void stepVertex(const Session& session, bool forwards) {
     const std::size_t count = selectedMesh(session).vertices.size();
-    const std::optional<std::size_t> vertex = session.window.selection.vertex;
+    const std::optional<std::size_t> vertex = session.look.selection.vertex;
     const std::size_t next = vertex ? (*vertex + 1) % count : 0;
     const std::size_t previous = vertex && *vertex > 0 ? *vertex - 1 : count - 1;
-    change(session, [to = forwards ? next : previous](WindowState& window) { window.selection.vertex = to; });
+    act(session, [to = forwards ? next : previous](Session& changed) { changed.look.selection.vertex = to; });
 }
 
 /// s and t of the selected vertex as draggable numbers.
 void vertexNumbers(const Session& session, float width) {
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     const std::size_t vertex = *selection.vertex;
     const Mesh& mesh = selectedMesh(session);
     glm::vec4 value = effectiveTexCoord(*selectedModel(session), mesh, selection.unit, vertex);
@@ -69,12 +69,12 @@ void vertexNumbers(const Session& session, float width) {
 void vertexLine(const Session& session) {
     const Model* model = selectedModel(session);
     const std::size_t count = selectedMesh(session).vertices.size();
-    const std::optional<std::size_t> vertex = session.window.selection.vertex;
+    const std::optional<std::size_t> vertex = session.look.selection.vertex;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::AlignTextToFramePadding();
     text("Vertex", vertex ? color::chosen : color::text);
     if (model && count > 0)
-        helpTip(fmt::format("Vertex 0 to {} of model {} ({})", count - 1, session.window.selection.model,
+        helpTip(fmt::format("Vertex 0 to {} of model {} ({})", count - 1, session.look.selection.model,
                             nameOf(*model)));
     ImGui::SameLine(0, gap);
     if (squareButton("◀", "previous vertex", "The previous vertex", count > 0))
@@ -116,7 +116,7 @@ void wrapLine(const Session& session, const Owner& owner, const ParamRow& row, i
 void captionWithColor(const Session& session, const char* words, const Owner& owner, const ParamRow& row) {
     ImGui::AlignTextToFramePadding();
     text(words);
-    const std::string_view name = shownName(session.window.settings, row);
+    const std::string_view name = shownName(session.settings, row);
     const float width = ImGui::CalcTextSize(tr(name).c_str()).x;
     const float left = ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize();
     for (const float swatch : {4.0F, 2.2F}) { // a small swatch is better than another line
@@ -144,7 +144,7 @@ void wrapBlock(const Session& session, const Owner& owner) {
     const int axes = std::max(2, coordinatesOf(selectedUnit(session).target));
     for (int axis = 0; axis < axes; ++axis) {
         const ParamRow& row = *rows.at(static_cast<std::size_t>(axis));
-        if (session.window.settings.glNames)
+        if (session.settings.glNames)
             paramWidget(session, owner, row);
         else
             wrapLine(session, owner, row, axis);
@@ -194,13 +194,13 @@ void matrixBlock(const Session& session) {
 }
 
 void pinnedRows(const Session& session) {
-    if (session.window.settings.pinned.empty())
+    if (session.settings.pinned.empty())
         return;
     bool captioned = false;
     for (const ShownStruct& place : shownStructs(session)) {
         for (const ParamRow& row : place.table->params) {
             const std::string path = place.owner.pathOf(row);
-            if (isEssential(path) || !isPinned(session.window.settings, path))
+            if (isEssential(path) || !isPinned(session.settings, path))
                 continue;
             if (!captioned)
                 caption("Pinned");

@@ -1,5 +1,5 @@
+#include "app/ui/files/asking.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/asking.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"

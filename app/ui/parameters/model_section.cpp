@@ -19,7 +19,7 @@ namespace {
 std::vector<Edit> addedModel(const Session& session) {
     const Scene& scene = presentScene(session);
     const std::string list = keyOf<&Scene::models>();
-    const auto chosen = static_cast<std::size_t>(session.window.selection.model);
+    const auto chosen = static_cast<std::size_t>(session.look.selection.model);
     if (chosen >= scene.models.size())
         return {edit::Insert{list, 0}};
     const Model& model = scene.models[chosen];
@@ -72,7 +72,7 @@ void editModels(const Session& session, std::size_t count) {
                               "Add model",
                               "Reorder models",
                               "Remove model"};
-    const auto chosen = static_cast<std::size_t>(session.window.selection.model);
+    const auto chosen = static_cast<std::size_t>(session.look.selection.model);
     const auto pressed = listButtons(words, chosen, count, 0, maxModels);
     if (!pressed)
         return;
@@ -90,7 +90,7 @@ void modelSection(const Session& session) {
     if (count == 0)
         dimText("No model");
     else
-        dimText(fmt::format("Model {}", session.window.selection.model));
+        dimText(fmt::format("Model {}", session.look.selection.model));
     editModels(session, count);
     if (presentScene(session).models.empty())
         return;
@@ -99,7 +99,7 @@ void modelSection(const Session& session) {
     static const Model initial;
     const Model& model = *selectedModel(session);
     const std::string path =
-        elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model));
+        elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model));
     if (model.shape == Shape::Mesh)
         meshRows(session, {&model.mesh, &initial.mesh, fmt::format("{}.{}", path, keyOf<&Model::mesh>())},
                  model.mesh);

@@ -5,6 +5,7 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/unit_bar.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
@@ -203,11 +204,11 @@ void searchLine(const Session& session, ParametersState& state) {
             state.search.clear();
         ImGui::SameLine(0, gap);
     }
-    const bool glNames = session.window.settings.glNames;
+    const bool glNames = session.settings.glNames;
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetColorU32(glNames ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     if (ImGui::Button(names))
-        change(session, [](WindowState& window) { window.settings.glNames = !window.settings.glNames; });
+        act(session, [](Session& changed) { changed.settings.glNames = !changed.settings.glNames; });
     ImGui::PopStyleColor();
     noteItem("GL names");
     helpTip(glNames ? "Shows plain words again"

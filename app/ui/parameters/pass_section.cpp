@@ -27,7 +27,7 @@ void editPasses(const Session& session) {
                               "Add pass",
                               "Reorder passes",
                               "Remove pass"};
-    const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
+    const auto chosen = static_cast<std::size_t>(session.look.selection.pass);
     const auto pressed = listButtons(words, chosen, presentScene(session).passes.size(), 1, maxPasses);
     if (!pressed)
         return;
@@ -41,7 +41,7 @@ void editPasses(const Session& session) {
 }
 
 void setModels(const Session& session, const std::vector<int>& models) {
-    const auto pass = static_cast<std::size_t>(session.window.selection.pass);
+    const auto pass = static_cast<std::size_t>(session.look.selection.pass);
     const std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::models>());
     submit(session, {.name = "Models of the pass",
                      .edits = {edit::Set{path, fmt::format("{}", fmt::join(models, ","))}},
@@ -147,12 +147,12 @@ void passChoice(const Session& session) {
     for (int i = 0; i < static_cast<int>(passes.size()); ++i) {
         if (i > 0 || !ownLine)
             ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
-        if (passButton(passes[static_cast<std::size_t>(i)], i, width, i == session.window.selection.pass))
-            change(session, [i](WindowState& window) { window.selection.pass = i; });
+        if (passButton(passes[static_cast<std::size_t>(i)], i, width, i == session.look.selection.pass))
+            act(session, [i](Session& changed) { changed.look.selection.pass = i; });
     }
-    bool steps = session.window.view.stepsThroughPasses;
+    bool steps = session.view.stepsThroughPasses;
     if (ImGui::Checkbox(label("Step: only up to this pass"), &steps))
-        change(session, [steps](WindowState& window) { window.view.stepsThroughPasses = steps; });
+        act(session, [steps](Session& changed) { changed.view.stepsThroughPasses = steps; });
     noteItem("step through passes");
     helpTip("Hides the passes after the selected one. Select 0, 1, 2 … to see them added one by one");
 }
@@ -160,9 +160,9 @@ void passChoice(const Session& session) {
 void passSection(const Session& session) {
     static const Pass initial;
     ImGui::AlignTextToFramePadding();
-    dimText(fmt::format("Pass {}", session.window.selection.pass));
+    dimText(fmt::format("Pass {}", session.look.selection.pass));
     editPasses(session);
-    const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
+    const auto chosen = static_cast<std::size_t>(session.look.selection.pass);
     const Owner owner{&selectedPass(session), &initial, elementOf<&Scene::passes>(chosen)};
     // The switch needs no caption, and the models are next to the name.
     const StructTable& table = passTable();

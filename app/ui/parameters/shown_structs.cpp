@@ -58,7 +58,7 @@ void addModelPlaces(Places& places, const Session& session) {
     if (!model)
         return;
     const std::string path =
-        elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model));
+        elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model));
     add(places, Section::Model, "Model", *model, initial, path, modelTable());
     if (model->ownMaterial)
         add(places, Section::Model, "Material of the model", model->material, initial.material,
@@ -82,7 +82,7 @@ Owner unitOwner(const Session& session) {
     const auto accepts = [&session](const ParamRow& row, const Value& value) {
         if (row.member != memberId<&Unit::enabled>)
             return true;
-        switchUnit(session, session.window.selection.unit, std::get<bool>(value)); // with a texture
+        switchUnit(session, session.look.selection.unit, std::get<bool>(value)); // with a texture
         return false;
     };
     return {&selectedUnit(session), &initial, selectedUnitPath(session), accepts};
@@ -102,8 +102,7 @@ std::vector<ShownStruct> shownStructs(const Session& session) {
     if (boundTexture(session))
         places.push_back({Section::Texture, "", textureOwner(session), &textureTable()});
     addUnitPlaces(places, session);
-    const std::string pass =
-        elementOf<&Scene::passes>(static_cast<std::size_t>(session.window.selection.pass));
+    const std::string pass = elementOf<&Scene::passes>(static_cast<std::size_t>(session.look.selection.pass));
     add(places, Section::Pass, "", selectedPass(session), initialPass, pass, passTable());
     add(places, Section::Pass, "Fog", selectedPass(session).fog, initialPass.fog,
         fmt::format("{}.{}", pass, keyOf<&Pass::fog>()), fogTable());

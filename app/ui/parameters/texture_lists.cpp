@@ -1,9 +1,10 @@
 #include "app/ui/parameters/texture_lists.h"
 
+#include "app/ui/files/asking.h"
+#include "app/ui/files/scene_files.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/asking.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/sheet_choice.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"

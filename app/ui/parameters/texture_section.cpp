@@ -60,7 +60,7 @@ void textureChoice(const Session& session) {
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
                      presentScene(session).textures.size() < maxTextures))
         submit(session, {.name = "Add texture",
-                         .edits = addedTexture(session, session.window.selection.unit, Pattern::UvTemplate)});
+                         .edits = addedTexture(session, session.look.selection.unit, Pattern::UvTemplate)});
     ImGui::SameLine(0, gap);
     if (squareButton("−", "remove texture", "Remove this texture", bound))
         removeTexture(session, unit.texture);

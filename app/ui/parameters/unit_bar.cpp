@@ -1,7 +1,7 @@
 #include "app/ui/parameters/unit_bar.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/overlap.h"
@@ -62,7 +62,7 @@ void drawThumbnail(const Session& session, const Pictures& pictures, const Unit&
 
 std::string unitTip(const Session& session, int number) {
     const Unit& unit = presentScene(session)
-                           .passes[static_cast<std::size_t>(session.window.selection.pass)]
+                           .passes[static_cast<std::size_t>(session.look.selection.pass)]
                            .units[static_cast<std::size_t>(number)];
     const std::string sharers = sharersText(session, number);
     if (!textureOf(presentScene(session), unit))
@@ -81,7 +81,7 @@ std::string unitTip(const Session& session, int number) {
 
 void drawUnit(const Session& session, const Pictures& pictures, int number, float width, float height) {
     const Unit& unit = selectedPass(session).units[static_cast<std::size_t>(number)];
-    const bool isChosen = session.window.selection.unit == number;
+    const bool isChosen = session.look.selection.unit == number;
     const float em = ImGui::GetFontSize();
     const float pad = std::floor(em * 0.2F);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -92,7 +92,7 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     if (overlappedItem([&] { return ImGui::Button("##unit", {width, height}); })) // by the switch
-        change(session, [number](WindowState& window) { window.selection.unit = number; });
+        act(session, [number](Session& changed) { changed.look.selection.unit = number; });
     ImGui::PopStyleColor();
     noteItem(fmt::format("unit:{}", number));
     helpTip(unitTip(session, number));
@@ -125,7 +125,7 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
 
 /// What an edit of the texture affects, with a button to give the unit its own.
 void reachLine(const Session& session) {
-    const std::string sharers = sharersText(session, session.window.selection.unit);
+    const std::string sharers = sharersText(session, session.look.selection.unit);
     const Unit& unit = selectedUnit(session);
     if (sharers.empty() || unit == Unit{}) // a unit that was never enabled gets its own
         return;
@@ -159,7 +159,7 @@ void switchUnit(const Session& session, int unit, bool on) {
         return act(session, [](Session& told) {
             say(told, "The scene can have no more textures, and a unit needs one.");
         });
-    Selection selection = session.window.selection;
+    Selection selection = session.look.selection;
     selection.unit = unit;
     std::vector<Edit> edits;
     if (wantsTexture && added < maxTextures)
@@ -173,7 +173,7 @@ void switchUnit(const Session& session, int unit, bool on) {
 }
 
 std::vector<Edit> addedTexture(const Session& session, int unit, Pattern pattern) {
-    Selection selection = session.window.selection;
+    Selection selection = session.look.selection;
     selection.unit = unit;
     const std::size_t added = presentScene(session).textures.size();
     const std::string texture = elementOf<&Scene::textures>(added) + ".";
@@ -186,7 +186,7 @@ std::vector<Edit> addedTexture(const Session& session, int unit, Pattern pattern
 
 std::string sharersText(const Session& session, int unit) {
     const Scene& scene = presentScene(session);
-    const auto selected = static_cast<std::size_t>(session.window.selection.pass);
+    const auto selected = static_cast<std::size_t>(session.look.selection.pass);
     const auto asked = static_cast<std::size_t>(unit);
     const int texture = scene.passes[selected].units[asked].texture;
     std::string names;

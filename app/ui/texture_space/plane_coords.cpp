@@ -28,7 +28,7 @@ LateFlip flipOfBound(const Session& session, const Unit& unit) {
 } // namespace
 
 void PlaneCoords::follow(const Session& session) {
-    const double time = session.window.playback.time;
+    const double time = session.look.playback.time;
     const Scene& scene = presentScene(session);
     const Unit& unit = selectedUnit(session);
     const Model* model = selectedModel(session);
@@ -37,7 +37,7 @@ void PlaneCoords::follow(const Session& session) {
         return;
     }
     const Mesh& mesh = selectedMesh(session);
-    Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.window.selection.unit), unit,
+    Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.look.selection.unit), unit,
             flipOfBound(session, unit)};
     key.matrix = reference::coordinateMatrix(unit, key.flip, time, scene.light);
     if (generatesAny(unit) || unit.emboss.enabled)
@@ -51,13 +51,13 @@ void PlaneCoords::follow(const Session& session) {
 }
 
 void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const Model& model) {
-    const Selection& selection = session.window.selection;
+    const Selection& selection = session.look.selection;
     const Pass& pass = scene.passes[static_cast<std::size_t>(selection.pass)];
     const TexCoords& given = key_.given;
     const Mesh& mesh = *key_.mesh;
     relief_.clear();
     if (key_.unit.emboss.enabled) {
-        relief_ = givenTexCoords(scene, pass, selection.unit, model, mesh, session.window.playback.time);
+        relief_ = givenTexCoords(scene, pass, selection.unit, model, mesh, session.look.playback.time);
         std::ranges::transform(relief_, given, relief_.begin(), std::minus<>());
     }
     // A picture that is upside down in the texture is shown upright, and its samples are moved with it.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/ui/model/session.h"
 #include "app/ui/texture_space/plane_coords.h"
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/pictures.h"

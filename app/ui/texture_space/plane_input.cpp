@@ -1,6 +1,6 @@
 #include "app/ui/texture_space/plane_input.h"
 
-#include "app/ui/model/chosen_vertices.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "app/ui/texture_space/outline_drawing.h"
 #include "app/ui/texture_space/plane_tools.h"
 #include "app/ui/widgets/keys.h"
@@ -97,7 +97,7 @@ void finishMove(const Session& session, TextureSpaceState& state, bool keep) {
 /// The vertices no longer exist: another model or unit was selected, or a mesh became smaller.
 bool isStale(const Session& session, const TextureSpaceState& state) {
     const VertexMove& move = *state.move;
-    return move.model != session.window.selection.model || move.unit != session.window.selection.unit ||
+    return move.model != session.look.selection.model || move.unit != session.look.selection.unit ||
            move.vertices.back() >= state.coords.given().size();
 }
 
@@ -130,14 +130,14 @@ bool continueKeyedMove(const Session& session, TextureSpaceState& state, const C
 }
 
 void beginKeyedMove(const Session& session, TextureSpaceState& state, const Canvas& canvas, MoveKind kind) {
-    const std::optional<std::size_t>& vertex = session.window.selection.vertex;
+    const std::optional<std::size_t>& vertex = session.look.selection.vertex;
     if (!vertex || *vertex >= state.coords.given().size())
         return;
     // Final positions are moved, unless they cannot be computed back.
     const bool results = state.coords.differ() &&
                          state.coords.givenFor(*vertex, state.coords.resultingPlaces()[*vertex]).has_value();
     sealEdit(session);
-    state.move = beginMove(session.window.selection, state.coords, kind, results, *vertex,
+    state.move = beginMove(session.look.selection, state.coords, kind, results, *vertex,
                            canvas.toCoord(ImGui::GetIO().MousePos));
     if (state.move)
         state.move->byKey = true;
@@ -158,14 +158,14 @@ constexpr std::array arrowKeys{ArrowKey{key::left, {-1, 0}}, ArrowKey{key::right
                                ArrowKey{key::down, {0, -1}}, ArrowKey{key::up, {0, 1}}};
 
 void choose(const Session& session, std::vector<std::size_t> vertices) {
-    change(session, [vertices = std::move(vertices)](WindowState& window) {
-        chooseVertices(window.selection, vertices);
+    act(session, [vertices = std::move(vertices)](Session& changed) {
+        chooseVertices(changed.look.selection, vertices);
     });
 }
 
 void chooseAllOrNone(const Session& session, const TextureSpaceState& state) {
     const std::size_t count = state.coords.given().size();
-    std::vector<std::size_t> all(chosenVertices(session.window.selection).size() == count ? 0 : count);
+    std::vector<std::size_t> all(chosenVertices(session.look.selection).size() == count ? 0 : count);
     std::iota(all.begin(), all.end(), std::size_t{0});
     choose(session, std::move(all));
 }
@@ -192,7 +192,7 @@ void handleShortKeys(const Session& session, TextureSpaceState& state, const Can
         chooseAllOrNone(session, state);
         taken = true;
     }
-    if (!session.window.selection.vertex || state.coords.given().empty())
+    if (!session.look.selection.vertex || state.coords.given().empty())
         return;
     for (const MoveKey& each : moveKeys) {
         if (!state.move && isPressed(each.code)) {
@@ -237,11 +237,11 @@ void pressOn(const Session& session, TextureSpaceState& state, const Canvas& can
         else
             chooseVertices(pressed, {vertex});
     };
-    Selection selection = session.window.selection;
+    Selection selection = session.look.selection;
     if (!io.KeyShift && isChosen(selection, vertex))
         state.pressed = vertex;
     press(selection);
-    change(session, [press](WindowState& window) { press(window.selection); });
+    act(session, [press](Session& changed) { press(changed.look.selection); });
     state.drag = PlaneDrag::Vertices;
     if (!isChosen(selection, vertex))
         return;
@@ -257,7 +257,7 @@ void chooseInBox(const Session& session, const TextureSpaceState& state, const C
     // In the selecting mode without Shift the box replaces the selection; otherwise it adds to it.
     std::vector<std::size_t> vertices = state.selects && !ImGui::GetIO().KeyShift
                                             ? std::vector<std::size_t>{}
-                                            : chosenVertices(session.window.selection);
+                                            : chosenVertices(session.look.selection);
     const std::vector<glm::vec2>& places = state.coords.resultingPlaces();
     for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
         const glm::vec2 at = places[vertex];
@@ -286,7 +286,7 @@ void movePlane(const Session& session, const Canvas& canvas, bool hovered, bool 
     const ImGuiIO& io = ImGui::GetIO();
     if (!pans && !(hovered && io.MouseWheel != 0))
         return;
-    Plane plane = session.window.plane;
+    Plane plane = session.look.plane;
     if (pans) {
         plane.s -= io.MouseDelta.x / canvas.pixelsPerUnit;
         plane.t += io.MouseDelta.y / canvas.pixelsPerUnit;
@@ -300,7 +300,7 @@ void movePlane(const Session& session, const Canvas& canvas, bool hovered, bool 
         plane.t = fixed.y + (plane.t - fixed.y) * factor;
         plane.extent = extent;
     }
-    change(session, [plane](WindowState& window) { window.plane = plane; });
+    act(session, [plane](Session& changed) { changed.look.plane = plane; });
 }
 
 } // namespace
@@ -320,7 +320,7 @@ bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Can
     if (state.move && isStale(session, state))
         state.move.reset();
     // In a dialog the mouse has other functions, and elsewhere the wheel edits something else.
-    if (state.move && state.move->byKey && session.window.dialog != Dialog::None)
+    if (state.move && state.move->byKey && session.asking.dialog != Dialog::None)
         finishMove(session, state, false);
     else if (state.move && state.move->byKey && ImGui::GetIO().MouseWheel != 0 && !mouse.hovered)
         finishMove(session, state, true);
@@ -330,7 +330,7 @@ bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Can
         finishMove(session, state, false);
         session.out.keyTaken = true;
     }
-    const bool free = !session.out.keyTaken && session.window.dialog == Dialog::None &&
+    const bool free = !session.out.keyTaken && session.asking.dialog == Dialog::None &&
                       !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
     if (mouse.hovered && free)
         handleShortKeys(session, state, canvas);

@@ -81,8 +81,8 @@ constexpr std::array moveHints{
 
 void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std::vector<Line>& lines,
                      const std::string& extents) {
-    lines.push_back({extents.empty() ? fmt::format("unit {}", session.window.selection.unit)
-                                     : fmt::format("unit {} · {}", session.window.selection.unit, extents)});
+    lines.push_back({extents.empty() ? fmt::format("unit {}", session.look.selection.unit)
+                                     : fmt::format("unit {} · {}", session.look.selection.unit, extents)});
     if (!state.look.isPlain() || state.look.level != 0)
         lines.push_back({lookText(state.look)});
     if (state.coords.differ()) {

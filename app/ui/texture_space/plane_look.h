@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/ui/model/level_pictures.h"
 #include "app/ui/model/session.h"
+#include "app/ui/services/level_pictures.h"
 #include "app/ui/widgets/pictures.h"
 
 #include <glm/vec3.hpp>

@@ -2,7 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/coord_text.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/texture_space/plane_histogram.h"
 #include "app/ui/widgets/button_width.h"
@@ -243,7 +243,7 @@ void fitPlane(const Session& session, const PlaneCoords& coords) {
     plane.s = (low.x + high.x) / 2;
     plane.t = (low.y + high.y) / 2;
     plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, minPlane, maxPlane);
-    change(session, [plane](WindowState& window) { window.plane = plane; });
+    act(session, [plane](Session& changed) { changed.look.plane = plane; });
 }
 
 void copyCoords(const Session& session, const PlaneCoords& coords) {

@@ -1,6 +1,7 @@
 #include "app/ui/texture_space/texel_marks.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/explaining.h"
 #include "app/ui/texture_space/texel_insets.h"
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/theme.h"
@@ -160,9 +161,8 @@ std::optional<glm::ivec2> extentOf(const Session& session, int level) {
 
 /// The selected texel, if it belongs to the selected unit.
 std::optional<reference::TexelPlace> askedTexel(const Session& session) {
-    const std::optional<reference::TexelQuestion>& asked = session.window.explaining.texel;
-    if (!asked || asked->pass != session.window.selection.pass ||
-        asked->unit != session.window.selection.unit)
+    const std::optional<reference::TexelQuestion>& asked = session.look.explaining.texel;
+    if (!asked || asked->pass != session.look.selection.pass || asked->unit != session.look.selection.unit)
         return std::nullopt;
     return asked->texel;
 }
@@ -244,7 +244,7 @@ void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canv
         return;
     // The faces of a cube map in this plane are not arranged by their coordinates.
     const bool isCube = selectedUnit(session).target == Target::CubeMap;
-    if (clicked && session.window.explaining.isOpen && !isCube &&
+    if (clicked && session.look.explaining.isOpen && !isCube &&
         !isOnPatch(session, canvas, ImGui::GetIO().MousePos))
         chooseInPlane(session, canvas, *texture, unit);
     if (unit && !isCube) {

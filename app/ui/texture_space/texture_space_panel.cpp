@@ -1,6 +1,7 @@
 #include "app/ui/texture_space/texture_space_panel.h"
 
-#include "app/ui/model/chosen_vertices.h"
+#include "app/ui/state/chosen_vertices.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/texture_space/outline_drawing.h"
 #include "app/ui/texture_space/plane_input.h"
 #include "app/ui/texture_space/plane_legend.h"
@@ -54,11 +55,11 @@ void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session,
 }
 
 OutlineMarks marksNow(const Session& session, const std::optional<Grip>& grip) {
-    OutlineMarks marks{session.window.selection.vertex, chosenVertices(session.window.selection), {}};
-    const std::optional<PickedVertex>& elsewhere = session.window.hoveredInView;
+    OutlineMarks marks{session.look.selection.vertex, chosenVertices(session.look.selection), {}};
+    const std::optional<PickedVertex>& elsewhere = session.look.hoveredInView;
     if (grip)
         marks.hovered = grip->vertex;
-    else if (elsewhere && std::cmp_equal(elsewhere->model, session.window.selection.model))
+    else if (elsewhere && std::cmp_equal(elsewhere->model, session.look.selection.model))
         marks.hovered = elsewhere->vertex;
     return marks;
 }
@@ -67,7 +68,7 @@ OutlineMarks marksNow(const Session& session, const std::optional<Grip>& grip) {
 std::vector<ImVec2> chosenPlaces(const Session& session, const PlaneCoords& coords, const Canvas& canvas) {
     constexpr std::size_t maxPlaces = 64;
     std::vector<ImVec2> places;
-    for (const std::size_t vertex : chosenVertices(session.window.selection)) {
+    for (const std::size_t vertex : chosenVertices(session.look.selection)) {
         if (places.size() < maxPlaces && vertex < coords.resultingPlaces().size()) {
             places.push_back(canvas.toPixel(coords.resultingPlaces()[vertex]));
         }
@@ -98,7 +99,7 @@ void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures
     noteItem("texture space");
     const ImGuiIO& io = ImGui::GetIO();
     const Target target = selectedUnit(session).target;
-    Canvas canvas(topLeft, size, session.window.plane);
+    Canvas canvas(topLeft, size, session.look.plane);
     const float margin = ImGui::GetFontSize() * 0.4F;
     const PlaneLegend legend = legendOf(session, state, size.x - 2 * margin);
     canvas.legend = boxOf(legend, {topLeft.x + margin, topLeft.y + margin});
@@ -109,13 +110,13 @@ void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures
                      .onPatch = isOnPatch(session, canvas, io.MousePos),
                      .grip = {}};
     if ((mouse.hovered || mouse.active) && !mouse.onPatch)
-        mouse.grip = gripUnder(canvas, selectedMesh(session), state.coords, session.window.selection.vertex,
+        mouse.grip = gripUnder(canvas, selectedMesh(session), state.coords, session.look.selection.vertex,
                                io.MousePos);
     std::optional<PickedVertex> under;
     if (mouse.grip && mouse.hovered)
-        under = PickedVertex{static_cast<std::size_t>(session.window.selection.model), mouse.grip->vertex};
-    if (session.window.hoveredInPlane != under)
-        change(session, [under](WindowState& window) { window.hoveredInPlane = under; });
+        under = PickedVertex{static_cast<std::size_t>(session.look.selection.model), mouse.grip->vertex};
+    if (session.look.hoveredInPlane != under)
+        act(session, [under](Session& changed) { changed.look.hoveredInPlane = under; });
     const bool ended = handlePlaneKeys(session, state, canvas, mouse);
     if (!ended)
         handlePlaneMouse(session, state, canvas, mouse);

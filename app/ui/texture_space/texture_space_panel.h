@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/state/layout.h"
 #include "app/ui/texture_space/texture_space_state.h"
 #include "app/ui/widgets/pictures.h"
 

@@ -1,7 +1,7 @@
 #include "app/ui/texture_space/vertex_moves.h"
 
-#include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/tex_coord_edits.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "core/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -178,7 +178,7 @@ void endMove(const Session& session, const VertexMove& move, bool keep) {
 }
 
 std::vector<std::size_t> editedVertices(const Session& session) {
-    std::vector<std::size_t> vertices = chosenVertices(session.window.selection);
+    std::vector<std::size_t> vertices = chosenVertices(session.look.selection);
     if (vertices.size() > 1)
         return vertices;
     vertices.resize(selectedMesh(session).vertices.size());
@@ -187,7 +187,7 @@ std::vector<std::size_t> editedVertices(const Session& session) {
 }
 
 void nudge(const Session& session, const PlaneCoords& coords, glm::vec2 way) {
-    const std::vector<std::size_t> vertices = chosenOf(session.window.selection, coords);
+    const std::vector<std::size_t> vertices = chosenOf(session.look.selection, coords);
     if (vertices.empty())
         return;
     const auto shifted = [&](std::size_t i) { return coords.givenPlaces()[vertices[i]] + way; };

@@ -1,4 +1,5 @@
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -90,7 +91,7 @@ private:
 void showPixel(const Session& session, glm::ivec2 pixel, view::Size picture) {
     const glm::vec2 centre = (glm::vec2(pixel) + 0.5F) /
                              glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
-    change(session, [centre](WindowState& window) { window.view.zoom = {worstFactor, centre}; });
+    act(session, [centre](Session& changed) { changed.view.zoom = {worstFactor, centre}; });
 }
 
 constexpr const char* perByte = "/255";
@@ -111,10 +112,10 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
     }
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
-    int tolerance = session.window.view.tolerance;
+    int tolerance = session.view.tolerance;
     if (ImGui::DragInt("##tolerance", &tolerance, 0.1F, 0, ViewSettings::maxTolerance, "%d",
                        ImGuiSliderFlags_AlwaysClamp))
-        change(session, [tolerance](WindowState& window) { window.view.tolerance = tolerance; });
+        act(session, [tolerance](Session& changed) { changed.view.tolerance = tolerance; });
     noteItem("tolerance");
     helpTip("Differences up to this value are ignored. Drag it, or double-click to type a number.");
     ImGui::SameLine(0, narrow);
@@ -187,13 +188,13 @@ int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, floa
 } // namespace
 
 void drawComparisonStrip(const Session& session, const Pictures& pictures, const Layout& layout) {
-    const ViewSettings& settings = session.window.view;
+    const ViewSettings& settings = session.view;
     if (!isComparing(settings))
         return;
     const float gap = ImGui::GetFontSize() * 0.9F;
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     if (const int lines = linesNeeded(settings, layout.strip, gap, narrow); lines != settings.stripLines)
-        change(session, [lines](WindowState& window) { window.view.stripLines = lines; });
+        act(session, [lines](Session& changed) { changed.view.stripLines = lines; });
     Flow flow(layout.strip);
     if (!comparesRenderers(settings)) {
         flow.text("A and now", color::dim, narrow);
@@ -209,8 +210,8 @@ void drawComparisonStrip(const Session& session, const Pictures& pictures, const
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
         if (ImGui::Button(label(row.label)))
-            change(session, [&row](WindowState& window) {
-                window.view.arrangement = window.view.comparing = row.arrangement;
+            act(session, [&row](Session& changed) {
+                changed.view.arrangement = changed.view.comparing = row.arrangement;
             });
         ImGui::PopStyleColor();
         noteItem(std::string("arrangement:") + row.label);

@@ -1,6 +1,7 @@
 #include "app/ui/view/false_color_view.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -91,11 +92,11 @@ float shownChoiceWidth(const ViewSettings& settings) {
 }
 
 void shownItems(const Session& session) {
-    const ViewSettings& settings = session.window.view;
+    const ViewSettings& settings = session.view;
     for (const EnumRow& row : EnumTable<Shown>::rows) {
         const auto shown = static_cast<Shown>(row.value);
         if (ImGui::MenuItem(label(row.label).c_str(), nullptr, settings.shown == shown))
-            change(session, [shown](WindowState& window) { window.view.shown = shown; });
+            act(session, [shown](Session& changed) { changed.view.shown = shown; });
         noteItem(fmt::format("shown:{}", row.name));
         helpTip(row.help);
     }
@@ -105,7 +106,7 @@ void shownItems(const Session& session) {
     float percent = std::round(settings.opacity * 100);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
     if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp))
-        change(session, [percent](WindowState& window) { window.view.opacity = percent / 100; });
+        act(session, [percent](Session& changed) { changed.view.opacity = percent / 100; });
     ImGui::EndDisabled();
     noteItem("false color opacity");
     helpTip(isIdle ? "The opacity of the false colours. None are shown at present"
@@ -115,7 +116,7 @@ void shownItems(const Session& session) {
 }
 
 void drawShownChoice(const Session& session) {
-    const ViewSettings& settings = session.window.view;
+    const ViewSettings& settings = session.view;
     const bool isOn = settings.shown != Shown::Picture;
     ImGui::PushStyleColor(ImGuiCol_Button, isOn ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
                                                 : ImGui::GetColorU32(ImGuiCol_Button));
@@ -134,9 +135,9 @@ void drawShownChoice(const Session& session) {
 
 void drawFalseColors(ImDrawList& draw, const Session& session, const Pictures& pictures, const Panes& panes,
                      const Pane& pane) {
-    const auto& answer = session.window.levels.answer;
-    if (session.window.view.shown == Shown::Picture || !levelMapOf(session) || !answer->colors ||
-        !pane.renderer || pane.side != view::Side::Now)
+    const auto& answer = session.look.levels.answer;
+    if (session.view.shown == Shown::Picture || !levelMapOf(session) || !answer->colors || !pane.renderer ||
+        pane.side != view::Side::Now)
         return;
     const view::PictureHandle colors = pictures.showTexels(answer->colors);
     if (colors == view::PictureHandle::None)
@@ -144,12 +145,12 @@ void drawFalseColors(ImDrawList& draw, const Session& session, const Pictures& p
     draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
     draw.AddImage(textureId(colors), lowOf(pane.frame), highOf(pane.frame),
                   {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},
-                  ImGui::ColorConvertFloat4ToU32({1, 1, 1, session.window.view.opacity}));
+                  ImGui::ColorConvertFloat4ToU32({1, 1, 1, session.view.opacity}));
     draw.PopClipRect();
 }
 
 void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& pane) {
-    const Shown shown = session.window.view.shown;
+    const Shown shown = session.view.shown;
     if (shown == Shown::Picture)
         return;
     const float em = ImGui::GetFontSize();
@@ -159,7 +160,7 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
     if (width < em * 4)
         return;
     const reference::LevelMap* map = levelMapOf(session);
-    const auto& answer = session.window.levels.answer;
+    const auto& answer = session.look.levels.answer;
     // On the right, because the number of the passes is on the left.
     const float right = static_cast<float>(pane.frame.right()) - em;
     const ImVec2 low(right - width, static_cast<float>(pane.frame.bottom()) - 2.6F * line - 2 * pad);
@@ -174,7 +175,7 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
         noteDrawn("false colors:none", {x, y}, {right, y + line});
         return;
     }
-    const FalseColorScale scale = scaleOf(*map, shown, session.window.selection.unit);
+    const FalseColorScale scale = scaleOf(*map, shown, session.look.selection.unit);
     const float bar = em * 0.6F;
     const ImVec2 corner(low.x + width + pad, low.y + line + bar + pad + line);
     draw.AddRectFilled({low.x - pad, low.y - pad / 2}, corner, color::shade, pad);
@@ -205,14 +206,13 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
 
 void drawFalseColorTip(const Session& session, const Layout& layout, glm::ivec2 pixel) {
     const reference::LevelMap* map = levelMapOf(session);
-    if (session.window.view.shown == Shown::Picture || session.window.view.magnifies || !map)
+    if (session.view.shown == Shown::Picture || session.view.magnifies || !map)
         return;
     const reference::PixelLevels* levels = map->at(pixel.x, pixel.y);
     if (!levels)
         return;
-    const std::string text =
-        tr(session.window.view.shown == Shown::Lambda ? reference::levelsText(*map, *levels)
-                                                      : reference::footprintText(*levels));
+    const std::string text = tr(session.view.shown == Shown::Lambda ? reference::levelsText(*map, *levels)
+                                                                    : reference::footprintText(*levels));
     const float em = ImGui::GetFontSize();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());

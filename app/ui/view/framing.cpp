@@ -1,6 +1,6 @@
 #include "app/ui/view/framing.h"
 
-#include "app/ui/model/camera.h"
+#include "app/ui/state/camera.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/show_shapes.h"
 
@@ -66,7 +66,7 @@ void resetCamera(const Session& session, const Layout& layout) {
     View fitted;
     submitDrag(session, "Reset camera", [&](Scene& scene) {
         scene.view = defaultScene().view;
-        fitDistance(scene, session.window.playback.time, aspectOf(layout));
+        fitDistance(scene, session.look.playback.time, aspectOf(layout));
         fitted = scene.view;
     });
     rememberFit(session, fitted, layout);
@@ -75,18 +75,18 @@ void resetCamera(const Session& session, const Layout& layout) {
 void frameAll(const Session& session, const Layout& layout) {
     View fitted;
     submitDrag(session, "Frame the models", [&](Scene& scene) {
-        frameModels(scene, session.window.playback.time, aspectOf(layout));
+        frameModels(scene, session.look.playback.time, aspectOf(layout));
         fitted = scene.view;
     });
     rememberFit(session, fitted, layout);
 }
 
 void show(const Session& session, const ShowRow& row, const Layout& layout) {
-    Selection selection = session.window.selection;
+    Selection selection = session.look.selection;
     selection.vertex.reset();
     View fitted;
     Step step = stepThat(session, fmt::format("Show {}", row.label), [&](Scene& scene) {
-        showOnly(scene, row.show, session.window.playback.time, aspectOf(layout));
+        showOnly(scene, row.show, session.look.playback.time, aspectOf(layout));
         fitted = scene.view;
         const auto shown = std::ranges::find(scene.models, true, &Model::visible);
         selection.model = static_cast<int>(shown - scene.models.begin());

@@ -1,6 +1,7 @@
 #include "app/ui/view/magnifier.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
@@ -71,7 +72,7 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
     for (const Pane& pane : panes.all()) {
         const view::PictureHandle picture = pictureOf(pane, pictures);
         if (!pane.renderer) {
-            lenses.push_back({"Difference", picture, differenceText(session.window.view, pictures, pixel)});
+            lenses.push_back({"Difference", picture, differenceText(session.view, pictures, pixel)});
             continue;
         }
         const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
@@ -115,7 +116,7 @@ void drawPixels(ImDrawList& draw, ImVec2 low, float cell, view::PictureHandle ha
 
 void drawMagnifier(const Session& session, const Panes& panes, const Pictures& pictures,
                    const Layout& layout) {
-    if (!session.window.view.magnifies)
+    if (!session.view.magnifies)
         return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const std::optional<glm::ivec2> pixel = panes.pixelAt(mouse);

@@ -1,6 +1,7 @@
 #include "app/ui/view/pane_drawing.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/kept.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -35,7 +36,7 @@ float comboWidth(RendererKind renderer) {
 
 /// A list of the renderers over the picture, as wide as its text, at most `width`.
 void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float width) {
-    const RendererKind compared = session.window.view.compared[which];
+    const RendererKind compared = session.view.compared[which];
     const std::string id = fmt::format("##compared{}", which);
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
@@ -49,12 +50,11 @@ void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float w
         return;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const ViewSettings& settings = session.window.view;
+        const ViewSettings& settings = session.view;
         const auto flags =
             settings.offered.has(renderer) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
         if (ImGui::Selectable(label(row.label).c_str(), renderer == compared, flags))
-            change(session,
-                   [which, renderer](WindowState& window) { window.view.compared.at(which) = renderer; });
+            act(session, [which, renderer](Session& changed) { changed.view.compared.at(which) = renderer; });
         noteItem(fmt::format("{}={}", name, row.name));
         helpTip(helpOf(settings, row));
     }
@@ -133,7 +133,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 }
 
 void paneLabels(const Session& session, const Panes& panes) {
-    const ViewSettings& settings = session.window.view;
+    const ViewSettings& settings = session.view;
     sideLabels(session, panes);
     const float gap = ImGui::GetFontSize() * 0.4F;
     const float left = comboWidth(settings.compared[0]);
@@ -164,13 +164,13 @@ void paneLabels(const Session& session, const Panes& panes) {
 }
 
 void paneSeam(const Session& session, const Layout& layout) {
-    const Arrangement arrangement = session.window.view.arrangement;
+    const Arrangement arrangement = session.view.arrangement;
     if (arrangement != Arrangement::Split && arrangement != Arrangement::Kept)
         return;
     const Rect& whole = layout.picture;
     const float reach = ImGui::GetFontSize() * 0.4F;
     const float x =
-        static_cast<float>(whole.x) + std::round(session.window.view.split * static_cast<float>(whole.width));
+        static_cast<float>(whole.x) + std::round(session.view.split * static_cast<float>(whole.width));
     // At the picture's edge, where the panel's padding gets no mouse, the grip stays inside.
     const float grip = std::clamp(
         x - reach, static_cast<float>(whole.x) + reach,
@@ -180,9 +180,9 @@ void paneSeam(const Session& session, const Layout& layout) {
     noteItem("picture seam");
     const bool held = ImGui::IsItemActive();
     if (held)
-        change(session, [to = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
-                                             static_cast<float>(whole.width),
-                                         0.0F, 1.0F)](WindowState& window) { window.view.split = to; });
+        act(session, [to = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
+                                          static_cast<float>(whole.width),
+                                      0.0F, 1.0F)](Session& changed) { changed.view.split = to; });
     if (held || ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const ImU32 tint = held || ImGui::IsItemHovered() ? color::text : color::outline;

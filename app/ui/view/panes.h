@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/ui/model/layout.h"
-#include "app/ui/model/view_settings.h"
+#include "app/ui/state/layout.h"
+#include "app/ui/state/view_settings.h"
 #include "app/view/frame.h"
 #include "app/view/side.h"
 

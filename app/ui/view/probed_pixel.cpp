@@ -1,5 +1,6 @@
 #include "app/ui/view/probed_pixel.h"
 
+#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -11,19 +12,19 @@ namespace texplorer::ui {
 void probeWithMouse(const Session& session, const Panes& panes, bool hovered, bool clicked) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = hovered && isKeyDown('E') && !io.WantTextInput && !io.KeyCtrl && !session.out.keyTaken;
-    if (!held && !(clicked && session.window.explaining.isOpen))
+    if (!held && !(clicked && session.look.explaining.isOpen))
         return;
     if (const auto pixel = panes.pixelAt(io.MousePos))
-        change(session, [to = reference::PixelPlace{pixel->x, pixel->y}](WindowState& window) {
-            window.explaining.pixel = to;
+        act(session, [to = reference::PixelPlace{pixel->x, pixel->y}](Session& changed) {
+            changed.look.explaining.pixel = to;
         });
-    if (held && !session.window.explaining.isOpen)
-        change(session, [](WindowState& window) { window.wantedTab = Tab::Explain; });
+    if (held && !session.look.explaining.isOpen)
+        act(session, [](Session& changed) { changed.window.wantedTab = Tab::Explain; });
 }
 
 void drawProbedPixel(const Session& session, const Pictures& pictures, const Panes& panes, const Pane& pane) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const Explaining& asked = session.window.explaining;
+    const Explaining& asked = session.look.explaining;
     if (asked.texel && asked.light) {
         if (const view::PictureHandle light = pictures.show(asked.light); light != view::PictureHandle::None)
             draw.AddImage(textureId(light), lowOf(pane.frame), highOf(pane.frame),

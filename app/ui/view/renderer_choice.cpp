@@ -56,7 +56,7 @@ std::vector<RendererChoice> choicesOf(const ViewSettings& settings, RendererForm
 }
 
 void choose(const Session& session, const RendererChoice& choice) {
-    change(session, [choose = choice.choose](WindowState& window) { choose(window.view); });
+    act(session, [choose = choice.choose](Session& changed) { choose(changed.view); });
 }
 
 void drawButtons(const Session& session, RendererForm form) {
@@ -64,7 +64,7 @@ void drawButtons(const Session& session, RendererForm form) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
     int key = 0;
-    for (const RendererChoice& each : choicesOf(session.window.view, form)) {
+    for (const RendererChoice& each : choicesOf(session.view, form)) {
         ImGui::BeginDisabled(!each.offered);
         ImGui::PushStyleColor(ImGuiCol_Button, each.chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : 0U);
         if (ImGui::Button(label(each.words).c_str()))
@@ -78,7 +78,7 @@ void drawButtons(const Session& session, RendererForm form) {
 }
 
 void drawList(const Session& session, float maxWidth) {
-    const ViewSettings& settings = session.window.view;
+    const ViewSettings& settings = session.view;
     const float room = maxWidth - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x -
                        ImGui::CalcTextSize(listSign).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());

@@ -1,10 +1,11 @@
 #include "app/ui/view/view_panel.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/camera.h"
-#include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/lesson_key_edits.h"
+#include "app/ui/model/preview.h"
 #include "app/ui/model/shown_passes.h"
+#include "app/ui/state/camera.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/magnifier.h"
@@ -62,7 +63,7 @@ void toolRow(const Session& session, const Layout& layout) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float left = ImGui::GetCursorPosX();
     const float right = ImGui::GetWindowContentRegionMax().x;
-    const float choice = shownChoiceWidth(session.window.view) + gap;
+    const float choice = shownChoiceWidth(session.view) + gap;
     float all = buttonWidth(frameLabel) + choice;
     for (const ShowRow& row : showRows)
         all += buttonWidth(row.label) + gap;
@@ -105,17 +106,16 @@ void toolRow(const Session& session, const Layout& layout) {
 /// camera.
 void moveView(const Session& session, bool hovered, bool active, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.window.view.zoom.factor),
-                     io.MouseDelta.y / static_cast<float>(session.window.view.zoom.factor));
+    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.view.zoom.factor),
+                     io.MouseDelta.y / static_cast<float>(session.view.zoom.factor));
     const bool moved = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     if (io.KeyCtrl) {
         if (moved)
-            change(session, [layout, way = io.MouseDelta](WindowState& window) {
-                movePictures(window.view, layout, way);
-            });
+            act(session,
+                [layout, way = io.MouseDelta](Session& changed) { movePictures(changed.view, layout, way); });
         if (hovered && io.MouseWheel != 0)
-            change(session, [layout, place = io.MousePos, notches = io.MouseWheel > 0 ? 1 : -1](
-                                WindowState& window) { zoomPictures(window.view, layout, place, notches); });
+            act(session, [layout, place = io.MousePos, notches = io.MouseWheel > 0 ? 1 : -1](
+                             Session& changed) { zoomPictures(changed.view, layout, place, notches); });
         return;
     }
     View view = presentScene(session).view;
@@ -142,9 +142,9 @@ glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
 
 /// Like projectVertex, but without making the mesh again.
 std::optional<glm::vec2> placeOf(const Session& session, const PickedVertex& picked, float aspect) {
-    const double time = session.window.playback.time;
+    const double time = session.look.playback.time;
     const Scene& scene = presentScene(session);
-    if (!std::cmp_equal(picked.model, session.window.selection.model))
+    if (!std::cmp_equal(picked.model, session.look.selection.model))
         return projectVertex(scene, picked.model, picked.vertex, time, aspect);
     return projectVertices(scene, scene.models[picked.model], selectedMesh(session), {&picked.vertex, 1},
                            time, aspect)
@@ -154,11 +154,11 @@ std::optional<glm::vec2> placeOf(const Session& session, const PickedVertex& pic
 void drawMarker(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                 view::Size picture) {
     const Model* model = selectedModel(session);
-    if (!model || !model->visible || !session.window.selection.vertex)
+    if (!model || !model->visible || !session.look.selection.vertex)
         return;
-    const std::size_t vertex = *session.window.selection.vertex;
-    const auto place = placeOf(session, {static_cast<std::size_t>(session.window.selection.model), vertex},
-                               aspectOf(layout));
+    const std::size_t vertex = *session.look.selection.vertex;
+    const auto place =
+        placeOf(session, {static_cast<std::size_t>(session.look.selection.model), vertex}, aspectOf(layout));
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
@@ -172,7 +172,7 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
     const Mesh& mesh = selectedMesh(session);
     if (vertex >= mesh.vertices.size())
         return;
-    const glm::vec4 coord = effectiveTexCoord(*model, mesh, session.window.selection.unit, vertex);
+    const glm::vec4 coord = effectiveTexCoord(*model, mesh, session.look.selection.unit, vertex);
     const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coord.x, coord.y);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // Next to the vertex, inside of the picture.
@@ -185,14 +185,14 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
 /// The other selected vertices, without the one that has the marker.
 void drawChosenDots(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                     view::Size picture) {
-    const std::vector<std::size_t> chosen = chosenVertices(session.window.selection);
+    const std::vector<std::size_t> chosen = chosenVertices(session.look.selection);
     const Model* model = selectedModel(session);
     constexpr std::size_t maxChosen = 500; // Dear ImGui counts the vertices of a panel with 16 bits
     if (!model || !model->visible || chosen.size() < 2 || chosen.size() > maxChosen)
         return;
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const double time = session.window.playback.time;
+    const double time = session.look.playback.time;
     for (const auto& place : projectVertices(presentScene(session), *model, selectedMesh(session), chosen,
                                              time, aspectOf(layout))) {
         if (!place)
@@ -207,7 +207,7 @@ void drawChosenDots(const Session& session, const Layout& layout, const Panes& p
 void drawHoverRing(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                    view::Size picture) {
     const std::optional<PickedVertex>& hovered =
-        session.window.hoveredInView ? session.window.hoveredInView : session.window.hoveredInPlane;
+        session.look.hoveredInView ? session.look.hoveredInView : session.look.hoveredInPlane;
     const std::vector<Model>& models = presentScene(session).models;
     if (!hovered || hovered->model >= models.size() || !models[hovered->model].visible)
         return;
@@ -232,17 +232,16 @@ std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layou
     const glm::vec2 at =
         panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
                                                   static_cast<float>(std::max(1, picture.height)));
-    return pickVertex(presentScene(session), session.window.playback.time, aspectOf(layout),
-                      {at.x, 1 - at.y});
+    return pickVertex(presentScene(session), session.look.playback.time, aspectOf(layout), {at.x, 1 - at.y});
 }
 
 /// Selects it; with Shift it is added to the selection or removed from it.
 void pick(const Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
     if (!panes.under(ImGui::GetIO().MousePos))
         return;
-    change(session, [picked = vertexUnderMouse(session, layout, panes, picture),
-                     adds = ImGui::GetIO().KeyShift](WindowState& window) {
-        Selection& selection = window.selection;
+    act(session, [picked = vertexUnderMouse(session, layout, panes, picture),
+                  adds = ImGui::GetIO().KeyShift](Session& changed) {
+        Selection& selection = changed.look.selection;
         if (adds && picked && std::cmp_equal(picked->model, selection.model))
             return toggleVertex(selection, picked->vertex);
         if (picked)
@@ -282,7 +281,7 @@ std::string hintsFor(const Session& session, float available) {
 void hintLine(const Session& session, const Layout& layout) {
     const float em = ImGui::GetFontSize();
     const float available = static_cast<float>(layout.view.width) - em;
-    const std::optional<Preview>& shown = session.window.preview;
+    const std::optional<Preview>& shown = session.look.preview;
     const std::string line =
         shown ? fitted(fmt::format("Preview: {}", shown->text), available) : tr(hintsFor(session, available));
     const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
@@ -316,13 +315,13 @@ void stepLine(const Session& session, const Layout& layout) {
 
 void hoverPixel(const Session& session, std::optional<glm::ivec2> pixel) {
     const auto to = pixel ? std::optional(reference::PixelPlace{pixel->x, pixel->y}) : std::nullopt;
-    if (session.window.levels.hovered != to)
-        change(session, [to](WindowState& window) { window.levels.hovered = to; });
+    if (session.look.levels.hovered != to)
+        act(session, [to](Session& changed) { changed.look.levels.hovered = to; });
 }
 
 void hoverVertex(const Session& session, std::optional<PickedVertex> vertex) {
-    if (session.window.hoveredInView != vertex)
-        change(session, [vertex](WindowState& window) { window.hoveredInView = vertex; });
+    if (session.look.hoveredInView != vertex)
+        act(session, [vertex](Session& changed) { changed.look.hoveredInView = vertex; });
 }
 
 } // namespace
@@ -332,10 +331,10 @@ void drawViewPanel(const Session& session, const Pictures& pictures, const Layou
     toolRow(session, layout);
 
     const view::Size picture = pictures.frames.front().frame.size;
-    const Panes panes(layout, session.window.view, picture);
+    const Panes panes(layout, session.view, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all()) {
-        drawPane(draw, panes, pane, pictures, session.window.view);
+        drawPane(draw, panes, pane, pictures, session.view);
         drawFalseColors(draw, session, pictures, panes, pane);
     }
     if (pictures.difference && isRinged(pictures.difference->numbers))

@@ -29,9 +29,9 @@ void offerChoice(const Session& session, const ParamRow& row, const EnumRow& cho
 std::vector<Segment> segmentsOf(const Session& session, const Owner& owner, const ParamRow& row) {
     std::vector<Segment> segments;
     for (const EnumRow& choice : row.choices)
-        segments.push_back({owner.labelOf ? owner.labelOf(row, choice)
-                                          : std::string(shownBrief(session.window.settings, choice)),
-                            choice.group});
+        segments.push_back(
+            {owner.labelOf ? owner.labelOf(row, choice) : std::string(shownBrief(session.settings, choice)),
+             choice.group});
     return segments;
 }
 
@@ -43,7 +43,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
     const std::string full = current ? nameOfChoice(session, owner, row, *current) : "?";
     const bool hasRoom = owner.labelOf || !current || ImGui::CalcTextSize(tr(full).c_str()).x <= room;
     const std::string shown =
-        fitted(hasRoom ? full : std::string(shownBrief(session.window.settings, *current)), room);
+        fitted(hasRoom ? full : std::string(shownBrief(session.settings, *current)), room);
     bool changed = false;
     if (!ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLargest))
         return false;
@@ -65,7 +65,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
         offerChoice(session, row, choice, path, isCurrent);
         if (isCurrent)
             ImGui::SetItemDefaultFocus();
-        const std::string_view other = session.window.settings.glNames ? choice.label : choice.name;
+        const std::string_view other = session.settings.glNames ? choice.label : choice.name;
         if (choice.name.starts_with("GL_")) {
             ImGui::SameLine(names + ImGui::GetFontSize() * 2);
             ImGui::PushFont(codeFont());
@@ -82,8 +82,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
 
 std::string nameOfChoice(const Session& session, const Owner& owner, const ParamRow& row,
                          const EnumRow& choice) {
-    return owner.labelOf ? owner.labelOf(row, choice)
-                         : std::string(shownName(session.window.settings, choice));
+    return owner.labelOf ? owner.labelOf(row, choice) : std::string(shownName(session.settings, choice));
 }
 
 std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owner, const ParamRow& row,

@@ -21,17 +21,17 @@ void modelChoice(const Session& session, float minWidth, float maxWidth) {
     const auto name = [&](int index) {
         return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
     };
-    const std::string chosen = name(session.window.selection.model);
+    const std::string chosen = name(session.look.selection.model);
     const float beside = minWidth - listRoom(minWidth);
     const float width = std::clamp(ImGui::CalcTextSize(chosen.c_str()).x + beside + 1, minWidth, maxWidth);
     const std::string shown = fitted(chosen, listRoom(width));
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(models.size()); ++i) {
-            if (ImGui::Selectable(name(i).c_str(), i == session.window.selection.model))
-                change(session, [i](WindowState& window) {
-                    window.selection.model = i;
-                    window.selection.vertex.reset();
+            if (ImGui::Selectable(name(i).c_str(), i == session.look.selection.model))
+                act(session, [i](Session& changed) {
+                    changed.look.selection.model = i;
+                    changed.look.selection.vertex.reset();
                 });
             noteItem(fmt::format("model:{}", i));
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/layout.h"
+#include "app/ui/state/layout.h"
 
 #include <imgui.h>
 

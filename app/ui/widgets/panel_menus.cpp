@@ -1,6 +1,7 @@
 #include "app/ui/widgets/panel_menus.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 
@@ -20,7 +21,7 @@ bool panelSubmenu(const char* words) {
 }
 
 void textureSpaceItems(const Session& session) {
-    const Workspace& shown = session.window.settings.workspace;
+    const Workspace& shown = session.settings.workspace;
     if (panelItem("Shown", nullptr, shown.textureSpace))
         rearrange(session, [](Workspace& workspace) { workspace.textureSpace = !workspace.textureSpace; });
     const bool fills = maximisedOf(shown) == Maximised::TextureSpace;
@@ -47,7 +48,7 @@ void textureSpaceTitle(const Session& session, float room) {
 }
 
 void tabMenuItems(const Session& session, Tab tab) {
-    const Workspace& shown = session.window.settings.workspace;
+    const Workspace& shown = session.settings.workspace;
     const bool open = isOpen(shown, tab);
     for (const DockRow& row : dockRows) {
         if (panelItem(row.label, nullptr, open && dockOf(shown, tab) == row.dock))
@@ -67,7 +68,7 @@ void tabMenuItems(const Session& session, Tab tab) {
 }
 
 void dockMenuItems(const Session& session, Dock dock) {
-    const Workspace& shown = session.window.settings.workspace;
+    const Workspace& shown = session.settings.workspace;
     for (const TabRow& row : tabRows) {
         const bool here = isOpen(shown, row.tab) && dockOf(shown, row.tab) == dock;
         if (panelItem(row.label, nullptr, here))
@@ -83,7 +84,7 @@ void dockMenuItems(const Session& session, Dock dock) {
 void panelsMenu(const Session& session) {
     if (!panelSubmenu("Panels"))
         return;
-    if (panelItem("Parameters", nullptr, session.window.settings.workspace.parameters))
+    if (panelItem("Parameters", nullptr, session.settings.workspace.parameters))
         rearrange(session, [](Workspace& workspace) { workspace.parameters = !workspace.parameters; });
     if (panelSubmenu("Texture space")) {
         textureSpaceItems(session);
@@ -102,7 +103,7 @@ void panelsMenu(const Session& session) {
 void layoutsMenu(const Session& session) {
     if (!panelSubmenu("Layout"))
         return;
-    const LayoutRow* now = layoutOf(session.window.settings.workspace);
+    const LayoutRow* now = layoutOf(session.settings.workspace);
     for (const LayoutRow& row : layoutRows) {
         if (panelItem(row.label, nullptr, now && now->name == row.name))
             rearrange(session, [&row](Workspace& workspace) { chooseLayout(workspace, row); });

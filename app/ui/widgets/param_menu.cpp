@@ -1,8 +1,9 @@
 #include "app/ui/widgets/param_menu.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/pinned.h"
+#include "app/ui/model/sheet_choice.h"
 #include "app/ui/model/timeline_edits.h"
+#include "app/ui/state/pinned.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/tip.h"
@@ -44,7 +45,7 @@ void keyItems(const Session& session, const std::string& path) {
     if (!hasKeys(timeline, path))
         return;
     if (menuItem("Show its key frames", path, "timeline"))
-        change(session, [](WindowState& window) { window.wantedTab = Tab::Timeline; });
+        act(session, [](Session& changed) { changed.window.wantedTab = Tab::Timeline; });
     if (menuItem("Remove its key frames", path, "no-keys", "The parameter keeps its present value."))
         removeKeys(session, path);
 }
@@ -71,13 +72,13 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
                                   : fmt::format("{} · {}", row.label, glNameOf(row)));
     const bool resets = menuItem(resetWords(row, initial), path, "reset", {}, changed);
     const bool isThere = isEssential(path);
-    const bool pinned = isPinned(session.window.settings, path);
+    const bool pinned = isPinned(session.settings, path);
     if (menuItem(pinned ? "Unpin from Essentials" : "Pin to Essentials", path, "pin",
                  isThere  ? "It is in Essentials already"
                  : pinned ? "Removes it from Essentials"
                           : "Shows it at the end of Essentials, for the selected texture, unit or model",
                  !isThere))
-        change(session, [path](WindowState& window) { togglePin(window.settings, path); });
+        act(session, [path](Session& changed) { togglePin(changed.settings, path); });
     keyItems(session, path);
     if (canSweep(row)) {
         ImGui::Separator();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/settings.h"
+#include "app/ui/state/settings.h"
 #include "core/scene/params/params.h"
 
 #include <string_view>

@@ -2,7 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/enum_control.h"
@@ -135,7 +135,7 @@ void showWanted(const Session& session, const Line& line) {
         ImGui::SetScrollHereY(0.4F);
         session.out.wantedParam.clear();
     }
-    if (line.path != session.window.shownParam)
+    if (line.path != session.look.shownParam)
         return;
     frameItem(ImGui::GetFontSize() * 0.15F, color::problem, ImGui::GetStyle().FrameRounding);
 }
@@ -311,7 +311,7 @@ void paramWidget(const Session& session, const Owner& owner, const ParamRow& row
     const float indent = ImGui::GetCurrentWindowRead()->DC.Indent.x - ImGui::GetStyle().WindowPadding.x;
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * resetRoom;
-    const std::string_view name = shownName(session.window.settings, row);
+    const std::string_view name = shownName(session.settings, row);
     // A label that is slightly wider than its column takes some of the control's width.
     const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) +
                          (hasKeys(presentScene(session).timeline, line.path) ? em * 1.1F : 0) + em * 0.4F;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/view_frame.h"
+#include "app/ui/state/view_frame.h"
 #include "app/view/pass_shader.h"
 #include "core/image/image.h"
 

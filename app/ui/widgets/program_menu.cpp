@@ -1,7 +1,7 @@
 #include "app/ui/widgets/program_menu.h"
 
+#include "app/ui/files/program_file.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/program_file.h"
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/param_widgets.h"
 

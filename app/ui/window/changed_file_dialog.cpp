@@ -1,7 +1,7 @@
 // A file that another window or an editor has written since it was read here.
 
-#include "app/ui/model/asking.h"
-#include "app/ui/model/scene_saving.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/scene_saving.h"
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
@@ -24,7 +24,7 @@ void overwriteTheirs(Session& session) {
 }
 
 void useTheirs(Session& session) {
-    if (std::holds_alternative<std::monostate>(session.window.pending))
+    if (std::holds_alternative<std::monostate>(session.asking.pending))
         return takeTheirs(session);
     session.document.changedFile.reset();
     finishPending(session); // the shown scene is discarded for the pending action
@@ -37,7 +37,7 @@ void saveElsewhere(Session& session) {
 
 void goBack(Session& session) {
     session.document.changedFile.reset();
-    session.window.pending = {};
+    session.asking.pending = {};
 }
 
 /// One row per different parameter, as many as fit into the window.
@@ -60,7 +60,7 @@ void drawDifferences(const std::vector<SceneChange>& changes, float width) {
 void drawChangedFile(const Session& session) {
     const std::shared_ptr<const ChangedFile> changed = session.document.changedFile;
     if (!changed) // another document is shown
-        return change(session, [](WindowState& window) { window.dialog = Dialog::None; });
+        return act(session, [](Session& changed) { changed.asking.dialog = Dialog::None; });
     if (!beginModal("The file has changed"))
         return;
     const float em = ImGui::GetFontSize();

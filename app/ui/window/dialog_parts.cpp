@@ -27,7 +27,7 @@ bool closeButton(std::string_view name) {
 }
 
 void closeDialog(const Session& session) {
-    change(session, [](WindowState& window) { window.dialog = Dialog::None; });
+    act(session, [](Session& changed) { changed.asking.dialog = Dialog::None; });
     ImGui::CloseCurrentPopup();
 }
 

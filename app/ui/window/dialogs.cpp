@@ -1,10 +1,12 @@
 #include "app/ui/window/dialogs.h"
 
-#include "app/ui/model/asking.h"
-#include "app/ui/model/lesson_run.h"
-#include "app/ui/model/program_file.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/sheet_file.h"
+#include "app/ui/files/answers.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/program_file.h"
+#include "app/ui/files/recording_file.h"
+#include "app/ui/files/scene_files.h"
+#include "app/ui/files/sheet_file.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -62,7 +64,7 @@ bool maybeScene(const std::filesystem::path& file) {
 
 /// The suggested name of a file to write; empty: as the browser suggests for a scene.
 std::string suggestedName(const Session& session) {
-    switch (session.window.dialog) {
+    switch (session.asking.dialog) {
     case Dialog::SaveAnswers:
         return "answers.json"; // never the scene's file
     case Dialog::SaveRecording:
@@ -70,14 +72,14 @@ std::string suggestedName(const Session& session) {
     case Dialog::SaveSheet:
         return sheetFileName(session.document);
     case Dialog::SaveProgram:
-        return programFileName(session.document, session.window.flavour);
+        return programFileName(session.document, session.asking.flavour);
     default:
         return {};
     }
 }
 
 void beginBrowsing(DialogsState& state, const Session& session) {
-    const Dialog dialog = session.window.dialog;
+    const Dialog dialog = session.asking.dialog;
     if (std::exchange(state.browsed, dialog) == dialog)
         return;
     const BrowserRow& row = *std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
@@ -104,27 +106,27 @@ void drawDiscard(const Session& session) {
     const std::string title = fmt::format("Unsaved changes in {}", name);
     if (!beginModal(name.empty() ? "Unsaved changes in this scene" : title.c_str()))
         return;
-    text(std::holds_alternative<pending::Quit>(session.window.pending)
+    text(std::holds_alternative<pending::Quit>(session.asking.pending)
              ? "Save them before quitting?"
              : "Save them before opening another scene?");
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     endWithAnswers(session,
                    {{"Save", "discard:save", save, key::enter},
                     {"Don't save", "discard:drop", finishPending},
-                    {"Cancel", "discard:cancel", [](Session& s) { s.window.pending = {}; }, key::escape}});
+                    {"Cancel", "discard:cancel", [](Session& s) { s.asking.pending = {}; }, key::escape}});
 }
 
 /// A picture by texshot is an image, too.
 void drawPictureQuestion(const Session& session) {
     if (!beginModal("A picture with its scene"))
         return;
-    const std::string name = session.window.askedPicture.file.filename().string();
+    const std::string name = session.asking.picture.file.filename().string();
     text(fmt::format("{} contains the scene that it was drawn from.", printable(name)));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    endWithAnswers(
-        session, {{"Open its scene", "picture:scene", askPictureScene, key::enter},
-                  {"Use it as an image", "picture:image", usePicture},
-                  {"Cancel", "picture:cancel", [](Session& s) { s.window.askedPicture = {}; }, key::escape}});
+    endWithAnswers(session,
+                   {{"Open its scene", "picture:scene", askPictureScene, key::enter},
+                    {"Use it as an image", "picture:image", usePicture},
+                    {"Cancel", "picture:cancel", [](Session& s) { s.asking.picture = {}; }, key::escape}});
 }
 
 /// One line per file with its reason: there may be hundreds.
@@ -132,7 +134,7 @@ void drawRefused(const Session& session) {
     if (!beginModal("Files that could not be opened"))
         return;
     const float em = ImGui::GetFontSize();
-    const std::size_t count = session.window.refused.size();
+    const std::size_t count = session.asking.refused.size();
     text(count == 1 ? std::string("One file could not be opened. The others were opened.")
                     : fmt::format("{} files could not be opened.", count));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -140,7 +142,7 @@ void drawRefused(const Session& session) {
     const float height = std::min(display.y * 0.6F, em * 2.9F * static_cast<float>(count) + em);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
     ImGui::BeginChild("refused", {width, height}, true);
-    for (const Error& each : session.window.refused) {
+    for (const Error& each : session.asking.refused) {
         ImGui::PushTextWrapPos(0);
         text(printable(describe(each)));
         ImGui::PopTextWrapPos();
@@ -150,21 +152,21 @@ void drawRefused(const Session& session) {
     ImGui::PopStyleColor();
     if (closeButton("refused:close")) {
         closeDialog(session);
-        change(session, [](WindowState& window) { window.refused.clear(); });
+        act(session, [](Session& changed) { changed.asking.refused.clear(); });
     }
     ImGui::EndPopup();
 }
 
 /// Opens a dialog that the user has not requested, if no other one is open.
 void openWaitingDialog(Session& session) {
-    if (session.window.dialog != Dialog::None ||
-        !std::holds_alternative<std::monostate>(session.window.pending))
+    if (session.asking.dialog != Dialog::None ||
+        !std::holds_alternative<std::monostate>(session.asking.pending))
         return;
-    if (!session.window.refused.empty())
-        session.window.dialog = Dialog::Refused;
+    if (!session.asking.refused.empty())
+        session.asking.dialog = Dialog::Refused;
     else if (const UnsavedWork* unsaved = session.services.unsaved;
              unsaved && !unsaved->recovery.offers().empty() && session.document.loads.empty())
-        session.window.dialog = Dialog::Restore;
+        session.asking.dialog = Dialog::Restore;
 }
 
 Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path& chosen,
@@ -174,7 +176,7 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
     if (dialog == Dialog::SaveScene)
         return saveTo(session, chosen, replaces);
     if (dialog == Dialog::SaveAnswers)
-        return saveAnswers(session, chosen, replaces).map([&](const std::filesystem::path& file) {
+        return saveAnswers(session.settings, chosen, replaces).map([&](const std::filesystem::path& file) {
             tell(session, fmt::format("Written: {}", file.string()));
         });
     if (dialog == Dialog::SaveSheet)
@@ -183,7 +185,7 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
         return saveProgram(session, chosen, replaces);
     if (dialog == Dialog::SaveRecording)
         return saveRecording(session, chosen, replaces);
-    const std::string param = std::exchange(session.window.imageParam, {});
+    const std::string param = std::exchange(session.asking.imageParam, {});
     if (param.empty())
         importImage(session, chosen);
     else
@@ -194,21 +196,21 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
 void drawBrowserDialog(const Session& session, DialogsState& state, const Pictures& pictures) {
     beginBrowsing(state, session);
     std::filesystem::path chosen;
-    const Dialog dialog = session.window.dialog;
+    const Dialog dialog = session.asking.dialog;
     const Browsing browsing = drawFileBrowser(state.browser, session.services.files, pictures, chosen);
     if (browsing == Browsing::Open)
         return;
     if (browsing == Browsing::Cancelled)
-        return change(session, [](WindowState& window) {
-            window.dialog = Dialog::None;
-            window.pending = {};
+        return act(session, [](Session& changed) {
+            changed.asking.dialog = Dialog::None;
+            changed.asking.pending = {};
         });
     act(session, [&state, dialog, chosen](Session& s) {
-        s.window.dialog = Dialog::None;
-        s.window.notice = {};
+        s.asking.dialog = Dialog::None;
+        s.look.notice = {};
         const Result<void> result = answer(s, dialog, chosen, state.browser.overwrites);
         if (!result) { // back to the list, which shows the error
-            s.window.dialog = dialog;
+            s.asking.dialog = dialog;
             state.browser.error = result.error().message;
             state.browser.focusName = true;
         }
@@ -218,7 +220,7 @@ void drawBrowserDialog(const Session& session, DialogsState& state, const Pictur
 } // namespace
 
 void drawDialogs(const Session& session, DialogsState& state, const Pictures& pictures) {
-    const Dialog dialog = session.window.dialog;
+    const Dialog dialog = session.asking.dialog;
     if (std::ranges::find(browserRows, dialog, &BrowserRow::dialog) != browserRows.end())
         drawBrowserDialog(session, state, pictures);
     else if (dialog == Dialog::Discard)

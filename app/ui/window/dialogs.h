@@ -12,7 +12,7 @@ struct DialogsState {
     Dialog browsed = Dialog::None; ///< the dialog that `browser` was prepared for
 };
 
-/// Draws the dialog WindowState::dialog.
+/// Draws the dialog Asking::dialog.
 void drawDialogs(const Session& session, DialogsState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/files.h"
+#include "app/ui/services/files.h"
 #include "app/ui/widgets/pictures.h"
 #include "core/files/file_fingerprint.h"
 

@@ -100,7 +100,7 @@ void addKeys(const Session& session, HelpRows& help) {
 
 /// The lesson's own keys, which have priority.
 void addLessonKeys(const Session& session, HelpRows& help) {
-    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    const std::optional<LessonRun>& run = session.lesson;
     if (!run || run->lesson.keys.empty())
         return;
     help.push_back({"Keys of this lesson (override the others)", "", color::dim});

@@ -1,6 +1,7 @@
 #include "app/ui/window/kept_controls.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/kept.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/shortcuts.h"

@@ -54,8 +54,8 @@ void focusNextPanel(int steps) {
 
 void moveKeyboardFocus(const Session& session, KeyboardFocus& focus) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool isFree = session.window.dialog == Dialog::None && !io.WantTextInput && !session.out.keyTaken;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || session.window.dialog != Dialog::None)
+    const bool isFree = session.asking.dialog == Dialog::None && !io.WantTextInput && !session.out.keyTaken;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || session.asking.dialog != Dialog::None)
         focus.walks = false;
     if (isFree && isKeyPressed(key::f6, false)) {
         focusNextPanel(io.KeyShift ? -1 : 1);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/ui/model/layout.h"
-#include "app/ui/model/workspace.h"
+#include "app/ui/state/layout.h"
+#include "app/ui/state/workspace.h"
 
 namespace texplorer::ui {
 

@@ -37,14 +37,14 @@ constexpr float framesASecond = 60;
 
 bool areKeysFree(const Session& session, bool popup) {
     const ImGuiIO& io = ImGui::GetIO();
-    return !popup && session.window.dialog == Dialog::None && !session.out.keyTaken && !io.WantTextInput &&
+    return !popup && session.asking.dialog == Dialog::None && !session.out.keyTaken && !io.WantTextInput &&
            !io.KeyCtrl && !io.KeyShift && !io.KeyAlt && !io.KeySuper && !ImGui::IsAnyItemActive();
 }
 
 } // namespace
 
 void takeLessonKeys(Session& session, bool popup) {
-    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    std::optional<LessonRun>& run = session.lesson;
     if (!run)
         return;
     const bool held = run->holdsKey;

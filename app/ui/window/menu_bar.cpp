@@ -1,10 +1,15 @@
+#include "app/ui/files/answers.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/replaced_document.h"
+#include "app/ui/files/scene_files.h"
+#include "app/ui/files/texshot_command.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/asking.h"
 #include "app/ui/model/lesson_list.h"
-#include "app/ui/model/lesson_run.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/preset_edits.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/texshot_command.h"
+#include "app/ui/model/sheet_choice.h"
+#include "app/ui/state/layout.h"
+#include "app/ui/state/lesson_records.h"
 #include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
@@ -70,8 +75,8 @@ void examplesItems(const Session& session) {
 void lessonsItems(const Session& session) {
     const Language language = catalogueInUse() ? catalogueInUse()->language() : Language::English;
     for (const LessonTitle& each : lessonTitles(language)) {
-        const LessonProgress progress = progressOf(session, each.name, each.steps);
-        const bool isOpen = session.window.lesson && session.window.lesson->key == each.name;
+        const LessonProgress progress = progressOf(session.settings, each.name, each.steps);
+        const bool isOpen = session.lesson && session.lesson->key == each.name;
         const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
         if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
             act(session, [name = each.name](Session& s) { askLesson(s, name); });
@@ -79,12 +84,12 @@ void lessonsItems(const Session& session) {
         helpTip(each.about);
     }
     ImGui::Separator();
-    if (menuItem("Leave the lesson", {}, session.window.lesson != nullptr))
+    if (menuItem("Leave the lesson", {}, session.lesson.has_value()))
         act(session, [](Session& s) { closeLesson(s); });
-    if (menuItem("Save my answers…", {}, !session.window.settings.lessons.empty()))
+    if (menuItem("Save my answers…", {}, !session.settings.lessons.empty()))
         act(session, askSaveAnswers);
-    if (menuItem("Copy my answers", {}, !session.window.settings.lessons.empty())) {
-        ImGui::SetClipboardText(answersText(session).c_str());
+    if (menuItem("Copy my answers", {}, !session.settings.lessons.empty())) {
+        ImGui::SetClipboardText(answersText(session.settings).c_str());
         act(session, [](Session& s) { tell(s, "Copied your answers of all lessons as JSON."); });
     }
 }
@@ -100,7 +105,7 @@ bool fileItem(const std::filesystem::path& file) {
 }
 
 void recentItems(const Session& session) {
-    const Settings& settings = session.window.settings;
+    const Settings& settings = session.settings;
     if (settings.recentFiles.empty()) {
         dimText("No files opened yet");
         return;
@@ -114,7 +119,7 @@ void recentItems(const Session& session) {
     }
     ImGui::Separator();
     if (menuItem("Forget these files"))
-        change(session, [](WindowState& window) { window.settings.recentFiles.clear(); });
+        act(session, [](Session& changed) { changed.settings.recentFiles.clear(); });
 }
 
 void copyTexshotCommand(Session& session, const Layout& layout) {
@@ -160,7 +165,7 @@ void fileItems(const Session& session, const Layout& layout, bool hasLessons) {
     helpTip("Draws the scene with every pair of values of two parameters. Right-click a parameter to put it "
             "there.");
     if (menuItem("Record animation…"))
-        change(session, [](WindowState& window) { window.dialog = Dialog::Record; });
+        act(session, [](Session& changed) { changed.asking.dialog = Dialog::Record; });
     helpTip("Writes an animation as GIF, WebP or PNG, in the background.");
     if (menuItem("Copy link to this scene"))
         act(session, copySceneLink);
@@ -198,7 +203,7 @@ void editItems(const Session& session, const Layout& layout) {
     ImGui::Separator();
     resetItem(session);
     caption("Reset to GL's initial values");
-    const Selection& at = session.window.selection;
+    const Selection& at = session.look.selection;
     if (menuItem("Texture parameters", {}, boundTexture(session) != nullptr))
         submit(session, "Reset texture", [&](Scene& scene) {
             Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(scene, at).texture)];
@@ -224,7 +229,7 @@ void presentingItems(const Session& session, const Layout& layout) {
         act(session, addNoteInTheMiddle);
     helpTip("Adds a text over the view. Drag it, double-click to edit, Delete removes it. The key adds it "
             "at the pointer.");
-    if (menuItem("Clear notes", {}, !session.window.notes.list.empty()))
+    if (menuItem("Clear notes", {}, !session.notes.list.empty()))
         act(session, clearNotes);
     shortcutItem(session, layout, "Spotlight", "spotlight", true, session.window.spotlight);
     helpTip("Dims everything except the surroundings of the pointer, for presentations.");
@@ -236,25 +241,25 @@ template<Enumerated E>
 void methodItems(const Session& session, const char* title, E ViewSettings::*chosen) {
     for (const EnumRow& row : EnumTable<E>::rows) {
         const auto method = static_cast<E>(row.value);
-        if (menuChoice(fmt::format(fmt::runtime(title), row.label), session.window.view.*chosen == method))
-            change(session, [chosen, method](WindowState& window) { window.view.*chosen = method; });
+        if (menuChoice(fmt::format(fmt::runtime(title), row.label), session.view.*chosen == method))
+            act(session, [chosen, method](Session& changed) { changed.view.*chosen = method; });
         helpTip(row.help);
     }
 }
 
 /// Themes, text sizes, the place of help and full screen.
 void comfortItems(const Session& session, const Layout& layout) {
-    const Settings& settings = session.window.settings;
+    const Settings& settings = session.settings;
     menuOf("Theme", [&] {
         for (const ThemeRow& row : themeRows) {
             if (menuChoice(row.label, settings.theme == row.theme))
-                change(session, [&row](WindowState& window) { window.settings.theme = row.theme; });
+                act(session, [&row](Session& changed) { changed.settings.theme = row.theme; });
         }
     });
     menuOf("Language", [&] {
         for (const LanguageRow& row : languageRows) {
             if (menuChoice(row.label, settings.language == row.language))
-                change(session, [&row](WindowState& window) { window.settings.language = row.language; });
+                act(session, [&row](Session& changed) { changed.settings.language = row.language; });
         }
     });
     menuOf("Text size", [&] {
@@ -264,11 +269,11 @@ void comfortItems(const Session& session, const Layout& layout) {
         ImGui::Separator();
         for (const int size : textSizes) {
             if (menuChoice(fmt::format("{} %", size), settings.textPercent == size))
-                change(session, [size](WindowState& window) { window.settings.textPercent = size; });
+                act(session, [size](Session& changed) { changed.settings.textPercent = size; });
         }
     });
     if (menuChoice("Help in the status bar", settings.helpBelow))
-        change(session, [](WindowState& window) { window.settings.helpBelow = !window.settings.helpBelow; });
+        act(session, [](Session& changed) { changed.settings.helpBelow = !changed.settings.helpBelow; });
     helpTip("Explains what is under the pointer at the lower edge of the window, not in a tooltip.");
     shortcutItem(session, layout, "Full screen", "full screen", true, session.window.fillsScreen);
     shortcutItem(session, layout, "View alone", "view alone", true,
@@ -284,26 +289,24 @@ void viewItems(const Session& session, const Layout& layout) {
     ImGui::Separator();
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen =
-            !comparesRenderers(session.window.view) && session.window.view.renderer == renderer;
+        const bool chosen = !comparesRenderers(session.view) && session.view.renderer == renderer;
         shortcutItem(session, layout, fmt::format("Drawn by: {}", row.label), shortcutNameOf(renderer),
-                     session.window.view.offered.has(renderer), chosen);
-        helpTip(helpOf(session.window.view, row));
+                     session.view.offered.has(renderer), chosen);
+        helpTip(helpOf(session.view, row));
     }
-    shortcutItem(session, layout, "Compare", "compare", canCompare(session.window.view),
-                 comparesRenderers(session.window.view));
+    shortcutItem(session, layout, "Compare", "compare", canCompare(session.view),
+                 comparesRenderers(session.view));
     methodItems(session, "Anisotropy of the reference: {}", &ViewSettings::anisotropy);
     methodItems(session, "rho of the reference: {}", &ViewSettings::rho);
     ImGui::Separator();
     menuOf("Picture or false colours", [&] { shownItems(session); });
-    shortcutItem(session, layout, "Magnifier", "magnifier", true, session.window.view.magnifies);
-    shortcutItem(session, layout, "Picture pixel for pixel", "pixel for pixel",
-                 session.window.view.zoom.factor > 1);
+    shortcutItem(session, layout, "Magnifier", "magnifier", true, session.view.magnifies);
+    shortcutItem(session, layout, "Picture pixel for pixel", "pixel for pixel", session.view.zoom.factor > 1);
     ImGui::Separator();
     presentingItems(session, layout);
     ImGui::Separator();
-    if (menuChoice("OpenGL's names", session.window.settings.glNames))
-        change(session, [](WindowState& window) { window.settings.glNames = !window.settings.glNames; });
+    if (menuChoice("OpenGL's names", session.settings.glNames))
+        act(session, [](Session& changed) { changed.settings.glNames = !changed.settings.glNames; });
     helpTip("Shows OpenGL's names for parameters and choices.");
     comfortItems(session, layout);
     ImGui::Separator();
@@ -334,7 +337,7 @@ void presetsItems(const Session& session) {
 void helpItems(const Session& session, const Layout& layout) {
     shortcutItem(session, layout, "Keys and mouse, about…", "help");
     if (menuItem("Tour"))
-        change(session, [](WindowState& window) { window.tour = 0; });
+        act(session, [](Session& changed) { changed.window.tour = 0; });
     helpTip("Explains the window in five steps");
 }
 
@@ -342,7 +345,7 @@ void helpItems(const Session& session, const Layout& layout) {
 /// only the renderer is shown, and the clock has only buttons; A has its menu.
 void drawChoices(const Session& session) {
     constexpr float minList = 4.5F; // in heights of a letter
-    const ViewSettings& settings = session.window.view;
+    const ViewSettings& settings = session.view;
     const float whole = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
     const float available = whole - minPlaybackWidth();
     for (const RendererForm form : rendererForms) {

@@ -1,6 +1,7 @@
 #include "app/ui/window/menu_items.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/shortcuts.h"
 

@@ -60,16 +60,16 @@ float fieldWidth(const ViewNote& note, const Rect& canvas, float em) {
 
 /// Does nothing if an earlier request has removed the note.
 void changeNote(const Session& session, std::size_t index, std::function<void(ViewNotes&)> make) {
-    change(session, [index, make = std::move(make)](WindowState& window) {
-        if (index < window.notes.list.size())
-            make(window.notes);
+    act(session, [index, make = std::move(make)](Session& changed) {
+        if (index < changed.notes.list.size())
+            make(changed.notes);
     });
 }
 
 /// The selected note as a text field. Enter and a click elsewhere end the edit, Escape restores the words; an
 /// empty note is then removed.
 void noteField(const Session& session, std::size_t index, float width) {
-    const ViewNotes& notes = session.window.notes;
+    const ViewNotes& notes = session.notes;
     ImGui::SetNextItemWidth(width);
     if (notes.wantsKeyboard) {
         ImGui::SetWindowFocus();
@@ -106,7 +106,7 @@ bool noteButton(const Session& session, std::size_t index, const Rect& canvas, c
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         changeNote(session, index, [index](ViewNotes& notes) { editNote(notes, index); });
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const bool chosen = session.window.notes.chosen == index;
+    const bool chosen = session.notes.chosen == index;
     if (hovered || chosen)
         draw.AddRect(low, high, chosen ? color::accent : color::dim);
     const float pad = ImGui::GetFontSize() * 0.25F;
@@ -121,7 +121,7 @@ bool drawNote(const Session& session, std::size_t index, const Rect& canvas) {
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus;
-    const ViewNotes& notes = session.window.notes;
+    const ViewNotes& notes = session.notes;
     const ViewNote& note = notes.list[index];
     const bool isEdited = notes.isEdited && notes.chosen == index;
     const float em = ImGui::GetFontSize() * noteScale;
@@ -157,35 +157,35 @@ void removeChosenIfEmpty(ViewNotes& notes) {
 void addNoteAtPointer(Session& session, const Layout& layout) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (layout.canvas.contains(mouse.x, mouse.y))
-        addNote(session.window.notes, shareOfCanvas(mouse, layout.canvas));
+        addNote(session.notes, shareOfCanvas(mouse, layout.canvas));
 }
 
 void addNoteInTheMiddle(Session& session) {
-    const auto before = static_cast<float>(session.window.notes.list.size() % 10);
-    addNote(session.window.notes, {0.4F, 0.3F + 0.06F * before});
+    const auto before = static_cast<float>(session.notes.list.size() % 10);
+    addNote(session.notes, {0.4F, 0.3F + 0.06F * before});
 }
 
 void clearNotes(Session& session) {
-    session.window.notes = {};
+    session.notes = {};
 }
 
 void drawNotes(const Session& session, const Layout& layout) {
-    const ViewNotes& notes = session.window.notes;
+    const ViewNotes& notes = session.notes;
     if (notes.list.empty() || layout.canvas.isEmpty())
         return;
     bool any = false;
     for (std::size_t i = 0; i < notes.list.size(); ++i)
         any |= drawNote(session, i, layout.canvas);
     if (!any && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        change(session, [](WindowState& window) { window.notes.chosen.reset(); });
-    const bool isFree = !notes.isEdited && session.window.dialog == Dialog::None && !session.out.keyTaken &&
+        act(session, [](Session& changed) { changed.notes.chosen.reset(); });
+    const bool isFree = !notes.isEdited && session.asking.dialog == Dialog::None && !session.out.keyTaken &&
                         !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
     if (notes.chosen && isFree && isKeyPressed(key::del, false)) {
         session.out.keyTaken = true;
-        change(session, [index = *notes.chosen](WindowState& window) { removeNote(window.notes, index); });
+        act(session, [index = *notes.chosen](Session& changed) { removeNote(changed.notes, index); });
     }
     if (notes.chosen) // after the other changes, which may end the edit or select another note
-        change(session, [](WindowState& window) { removeChosenIfEmpty(window.notes); });
+        act(session, [](Session& changed) { removeChosenIfEmpty(changed.notes); });
 }
 
 } // namespace texplorer::ui

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/ui/model/layout.h"
 #include "app/ui/model/session.h"
+#include "app/ui/state/layout.h"
 
 namespace texplorer::ui {
 

@@ -1,3 +1,4 @@
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/window/window_parts.h"
 
@@ -23,7 +24,7 @@ constexpr std::array arrowRows{
 constexpr int shiftedStep = 10;
 
 bool ownsArrows(const Session& session, const Layout& layout) {
-    const Dock dock = dockOf(session.window.settings.workspace, Tab::Explain);
+    const Dock dock = dockOf(session.settings.workspace, Tab::Explain);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (layout.view.contains(mouse.x, mouse.y) || layout.of(dock).contains(mouse.x, mouse.y))
         return true;
@@ -39,8 +40,8 @@ bool ownsArrows(const Session& session, const Layout& layout) {
 void movePixelWithKeys(const Session& session, const Layout& layout, view::Size picture) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool walks = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; // arrows move the focus
-    if (walks || !session.window.explaining.pixel || !session.window.explaining.isOpen ||
-        session.window.dialog != Dialog::None || session.out.keyTaken || io.WantTextInput || io.KeyCtrl ||
+    if (walks || !session.look.explaining.pixel || !session.look.explaining.isOpen ||
+        session.asking.dialog != Dialog::None || session.out.keyTaken || io.WantTextInput || io.KeyCtrl ||
         ImGui::IsAnyItemActive() || !ownsArrows(session, layout) ||
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
@@ -48,8 +49,8 @@ void movePixelWithKeys(const Session& session, const Layout& layout, view::Size 
     for (const ArrowRow& row : arrowRows) {
         if (!isKeyPressed(row.key))
             continue;
-        change(session, [&row, step, picture](WindowState& window) {
-            std::optional<reference::PixelPlace>& pixel = window.explaining.pixel;
+        act(session, [&row, step, picture](Session& changed) {
+            std::optional<reference::PixelPlace>& pixel = changed.look.explaining.pixel;
             if (!pixel)
                 return;
             pixel->x = std::clamp(pixel->x + row.x * step, 0, std::max(0, picture.width - 1));

@@ -101,7 +101,7 @@ float playbackButtonsWidth() {
 }
 
 void drawPlaybackControls(const Session& session) {
-    const Playback& playback = session.window.playback;
+    const Playback& playback = session.look.playback;
     const float em = ImGui::GetFontSize();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
@@ -116,20 +116,21 @@ void drawPlaybackControls(const Session& session) {
 
     const bool animated = isAnimated(session.document.scene);
     if (signButton("rewind", playback.time != 0, rewindSign))
-        change(session, [](WindowState& window) { window.playback.time = 0; });
+        act(session, [](Session& changed) { changed.look.playback.time = 0; });
     helpTip("Go to time 0");
     ImGui::SameLine(0, 0);
     const bool running = playback.playing && animated;
     if (signButton("play", animated, running ? pauseSign : playSign))
-        change(session, [](WindowState& window) { window.playback.playing = !window.playback.playing; });
+        act(session,
+            [](Session& changed) { changed.look.playback.playing = !changed.look.playback.playing; });
     helpTip(!animated          ? "Nothing moves. Add a rate, a spin or key frames."
             : playback.playing ? "Pause (Space)"
                                : "Play (Space)");
     ImGui::SameLine(0, 0);
     if (signButton("step", true, stepSign))
-        change(session, [](WindowState& window) {
-            window.playback.playing = false;
-            window.playback.time += static_cast<double>(stepSeconds);
+        act(session, [](Session& changed) {
+            changed.look.playback.playing = false;
+            changed.look.playback.time += static_cast<double>(stepSeconds);
         });
     helpTip("Pause and advance by 0.1 s");
     if (!hasClock)
@@ -151,7 +152,7 @@ void drawPlaybackControls(const Session& session) {
     if (ImGui::BeginCombo("##speed", speedName(playback.speed).c_str())) {
         for (const float speed : speeds) {
             if (ImGui::Selectable(speedName(speed).c_str(), speed == playback.speed))
-                change(session, [speed](WindowState& window) { window.playback.speed = speed; });
+                act(session, [speed](Session& changed) { changed.look.playback.speed = speed; });
             noteItem("speed:" + speedName(speed));
         }
         ImGui::EndCombo();
@@ -160,7 +161,7 @@ void drawPlaybackControls(const Session& session) {
     helpTip("The speed of the scene's time");
     ImGui::SameLine(0, gap);
     if (signButton("timeline", true, keysSign))
-        change(session, [](WindowState& window) { window.wantedTab = Tab::Timeline; });
+        act(session, [](Session& changed) { changed.window.wantedTab = Tab::Timeline; });
     helpTip("Timeline: shows which parameters move and when");
 }
 

@@ -1,6 +1,7 @@
+#include "app/ui/files/recording_file.h"
+#include "app/ui/files/texshot_command.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/texshot_command.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -36,9 +37,9 @@ bool secondsField(const char* id, float& value, float min) {
 
 void extentField(const Session& session, const char* id, int RecordingChoice::*extent) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
-    int value = session.window.recording.*extent;
+    int value = session.recording.*extent;
     if (ImGui::DragInt(id, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp))
-        change(session, [extent, value](WindowState& window) { window.recording.*extent = value; });
+        act(session, [extent, value](Session& changed) { changed.recording.*extent = value; });
     markDraggable();
     noteItem(fmt::format("record:{}", id + 2));
 }
@@ -48,8 +49,8 @@ void formatLine(const Session& session) {
     for (const animation::FormatRow& row : animation::formatRows) {
         if (&row != &animation::formatRows.front())
             ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
-        if (ImGui::RadioButton(std::string(row.name).c_str(), session.window.recording.format == row.format))
-            change(session, [&row](WindowState& window) { window.recording.format = row.format; });
+        if (ImGui::RadioButton(std::string(row.name).c_str(), session.recording.format == row.format))
+            act(session, [&row](Session& changed) { changed.recording.format = row.format; });
         noteItem(fmt::format("record:{}", row.name));
         helpTip(row.format == animation::Format::Gif
                     ? "Supported everywhere. At most 256 colours in each picture and 50 pictures a second."
@@ -59,21 +60,21 @@ void formatLine(const Session& session) {
 }
 
 void lengthLines(const Session& session) {
-    const RecordingChoice& choice = session.window.recording;
+    const RecordingChoice& choice = session.recording;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     lineName("Begins at");
     float begin = choice.begin;
     if (secondsField("##begin", begin, 0))
-        change(session, [begin](WindowState& window) { window.recording.begin = begin; });
+        act(session, [begin](Session& changed) { changed.recording.begin = begin; });
     lineName("Length");
     float seconds = recordedSeconds(session);
     if (secondsField("##seconds", seconds, 0.01F))
-        change(session, [seconds](WindowState& window) { window.recording.seconds = seconds; });
+        act(session, [seconds](Session& changed) { changed.recording.seconds = seconds; });
     if (lengthOf(session.document.scene.timeline) > 0) {
         ImGui::SameLine(0, inner);
         ImGui::BeginDisabled(!choice.seconds);
         if (ImGui::Button(label("As the key frames")))
-            change(session, [](WindowState& window) { window.recording.seconds.reset(); });
+            act(session, [](Session& changed) { changed.recording.seconds.reset(); });
         ImGui::EndDisabled();
         noteItem("record:as keys");
         helpTip("Up to the last key frame. If its values are those of the first one, the animation loops "
@@ -83,7 +84,7 @@ void lengthLines(const Session& session) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
     float perSecond = choice.perSecond;
     if (ImGui::DragFloat("##perSecond", &perSecond, 0.2F, 1, 100, "%.4g", ImGuiSliderFlags_AlwaysClamp))
-        change(session, [perSecond](WindowState& window) { window.recording.perSecond = perSecond; });
+        act(session, [perSecond](Session& changed) { changed.recording.perSecond = perSecond; });
     markDraggable();
     noteItem("record:perSecond");
 }
@@ -146,8 +147,8 @@ void drawRecord(const Session& session) {
     if (copies)
         act(session, copyCommand);
     if (goesOn || copies || stays) {
-        change(session, [goesOn](WindowState& window) {
-            window.dialog = goesOn ? Dialog::SaveRecording : Dialog::None;
+        act(session, [goesOn](Session& changed) {
+            changed.asking.dialog = goesOn ? Dialog::SaveRecording : Dialog::None;
         });
         ImGui::CloseCurrentPopup();
     }

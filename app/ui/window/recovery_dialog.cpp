@@ -1,7 +1,7 @@
 // Unsaved work of a window that crashed.
 
+#include "app/ui/files/scene_files.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"

@@ -1,9 +1,12 @@
 #include "app/ui/window/shortcuts.h"
 
+#include "app/ui/files/asking.h"
+#include "app/ui/files/scene_files.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/asking.h"
+#include "app/ui/model/explaining.h"
+#include "app/ui/model/kept.h"
 #include "app/ui/model/lesson_key_edits.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/model/notice.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
@@ -23,23 +26,23 @@ namespace {
 
 template<RendererKind renderer>
 void drawBy(Session& session, const Layout& /*layout*/) {
-    showOne(session.window.view, renderer);
-    if (!session.window.view.offered.has(renderer))
-        say(session, helpOf(session.window.view, rowOf(renderer)));
+    showOne(session.view, renderer);
+    if (!session.view.offered.has(renderer))
+        say(session, helpOf(session.view, rowOf(renderer)));
 }
 
 /// One after the other.
 void letGo(Session& session, const Layout& /*layout*/) {
     if (session.window.spotlight)
         session.window.spotlight = false;
-    else if (maximisedOf(session.window.settings.workspace) != Maximised::None)
-        session.window.settings.workspace.maximised = Maximised::None;
-    else if (session.window.explaining.texel)
+    else if (maximisedOf(session.settings.workspace) != Maximised::None)
+        session.settings.workspace.maximised = Maximised::None;
+    else if (session.look.explaining.texel)
         clearTexel(session);
-    else if (session.window.explaining.pinned)
-        session.window.explaining.pinned.reset();
+    else if (session.look.explaining.pinned)
+        session.look.explaining.pinned.reset();
     else
-        session.window.explaining.pixel.reset();
+        session.look.explaining.pixel.reset();
 }
 
 /// Reports errors.
@@ -89,21 +92,21 @@ constexpr std::array shortcutRows{
              [](Session& s, const Layout&) { s.out.wantsSearch = true; }},
     Shortcut{"quit", 'Q', true, false, "quit Texplorer", runs<requestQuit>},
     Shortcut{"play", key::space, false, false, "play or pause",
-             [](Session& s, const Layout&) { s.window.playback.playing = !s.window.playback.playing; }},
+             [](Session& s, const Layout&) { s.look.playback.playing = !s.look.playback.playing; }},
     Shortcut{"previous-key", ',', false, false, "go to the previous key frame", runs<walkKeys<-1>>, true},
     Shortcut{"next-key", '.', false, false, "go to the next key frame", runs<walkKeys<1>>, true},
     Shortcut{"fixed", '1', false, false, "draw with OpenGL's fixed function", drawBy<RendererKind::Fixed>},
     Shortcut{"shader", '2', false, false, "draw with shaders", drawBy<RendererKind::Shader>},
     Shortcut{"reference", '3', false, false, "draw with the reference", drawBy<RendererKind::Reference>},
     Shortcut{"compare", '4', false, false, "compare two renderers",
-             [](Session& s, const Layout&) { showComparison(s.window.view); }},
+             [](Session& s, const Layout&) { showComparison(s.view); }},
     Shortcut{"keep", 'K', false, false, "keep the scene as A", runs<keepAsA>},
     Shortcut{"flip", 'T', false, false, "switch between A and now", runs<flipKept>},
     Shortcut{"split", 'T', false, true, "split A and now", runs<splitKept>},
     Shortcut{"magnifier", 'M', false, false, "magnifier: the pixels under the mouse and their colours",
-             [](Session& s, const Layout&) { s.window.view.magnifies = !s.window.view.magnifies; }},
+             [](Session& s, const Layout&) { s.view.magnifies = !s.view.magnifies; }},
     Shortcut{"pixel for pixel", '0', false, false, "reset the enlargement",
-             [](Session& s, const Layout&) { s.window.view.zoom = {}; }},
+             [](Session& s, const Layout&) { s.view.zoom = {}; }},
     Shortcut{"note", 'N', false, false, "add a note over the view at the pointer", addNoteAtPointer},
     Shortcut{"spotlight", 'L', false, false, "spotlight: dim everything except near the pointer",
              [](Session& s, const Layout&) { s.window.spotlight = !s.window.spotlight; }},
@@ -122,10 +125,9 @@ constexpr std::array shortcutRows{
     Shortcut{"smaller text", '-', true, false, "smaller text", runs<resizeText<-1>>, true},
     Shortcut{"", key::keypadMinus, true, false, "smaller text", runs<resizeText<-1>>, true},
     Shortcut{"usual text", '0', true, false, "text of normal size",
-             [](Session& s, const Layout&) { s.window.settings.textPercent = Settings{}.textPercent; }},
-    Shortcut{
-        "view alone", key::tab, false, false, "show only the view, and back",
-        [](Session& s, const Layout&) { toggleMaximised(s.window.settings.workspace, Maximised::View); }},
+             [](Session& s, const Layout&) { s.settings.textPercent = Settings{}.textPercent; }},
+    Shortcut{"view alone", key::tab, false, false, "show only the view, and back",
+             [](Session& s, const Layout&) { toggleMaximised(s.settings.workspace, Maximised::View); }},
     Shortcut{"full screen", key::f11, false, false, "full screen",
              [](Session& s, const Layout&) { s.window.fillsScreen = !s.window.fillsScreen; }},
     Shortcut{"window picture", key::f12, false, false, "write a picture of the window",
@@ -133,7 +135,7 @@ constexpr std::array shortcutRows{
     Shortcut{"view picture", key::f12, false, true, "write a picture of the view",
              [](Session& s, const Layout&) { s.window.wantedCapture = Capture::View; }},
     Shortcut{"help", key::f1, false, false, "keys and mouse",
-             [](Session& s, const Layout&) { s.window.dialog = Dialog::Help; }},
+             [](Session& s, const Layout&) { s.asking.dialog = Dialog::Help; }},
 };
 
 struct KeyName {
@@ -193,7 +195,7 @@ std::string keysOf(const Session& session, std::string_view name) {
 void handleShortcuts(const Session& session, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     // A dialog has its own keys, a text field its own undo, and undo must not interfere with a drag.
-    if (session.window.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive() ||
+    if (session.asking.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive() ||
         session.out.keyTaken)
         return;
     for (const Shortcut& row : shortcutRows) {

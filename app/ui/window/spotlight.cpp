@@ -1,3 +1,4 @@
+#include "app/ui/state/layout.h"
 #include "app/ui/window/window_parts.h"
 
 #include <imgui.h>

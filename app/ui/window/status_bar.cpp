@@ -1,7 +1,9 @@
+#include "app/ui/files/inspected_file.h"
+#include "app/ui/files/loads.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/consequence.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/model/loads.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
@@ -71,24 +73,24 @@ void drawProgress(const Session& session, const FileProgress& progress) {
 }
 
 void drawNotice(const Session& session) {
-    const ThemeColor ink = session.window.notice.isGood ? color::text : color::problem;
+    const ThemeColor ink = session.look.notice.isGood ? color::text : color::problem;
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     const bool dismissed = ImGui::SmallButton("✕");
     noteItem("dismiss notice");
     ImGui::SameLine();
-    if (!session.window.notice.file.empty()) {
+    if (!session.look.notice.file.empty()) {
         if (ImGui::SmallButton(label("Look inside")))
-            act(session, [file = session.window.notice.file](Session& s) { lookInto(s, file); });
+            act(session, [file = session.look.notice.file](Session& s) { lookInto(s, file); });
         noteItem("look inside");
         helpTip("Shows the bytes of the file and their meaning, up to the damage");
         ImGui::SameLine();
     }
-    fittedText(session.window.notice.text, ink);
+    fittedText(session.look.notice.text, ink);
     ImGui::PopStyleColor();
     noteItem("notice");
-    helpTip(session.window.notice.text);
+    helpTip(session.look.notice.text);
     if (dismissed)
-        change(session, [](WindowState& window) { window.notice = {}; });
+        act(session, [](Session& changed) { changed.look.notice = {}; });
 }
 
 /// The first error or warning of the diagnosis: a click goes to its control, other buttons fix it. Fixes that
@@ -176,7 +178,7 @@ void drawNews(const Session& session, const Pictures& pictures) {
         drawProgress(session, *making);
     else if (const auto writing = session.services.writing.progress())
         drawProgress(session, *writing);
-    else if (!session.window.notice.text.empty())
+    else if (!session.look.notice.text.empty())
         drawNotice(session);
     else if (wrong > 0 && (pictures.problems.empty() || findings.front().reportedByRenderer))
         drawFinding(session, findings.front(), wrong);
@@ -232,7 +234,7 @@ void drawStatusBar(const Session& session, const Pictures& pictures, const view:
     ImGui::SameLine(factsFrom);
     ImGui::TextDisabled("%s", facts.c_str());
     noteItem("status");
-    helpTip(hostText(capabilities, session.window.view.offered));
+    helpTip(hostText(capabilities, session.view.offered));
     ImGui::End();
 }
 

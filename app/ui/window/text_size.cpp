@@ -1,5 +1,7 @@
 #include "app/ui/window/text_size.h"
 
+#include "app/ui/state/layout.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 namespace texplorer::ui {
 
 void changeTextSize(Session& session, int steps) {
-    int& percent = session.window.settings.textPercent;
+    int& percent = session.settings.textPercent;
     // Between two sizes, the next one in that direction.
     const auto* above = std::ranges::upper_bound(textSizes, percent);
     const auto* from = std::ranges::lower_bound(textSizes, percent);
@@ -18,11 +20,11 @@ void changeTextSize(Session& session, int steps) {
 
 void resizeTextByWheel(const Session& session, float& turned, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
-    const Workspace& workspace = session.window.settings.workspace;
+    const Workspace& workspace = session.settings.workspace;
     const auto isOver = [&](const Rect& rect) { return rect.contains(io.MousePos.x, io.MousePos.y); };
     const bool zooms = isOver(layout.canvas) || isOver(layout.texture) ||
                        (isShown(workspace, Tab::Levels) && isOver(layout.of(dockOf(workspace, Tab::Levels))));
-    if (!io.KeyCtrl || session.window.dialog != Dialog::None || zooms) {
+    if (!io.KeyCtrl || session.asking.dialog != Dialog::None || zooms) {
         turned = 0;
         return;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/state/layout.h"
 
 #include <array>
 

@@ -1,4 +1,5 @@
 #include "app/ui/language/translate.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_tips.h"
@@ -97,7 +98,7 @@ std::optional<int> drawCard(int step, const TourRow& row) {
 
 void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
     const std::optional<int>& shown = session.window.tour;
-    if (!shown || session.window.dialog != Dialog::None)
+    if (!shown || session.asking.dialog != Dialog::None)
         return;
     const int step = std::clamp(*shown, 0, tourSteps - 1);
     const TourRow& row = tourRows[static_cast<std::size_t>(step)];
@@ -130,11 +131,11 @@ void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
         wanted = tourSteps;
     }
     if (wanted && *wanted < tourSteps)
-        change(session, [wanted](WindowState& window) { window.tour = wanted; });
+        act(session, [wanted](Session& changed) { changed.window.tour = wanted; });
     else if (wanted)
-        change(session, [](WindowState& window) {
-            window.tour.reset();
-            window.settings.hasSeenTour = true;
+        act(session, [](Session& changed) {
+            changed.window.tour.reset();
+            changed.settings.hasSeenTour = true;
         });
 }
 

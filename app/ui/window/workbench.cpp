@@ -1,16 +1,19 @@
 #include "app/ui/window/workbench.h"
 
 #include "app/ui/editor/editor.h"
+#include "app/ui/files/inspected_file.h"
+#include "app/ui/files/lessons.h"
+#include "app/ui/files/unsaved_work.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/document_names.h"
+#include "app/ui/model/explaining.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/model/inspected_file.h"
-#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/level_edits.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/timeline_edits.h"
-#include "app/ui/model/unsaved_work.h"
 #include "app/ui/model/unseen.h"
+#include "app/ui/state/document_names.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/view/view_panel.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
@@ -113,7 +116,7 @@ bool isPopupOpen() {
 
 /// The limits of drawing: if only the reference draws, the driver does not matter.
 DriverFacts factsFor(const Session& session, const view::Capabilities& capabilities) {
-    const std::vector<RendererKind> shown = shownRenderers(session.window.view);
+    const std::vector<RendererKind> shown = shownRenderers(session.view);
     const bool asksGl =
         std::ranges::any_of(shown, [](RendererKind renderer) { return renderer != RendererKind::Reference; });
     return asksGl || shown.empty() ? view::driverFacts(capabilities) : DriverFacts{};
@@ -133,7 +136,7 @@ bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
         moveKeyboardFocus(session, states.keyboard);
     takeLessonKeys(session, popup);
     session.window.hoveredParam = std::exchange(session.out.hoveredParam, {});
-    const bool helpsBelow = session.window.settings.helpBelow && session.window.dialog == Dialog::None;
+    const bool helpsBelow = session.settings.helpBelow && session.asking.dialog == Dialog::None;
     beginHints(helpsBelow ? hintRoom(layout) : 0);
     return popup;
 }
@@ -141,8 +144,8 @@ bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
 /// Opens the tab or the settings that were asked for.
 void showWanted(Session& session) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        session.window.shownParam.clear();
-    Workspace& workspace = session.window.settings.workspace;
+        session.look.shownParam.clear();
+    Workspace& workspace = session.settings.workspace;
     if (const std::optional<Tab> wanted = std::exchange(session.window.wantedTab, std::nullopt))
         showTab(workspace, *wanted);
     if (session.out.wantedSection || !session.out.wantedParam.empty() || session.out.wantsSearch) {
@@ -157,10 +160,10 @@ void followDocument(Session& session, PanelStates& states, const Pictures& pictu
                     const view::Capabilities& capabilities) {
     if (std::exchange(states.documents, session.documents) != session.documents)
         forgetDocument(states);
-    session.window.explaining.isOpen = isShown(session.window.settings.workspace, Tab::Explain);
+    session.look.explaining.isOpen = isShown(session.settings.workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
     followForced(session);
-    if (isShown(session.window.settings.workspace, Tab::File))
+    if (isShown(session.settings.workspace, Tab::File))
         followFile(session);
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
@@ -172,8 +175,8 @@ void drawPanels(const Session& session, PanelStates& states, const Pictures& pic
         drawParametersPanel(session, states.parameters, pictures, layout);
     if (!layout.view.isEmpty())
         drawViewPanel(session, pictures, layout);
-    else if (session.window.levels.hovered)
-        change(session, [](WindowState& window) { window.levels.hovered.reset(); });
+    else if (session.look.levels.hovered)
+        act(session, [](Session& changed) { changed.look.levels.hovered.reset(); });
     drawNotes(session, layout);
     if (!layout.texture.isEmpty())
         drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
@@ -202,7 +205,7 @@ void handleKeys(const Session& session, PanelStates& states, const Pictures& pic
 /// plays, Tab maximises the view, and dialogs have their own keys.
 void chooseKeyboard(const Session& session, PanelStates& states) {
     ImGuiIO& io = ImGui::GetIO();
-    const bool dialog = session.window.dialog != Dialog::None;
+    const bool dialog = session.asking.dialog != Dialog::None;
     states.hadPopup = isPopupOpen();
     const bool navigates = !dialog && (states.hadPopup || states.keyboard.walks);
     io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
@@ -212,7 +215,7 @@ void chooseKeyboard(const Session& session, PanelStates& states) {
 
 Requests endFrame(Session& session, PanelStates& states) {
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
-    Requests requests{std::exchange(session.window.quitConfirmed, false), dimmed > 0 && dimmed < 1, false,
+    Requests requests{std::exchange(session.asking.quitConfirmed, false), dimmed > 0 && dimmed < 1, false,
                       windowTitle(session.document)};
     chooseKeyboard(session, states);
     return requests;

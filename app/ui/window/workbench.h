@@ -2,6 +2,7 @@
 
 #include "app/ui/details/details_panel.h"
 #include "app/ui/parameters/parameters_panel.h"
+#include "app/ui/state/layout.h"
 #include "app/ui/texture_space/texture_space_panel.h"
 #include "app/ui/window/dialogs.h"
 #include "app/ui/window/keyboard_focus.h"
@@ -33,7 +34,7 @@ struct Requests {
 
 /// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
 /// frame is:
-///   layout = layoutFor(…, session.window.settings.workspace, gridOf(session.window.view)); settle(session,
+///   layout = layoutFor(…, session.settings.workspace, gridOf(session.view)); settle(session,
 ///   layout); frame = renderer.draw(session.document.scene, …); ImGui::NewFrame(); drawWorkbench(…);
 ///   ImGui::Render().
 /// Dear ImGui needs two or three frames until new windows have their sizes.

@@ -1,5 +1,4 @@
-#include "app/ui/model/chosen_vertices.h"
-#include "app/ui/model/session.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "app/ui/widgets/keys.h"
 #include "core/emit/program.h"
 #include "core/scene/tex_coords.h"
@@ -67,7 +66,7 @@ TEST_F(CommandsTab, KeyFramesAreThoseOfTheProgram) {
     const std::string text = copied();
     EXPECT_EQ(text, textOf(programOf(scene()), false)) << "whose camera is fitted to the view";
     EXPECT_THAT(text, HasSubstr("GL_SHININESS, materialShininess);"));
-    session->window.playback.time = 1;
+    session->look.playback.time = 1;
     frames(2);
     EXPECT_EQ(copied(), text);
     find("command:view.fieldOfView");
@@ -105,7 +104,7 @@ TEST_F(CommandsTab, TheCoordinatesThatMovedGlow) {
     square.models.resize(1);
     square.models[0].shape = Shape::Quad;
     start(std::move(square));
-    session->window.settings.workspace.seams.split = 0.5F; // room for the list
+    session->settings.workspace.seams.split = 0.5F; // room for the list
     putListRight();
     show();
     const auto glowing = [&] {
@@ -119,7 +118,7 @@ TEST_F(CommandsTab, TheCoordinatesThatMovedGlow) {
     ASSERT_TRUE(has("command:models[0].texCoords0[2][0]"));
     EXPECT_TRUE(isWhole("command:models[0].texCoords0[2][0]"));
     // Two of them, by an arrow key over the texture space.
-    chooseVertices(session->window.selection, {0, 1});
+    chooseVertices(session->look.selection, {0, 1});
     moveTo(place("texture space"));
     key(ui::key::up);
     frames(2);
@@ -145,7 +144,7 @@ TEST_F(CommandsTab, LeadsToAFile) {
     frames(2);
     click("menu:Page with WebGL 2");
     frames(2);
-    EXPECT_EQ(session->window.dialog, Dialog::SaveProgram);
+    EXPECT_EQ(session->asking.dialog, Dialog::SaveProgram);
     EXPECT_EQ(states.dialogs.browser.typed, "scene.html");
 }
 
@@ -254,10 +253,10 @@ TEST_F(CommandsTab, AColorOpensThePicker) {
 
 TEST_F(CommandsTab, SaysThatItWasCopiedUntilTheNextEdit) {
     const std::string text = copied();
-    EXPECT_EQ(session->window.notice.text,
+    EXPECT_EQ(session->look.notice.text,
               "Copied: " + std::to_string(std::ranges::count(text, '\n')) + " lines");
     take(*session, Step{.name = "Wrap s", .edits = {edit::Set{"textures[0].wrapS", "GL_CLAMP"}}});
-    EXPECT_EQ(session->window.notice.text, "");
+    EXPECT_EQ(session->look.notice.text, "");
 }
 
 TEST_F(CommandsTab, AllCallsAreListedOnDemand) {
@@ -277,7 +276,7 @@ TEST_F(CommandsTab, AllCallsAreListedOnDemand) {
 TEST_F(CommandsTab, TheNameOfACallLeadsToItsControl) {
     find("call:textures[0].minFilter");
     click("call:textures[0].minFilter");
-    EXPECT_EQ(session->window.shownParam, "textures[0].minFilter");
+    EXPECT_EQ(session->look.shownParam, "textures[0].minFilter");
     frames(3);
     EXPECT_TRUE(isWhole("textures[0].minFilter") || has("textures[0].minFilter#label"));
 }

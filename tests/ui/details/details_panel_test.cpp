@@ -1,3 +1,4 @@
+#include "app/ui/state/layout.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
 
@@ -8,7 +9,7 @@ using namespace test;
 
 class Docks : public Workbench {
 protected:
-    [[nodiscard]] Workspace& workspace() { return session->window.settings.workspace; }
+    [[nodiscard]] Workspace& workspace() { return session->settings.workspace; }
     void doubleClick(std::string_view name) { doubleClickAt(place(name)); }
 };
 

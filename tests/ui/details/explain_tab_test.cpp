@@ -1,4 +1,5 @@
 #include "app/ui/details/explain_comparison.h"
+#include "app/ui/model/explaining.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
@@ -25,11 +26,11 @@ protected:
     }
     /// In the narrow dock, where there is a list in the place of the cards.
     void openList() {
-        moveTab(session->window.settings.workspace, Tab::Explain, Dock::Right);
+        moveTab(session->settings.workspace, Tab::Explain, Dock::Right);
         frames(3);
     }
     void close() {
-        closeTab(session->window.settings.workspace, Tab::Explain);
+        closeTab(session->settings.workspace, Tab::Explain);
         frames(3);
     }
     /// A place in the view where the cube is.
@@ -50,15 +51,15 @@ TEST_F(ExplainTab, SaysWhatToDoFirst) {
 TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     open();
     clickAt(onTheCube());
-    ASSERT_TRUE(session->window.explaining.pixel);
-    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
+    ASSERT_TRUE(session->look.explaining.pixel);
+    const Panes panes(layout, session->view, {layout.picture.width, layout.picture.height});
     const auto expected = panes.pixelAt(onTheCube());
-    EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
+    EXPECT_EQ(*session->look.explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
     const reference::Explanation* found = explanationOf(*session);
     ASSERT_NE(found, nullptr);
     const auto alone = reference::probe(
         {session->document.scene, session->document.images, 0, layout.picture.width, layout.picture.height},
-        *session->window.explaining.pixel);
+        *session->look.explaining.pixel);
     EXPECT_EQ(found->bytes, alone->bytes);
     EXPECT_NE(found->seen(), nullptr);
     EXPECT_TRUE(has("explain:pixel"));
@@ -72,9 +73,9 @@ TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
         session->document.images.find(session->document.scene.textures[0]);
     const long before = image.use_count();
     clickAt(onTheCube());
-    ASSERT_TRUE(session->window.explaining.pixel);
+    ASSERT_TRUE(session->look.explaining.pixel);
     EXPECT_EQ(image.use_count(), before + 1);
-    session->window.explaining.pixel.reset();
+    session->look.explaining.pixel.reset();
     frames(1);
     EXPECT_EQ(image.use_count(), before);
 }
@@ -82,7 +83,7 @@ TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
 TEST_F(ExplainTab, AClickMeansNothingWhileItIsClosed) {
     close();
     clickAt(onTheCube());
-    EXPECT_FALSE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.pixel);
 }
 
 TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
@@ -90,15 +91,15 @@ TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
     moveTo(onTheCube());
     setHeld('E', true);
     frames(3);
-    EXPECT_TRUE(session->window.explaining.isOpen);
-    const auto first = session->window.explaining.pixel;
+    EXPECT_TRUE(session->look.explaining.isOpen);
+    const auto first = session->look.explaining.pixel;
     ASSERT_TRUE(first);
     moveTo({onTheCube().x + 7, onTheCube().y - 5});
     setHeld('E', false);
     frames(2);
-    EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
+    EXPECT_EQ(*session->look.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
     moveTo(onTheCube());
-    EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}))
+    EXPECT_EQ(*session->look.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}))
         << "it stays";
 }
 
@@ -190,16 +191,16 @@ TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
     ASSERT_NE(unit, nullptr);
     const int level = unit->patches.front().level;
     clickAt(inPatch(level));
-    ASSERT_TRUE(session->window.explaining.texel);
-    EXPECT_EQ(session->window.explaining.texel->texel.level, level);
+    ASSERT_TRUE(session->look.explaining.texel);
+    EXPECT_EQ(session->look.explaining.texel->texel.level, level);
     EXPECT_TRUE(has("explain:texel"));
-    ASSERT_TRUE(session->window.explaining.light);
-    EXPECT_EQ(session->window.explaining.light->width, layout.picture.width);
-    const auto& found = *session->window.explaining.answer->contributions;
+    ASSERT_TRUE(session->look.explaining.light);
+    EXPECT_EQ(session->look.explaining.light->width, layout.picture.width);
+    const auto& found = *session->look.explaining.answer->contributions;
     ASSERT_TRUE(found);
     clickAt(inPatch(level)); // once more: no longer
-    EXPECT_FALSE(session->window.explaining.texel);
-    EXPECT_FALSE(session->window.explaining.light);
+    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_FALSE(session->look.explaining.light);
 }
 
 TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
@@ -211,12 +212,12 @@ TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
         return ImVec2(low.x + (high.x - low.x) * s, low.y + (high.y - low.y) * t);
     };
     clickAt(at(60.5F / 64, 50.5F / 64));
-    ASSERT_TRUE(session->window.explaining.texel);
-    EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
-    EXPECT_TRUE(session->window.explaining.light);
+    ASSERT_TRUE(session->look.explaining.texel);
+    EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
+    EXPECT_TRUE(session->look.explaining.light);
     close();
     clickAt(at(20.5F / 64, 20.5F / 64));
-    EXPECT_EQ(session->window.explaining.texel->texel.index.x, 60) << "only while the tab is open";
+    EXPECT_EQ(session->look.explaining.texel->texel.index.x, 60) << "only while the tab is open";
 }
 
 // Level 6 of 64 x 64 has one row: below it lies the border, which wrapping leads to. A line has no rows.
@@ -229,13 +230,13 @@ TEST_F(ExplainTab, TheBorderOfALevelOfOneRowCanBeAskedFor) {
     const ImVec2 high = place("coord:2");
     const ImVec2 below((low.x + high.x) / 2, low.y + (low.y - high.y) * 0.2F);
     clickAt(below);
-    ASSERT_TRUE(session->window.explaining.texel);
-    EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
+    ASSERT_TRUE(session->look.explaining.texel);
+    EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
     unit().target = Target::Texture1D;
     frames(2);
     clickAt(below);
-    ASSERT_TRUE(session->window.explaining.texel);
-    EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
+    ASSERT_TRUE(session->look.explaining.texel);
+    EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
 }
 
 // Whichever texel of the image a pixel reads, the small pictures don't lie on it.
@@ -295,8 +296,8 @@ TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     ASSERT_FALSE(found->patches.empty());
     EXPECT_EQ(found->patches.front().layer, found->sample.cube->face);
     clickAt(inPatch(found->patches.front().level));
-    ASSERT_TRUE(session->window.explaining.texel);
-    EXPECT_EQ(session->window.explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
+    ASSERT_TRUE(session->look.explaining.texel);
+    EXPECT_EQ(session->look.explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
     (void)picture();
 }
 
@@ -318,10 +319,10 @@ TEST_F(ExplainTab, ATexelAcrossTheEdgeOfASeamlessCubeMapCanBeAskedFor) {
     std::size_t across = 0;
     for (const reference::PlacedTap& tap : patch.taps) {
         const glm::vec2 middle = glm::vec2(tap.at - patch.low) + 0.5F;
-        session->window.explaining.texel.reset();
+        session->look.explaining.texel.reset();
         clickAt({item.left + middle.x * cell, item.bottom - middle.y * cell});
-        ASSERT_TRUE(session->window.explaining.texel);
-        EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{7, tap.tap.index}));
+        ASSERT_TRUE(session->look.explaining.texel);
+        EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{7, tap.tap.index}));
         across += tap.tap.index.z != patch.layer ? 1 : 0;
     }
     EXPECT_GT(across, 0U);
@@ -332,13 +333,13 @@ TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
     open();
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    session->window.explaining.pixel.reset(); // its sign lies over the light, and the vertex's
-    session->window.selection.vertex.reset();
+    session->look.explaining.pixel.reset(); // its sign lies over the light, and the vertex's
+    session->look.selection.vertex.reset();
     moveTo({5, 5});
     const Image lit = picture();
-    const std::shared_ptr<const Image> light = session->window.explaining.light;
+    const std::shared_ptr<const Image> light = session->look.explaining.light;
     ASSERT_NE(light, nullptr);
-    session->window.explaining.texel.reset();
+    session->look.explaining.texel.reset();
     const Image plain = picture();
     int strong = 0;
     for (int y = 0; y < light->height; ++y) {
@@ -365,12 +366,12 @@ TEST_F(ExplainTab, EscapeLetsGoOfTheTexelAndThenOfThePixel) {
     open();
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    ASSERT_TRUE(session->window.explaining.texel);
+    ASSERT_TRUE(session->look.explaining.texel);
     key(key::escape);
-    EXPECT_FALSE(session->window.explaining.texel);
-    EXPECT_TRUE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_TRUE(session->look.explaining.pixel);
     key(key::escape);
-    EXPECT_FALSE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.pixel);
 }
 
 TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
@@ -378,37 +379,37 @@ TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
     click("explain:clear texel");
-    EXPECT_FALSE(session->window.explaining.texel);
-    EXPECT_TRUE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_TRUE(session->look.explaining.pixel);
     EXPECT_FALSE(has("explain:clear texel"));
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    session->window.explaining.pixel.reset();
+    session->look.explaining.pixel.reset();
     frames(2);
     click("explain:clear texel");
-    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_FALSE(session->look.explaining.texel);
 }
 
 TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     open();
     const auto pick = [&] {
-        session->window.explaining.pixel.reset();
-        session->window.explaining.texel.reset();
+        session->look.explaining.pixel.reset();
+        session->look.explaining.texel.reset();
         clickAt(onTheCube());
         clickAt(inPatch(probedUnit(*session)->patches.front().level));
-        ASSERT_TRUE(session->window.explaining.texel);
+        ASSERT_TRUE(session->look.explaining.texel);
     };
     pick();
     texture().wrapS = Wrap::Clamp; // the same image, looked up otherwise
     frames(2);
-    EXPECT_TRUE(session->window.explaining.texel);
+    EXPECT_TRUE(session->look.explaining.texel);
     texture().pattern = Pattern::Brick;
     frames(2);
-    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_FALSE(session->look.explaining.texel);
     pick();
     scene().textures.emplace_back().pattern = Pattern::UvTemplate;
     unit().texture = 1;
     frames(2);
-    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_FALSE(session->look.explaining.texel);
     texture().pattern = Pattern::Brick;
     unit().texture = 0;
     frames(2);
@@ -416,7 +417,7 @@ TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     unit().enabled = false;
     scene().textures.clear();
     frames(2);
-    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_FALSE(session->look.explaining.texel);
 }
 
 TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
@@ -428,7 +429,7 @@ TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
             texture().pattern = target == Target::CubeMap ? Pattern::CubeFaces : Pattern::Checker;
             unit().target = target;
             frames(2);
-            session->window.explaining.pixel.reset();
+            session->look.explaining.pixel.reset();
             for (int step = 1; step < 20 && !probedUnit(*session); ++step) // until it hits a model
                 clickAt(
                     {static_cast<float>(layout.picture.x + layout.picture.width * step / 20), onTheCube().y});
@@ -600,13 +601,13 @@ TEST_F(ExplainTab, AnotherFragmentOfThePixelCanBeChosen) {
 
 TEST_F(ExplainTab, APinnedPixelStaysBesideTheNextOne) {
     clickAt(onTheCube());
-    const auto first = session->window.explaining.pixel;
+    const auto first = session->look.explaining.pixel;
     EXPECT_FALSE(has("pinned card:LOD"));
     click("explain:pin");
     clickAt({onTheCube().x + 40, onTheCube().y + 20});
     ASSERT_NE(pinnedExplanation(*session), nullptr);
     EXPECT_EQ(pinnedExplanation(*session)->pixel, first);
-    EXPECT_NE(session->window.explaining.pixel, first);
+    EXPECT_NE(session->look.explaining.pixel, first);
     EXPECT_TRUE(has("pinned card:LOD"));
     EXPECT_TRUE(has("card:LOD"));
     EXPECT_TRUE(has("pinned pixel"));
@@ -624,14 +625,14 @@ TEST_F(ExplainTab, EscapeLetsGoOfThePinnedPixelFirst) {
     click("explain:pin");
     key(key::escape);
     EXPECT_EQ(pinnedExplanation(*session), nullptr);
-    EXPECT_TRUE(session->window.explaining.pixel);
+    EXPECT_TRUE(session->look.explaining.pixel);
 }
 
 TEST_F(ExplainTab, ShowsTheStagesBeforeThereIsAPixel) {
     for (const StageRow& row : stageRows)
         EXPECT_EQ(has(std::string("stage:") + row.name), row.always) << row.name;
     click("explain:middle");
-    EXPECT_EQ(session->window.explaining.pixel,
+    EXPECT_EQ(session->look.explaining.pixel,
               (reference::PixelPlace{layout.picture.width / 2, layout.picture.height / 2}));
 }
 
@@ -651,13 +652,13 @@ TEST_F(ExplainTab, ADifferenceStandsOutBeyondTheToleranceAlone) {
         EXPECT_EQ(found.most, off);
         return found.rows.at(1).cells.at(1);
     };
-    session->window.view.tolerance = 2;
+    session->view.tolerance = 2;
     EXPECT_EQ(inkAt(0).text, "the same");
     EXPECT_EQ(inkAt(1).text, "off by 1");
     EXPECT_EQ(inkAt(1).ink, reference::Ink::Plain);
     EXPECT_EQ(inkAt(2).ink, reference::Ink::Plain);
     EXPECT_EQ(inkAt(3).ink, reference::Ink::Bad);
-    session->window.view.tolerance = 0;
+    session->view.tolerance = 0;
     EXPECT_EQ(inkAt(1).ink, reference::Ink::Bad);
 }
 
@@ -687,8 +688,7 @@ TEST_F(ExplainTab, OffersTheDriversMethodWhereThatIsWhatDiffers) {
     scene().models[0].texCoords = {};
     frames(2);
     for (int i = 0; i < 40 && !has("explain:method"); ++i) {
-        session->window.explaining.pixel = {10 + i * layout.picture.width / 50,
-                                            layout.picture.height / 2 - i};
+        session->look.explaining.pixel = {10 + i * layout.picture.width / 50, layout.picture.height / 2 - i};
         (void)picture();
     }
     ASSERT_TRUE(has("explain:method"));
@@ -699,8 +699,7 @@ TEST_F(ExplainTab, OffersTheDriversMethodWhereThatIsWhatDiffers) {
         (void)picture();
     }
     const DriverFacts& driver = session->document.diagnosis.driver;
-    EXPECT_EQ(session->window.view.anisotropy,
-              reference::anisotropyMethodOf(driver.renderer, driver.version));
+    EXPECT_EQ(session->view.anisotropy, reference::anisotropyMethodOf(driver.renderer, driver.version));
     (void)picture();
     EXPECT_FALSE(has("explain:method"));
 }
@@ -709,17 +708,17 @@ TEST_F(ExplainTab, ClearForgetsIt) {
     open();
     clickAt(onTheCube());
     click("explain:clear");
-    EXPECT_FALSE(session->window.explaining.pixel);
-    EXPECT_FALSE(session->window.explaining.answer);
+    EXPECT_FALSE(session->look.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.answer);
     EXPECT_TRUE(has("explain:none"));
 }
 
 // The picture became smaller: there is no such pixel any more.
 TEST_F(ExplainTab, ForgetsAPixelThatIsGone) {
     open();
-    session->window.explaining.pixel = {layout.picture.width, 0};
+    session->look.explaining.pixel = {layout.picture.width, 0};
     frames(2);
-    EXPECT_FALSE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.pixel);
 }
 
 TEST_F(ExplainTab, DrawsWithoutAnyError) {

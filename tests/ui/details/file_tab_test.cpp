@@ -1,4 +1,5 @@
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/inspected_file.h"
+#include "app/ui/files/scene_files.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
@@ -25,7 +26,7 @@ protected:
             file->bytes[i] = static_cast<std::byte>(i);
         file->fileBytes = file->bytes.size();
         file->problem = "Made up: the pixels are bad";
-        InspectedFile& view = session->window.fileView;
+        InspectedFile& view = session->look.fileView;
         view.chosen = view.shown = "/made/up.img";
         receiveInspected(*session, ImageLoader::Content(std::shared_ptr<const DissectedFile>(file)));
         click("tab:File");
@@ -59,9 +60,9 @@ TEST_F(FileTab, ANameOfControlCharactersIsBearable) {
     texture().file = std::string(4096, '\x01');
     click("tab:File");
     frames(3);
-    EXPECT_TRUE(session->window.fileView.content == nullptr);
+    EXPECT_TRUE(session->look.fileView.content == nullptr);
     expectSoundFrame();
-    showTab(session->window.settings.workspace, Tab::Memory);
+    showTab(session->settings.workspace, Tab::Memory);
     open("Texture");
     scrollTo("textures[0].file");
     moveTo(place("textures[0].file"));
@@ -77,8 +78,8 @@ TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     EXPECT_TRUE(has("file:name"));
     EXPECT_TRUE(has("hex:0"));
     EXPECT_FALSE(has("file:problem"));
-    ASSERT_NE(session->window.fileView.content, nullptr);
-    EXPECT_EQ(session->window.fileView.content->fileBytes, 58U);
+    ASSERT_NE(session->look.fileView.content, nullptr);
+    EXPECT_EQ(session->look.fileView.content->fileBytes, 58U);
     take(*session, Undo{});
     frames(2);
     EXPECT_TRUE(has("file:none"));
@@ -116,7 +117,7 @@ TEST_F(FileTab, ManyBytesAreDrawnByTheLine) {
 TEST_F(FileTab, AFileThatHasGoneIsSaid) {
     lookInto(*session, folder / "gone.bmp");
     frames(4);
-    EXPECT_FALSE(session->window.fileView.problem.empty());
+    EXPECT_FALSE(session->look.fileView.problem.empty());
     EXPECT_TRUE(has("file:back"));
 }
 

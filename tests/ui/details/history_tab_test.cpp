@@ -1,4 +1,5 @@
 #include "app/ui/details/history_tab.h"
+#include "app/ui/model/kept.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 

@@ -1,5 +1,6 @@
 // Lessons by mouse: from the menu through their steps.
 
+#include "app/ui/files/lessons.h"
 #include "app/ui/model/lesson_run.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
@@ -15,17 +16,15 @@ protected:
     void openWrap() {
         click("menu:Lessons");
         click("menu:lesson:wrap");
-        ASSERT_TRUE(session->window.lesson);
-        ASSERT_EQ(session->window.lesson->folder.name(), "wrap");
+        ASSERT_TRUE(session->lesson);
+        ASSERT_EQ(session->lesson->folder.name(), "wrap");
     }
     void next(int times = 1) {
         for (int i = 0; i < times; ++i)
             click("lesson:Next");
     }
-    [[nodiscard]] LessonRun& run() { return *session->window.lesson; }
-    [[nodiscard]] StepRecord record(std::size_t step) {
-        return session->window.settings.lessons["wrap"].at(step);
-    }
+    [[nodiscard]] LessonRun& run() { return *session->lesson; }
+    [[nodiscard]] StepRecord record(std::size_t step) { return session->settings.lessons["wrap"].at(step); }
     /// Turns the wheel over the step, above its buttons, until an item is visible.
     void wheelTo(std::string_view name) {
         const ImVec2 buttons = place("lesson:Next");
@@ -42,7 +41,7 @@ protected:
 
 // Without room for their own menu they are in the menu that opens all others.
 TEST_F(LessonTab, AreHighUpInTheFileMenuWhereTextIsLarge) {
-    session->window.settings.textPercent = 200;
+    session->settings.textPercent = 200;
     frames(4);
     ASSERT_FALSE(has("menu:Lessons"));
     click("menu:File");
@@ -81,10 +80,10 @@ TEST_F(LessonTab, IsSteppedThrough) {
 TEST_F(LessonTab, EndsWithTheListOfAll) {
     openWrap();
     next(static_cast<int>(run().lesson.steps.size()));
-    EXPECT_FALSE(session->window.lesson);
+    EXPECT_FALSE(session->lesson);
     ASSERT_TRUE(has("lesson:first-texture"));
     click("lesson:first-texture");
-    ASSERT_TRUE(session->window.lesson);
+    ASSERT_TRUE(session->lesson);
     EXPECT_EQ(run().folder.name(), "first-texture");
 }
 
@@ -93,7 +92,7 @@ TEST_F(LessonTab, IsLeftByTheMenu) {
     const Scene mine = scene();
     click("menu:Lessons");
     click("menu:Leave the lesson");
-    EXPECT_FALSE(session->window.lesson);
+    EXPECT_FALSE(session->lesson);
     EXPECT_FALSE(has("lesson:Next"));
     EXPECT_EQ(scene(), mine) << "one goes on with what there is";
 }
@@ -148,11 +147,11 @@ TEST_F(LessonTab, HintsAtWhatIsMissingAndSaysWhenItIsReached) {
     click("match:hint");
     EXPECT_TRUE(run().wantsHint);
     frames(2);
-    const std::string first = session->window.shownParam;
+    const std::string first = session->look.shownParam;
     EXPECT_THAT(first, testing::AnyOf("textures[0].wrapS", "textures[0].wrapT"));
     texture().wrapS = Wrap::ClampToEdge;
     frames(3);
-    EXPECT_EQ(session->window.shownParam, "textures[0].wrapT") << "what is missing now";
+    EXPECT_EQ(session->look.shownParam, "textures[0].wrapT") << "what is missing now";
     EXPECT_FALSE(record(2).done);
     texture().wrapT = Wrap::ClampToBorder;
     frames(3);
@@ -190,21 +189,21 @@ TEST_F(LessonTab, AsksAboutUnsavedChangesFirst) {
     const Scene mine = scene();
     click("menu:Lessons");
     click("menu:lesson:wrap");
-    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_EQ(session->asking.dialog, Dialog::Discard);
     EXPECT_EQ(scene(), mine);
-    EXPECT_FALSE(session->window.lesson);
+    EXPECT_FALSE(session->lesson);
     click("discard:cancel");
-    EXPECT_FALSE(session->window.lesson);
+    EXPECT_FALSE(session->lesson);
     click("menu:Lessons");
     click("menu:lesson:wrap");
     click("discard:drop");
-    ASSERT_TRUE(session->window.lesson);
+    ASSERT_TRUE(session->lesson);
     texture().wrapS = Wrap::Clamp; // edits of a lesson are not saved
     recordEdit(*session, "Wrap s");
     frames(1);
     click("menu:Lessons");
     click("menu:lesson:alpha");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(run().folder.name(), "alpha");
 }
 
@@ -234,7 +233,7 @@ TEST_F(LessonTab, IsDrawnWhateverItSays) {
             frames(1);
             expectSoundFrame();
             ASSERT_TRUE(has("lesson:Next"));
-            ASSERT_EQ(session->window.notice.text, "");
+            ASSERT_EQ(session->look.notice.text, "");
         }
     }
 }

@@ -1,7 +1,9 @@
 // Every lesson from its first step to its last, in each language: its words fit, every question and every
 // task is done as a student would, and the marks show it.
 
+#include "app/ui/files/lessons.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/state/lesson_records.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
@@ -34,8 +36,8 @@ protected:
         start(defaultScene(), 1600, 1200);
     }
 
-    [[nodiscard]] LessonRun& run() { return *session->window.lesson; }
-    [[nodiscard]] bool isDone() { return isStepDone(*session, run().key, run().step); }
+    [[nodiscard]] LessonRun& run() { return *session->lesson; }
+    [[nodiscard]] bool isDone() { return isStepDone(session->settings, run().key, run().step); }
 
     /// No item extends beyond the right edge or is wider than its parent.
     void expectUncut() {
@@ -127,7 +129,7 @@ protected:
         press("match:hint");
         frames(2);
         ASSERT_TRUE(run().hint && run().hint->hint);
-        EXPECT_EQ(session->window.shownParam, run().hint->hint->path);
+        EXPECT_EQ(session->look.shownParam, run().hint->hint->path);
         expectUncut();
         scene() = run().target.value();
         recordEdit(*session, "All at once");
@@ -155,8 +157,8 @@ protected:
             if (testing::Test::HasFatalFailure())
                 return;
         }
-        EXPECT_FALSE(session->window.lesson) << "the list of all lessons";
-        EXPECT_EQ(progressOf(*session, name, steps).done, steps);
+        EXPECT_FALSE(session->lesson) << "the list of all lessons";
+        EXPECT_EQ(progressOf(session->settings, name, steps).done, steps);
     }
 
     /// The first lesson and a third of the others, different in each language: all of them together.

@@ -1,4 +1,7 @@
 #include "app/ui/details/levels_tab.h"
+#include "app/ui/files/replaced_document.h"
+#include "app/ui/model/explaining.h"
+#include "app/ui/model/level_view.h"
 #include "core/image/mip_colors.h"
 #include "tests/ui/workbench.h"
 
@@ -86,7 +89,7 @@ TEST_F(LevelsTab, MarksTheLevelsOfThePixelUnderThePointer) {
 
 TEST_F(LevelsTab, MarksTheLevelsOfTheProbedPixel) {
     open();
-    session->window.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
+    session->look.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
     moveTo({3, 3});
     ASSERT_NE(askedLevels(*session), nullptr);
     ASSERT_NE(probedUnit(*session), nullptr);
@@ -256,7 +259,7 @@ TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
 // The other dock is drawn after this one in the same frame.
 TEST_F(LevelsTab, RemembersTheRangeInTheRightDock) {
     open();
-    moveTab(session->window.settings.workspace, Tab::Levels, Dock::Right);
+    moveTab(session->settings.workspace, Tab::Levels, Dock::Right);
     texture().maxLevel = 5;
     frames(3);
     click("levels:level 3");

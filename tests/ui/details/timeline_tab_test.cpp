@@ -13,7 +13,7 @@ using namespace test;
 class TimelineTab : public Workbench {
 protected:
     TimelineTab() {
-        session->window.playback.playing = false;
+        session->look.playback.playing = false;
         openTab();
     }
 
@@ -53,7 +53,7 @@ TEST_F(TimelineTab, HasSomethingToBeginWith) {
         click("timeline:turn");
         frames(2);
         ASSERT_EQ(keys().size(), 2U);
-        EXPECT_TRUE(session->window.playback.playing);
+        EXPECT_TRUE(session->look.playback.playing);
         EXPECT_NEAR(sceneAt(scene(), 0).view.azimuth, azimuth, 0.001F);
         const float half = sceneAt(scene(), 2).view.azimuth - azimuth;
         EXPECT_NEAR(std::abs(half), 180, 0.001F);
@@ -67,7 +67,7 @@ TEST_F(TimelineTab, HasSomethingToBeginWith) {
 
 TEST_F(TimelineTab, LeadsToTheRecording) {
     click("timeline:record");
-    EXPECT_EQ(session->window.dialog, Dialog::Record);
+    EXPECT_EQ(session->asking.dialog, Dialog::Record);
 }
 
 TEST_F(TimelineTab, IsOpenedBesideTheClock) {
@@ -79,7 +79,7 @@ TEST_F(TimelineTab, IsOpenedBesideTheClock) {
 }
 
 TEST_F(TimelineTab, AParametersMenuAddsAKeyAtThisTime) {
-    session->window.playback.time = 1.5;
+    session->look.playback.time = 1.5;
     open("Texture");
     scrollTo("textures[0].lodBias#label");
     click("textures[0].lodBias#label", ImGuiMouseButton_Right);
@@ -89,7 +89,7 @@ TEST_F(TimelineTab, AParametersMenuAddsAKeyAtThisTime) {
     ASSERT_EQ(keys().size(), 1U);
     EXPECT_EQ(keys()[0], (KeyFrame{1.5F, "textures[0].lodBias", "0"}));
     EXPECT_TRUE(has("textures[0].lodBias#key")) << "its label has a diamond";
-    session->window.playback.time = 3;
+    session->look.playback.time = 3;
     frames(2);
     click("textures[0].lodBias#key");
     frames(2);
@@ -110,7 +110,7 @@ TEST_F(TimelineTab, AKeyIsDraggedInTimeInOneStep) {
     drag(from, {placeAt(2.03F).x - from.x, 0});
     frames(2);
     EXPECT_EQ(keys()[1].time, 2) << "it comes to the grid";
-    EXPECT_EQ(session->window.playback.time, 2);
+    EXPECT_EQ(session->look.playback.time, 2);
     EXPECT_EQ(session->document.history.position(), step + 1);
     take(*session, Undo{});
     EXPECT_EQ(keys()[1].time, 4);
@@ -120,7 +120,7 @@ TEST_F(TimelineTab, AClickChoosesAKeyAndItsControlsChangeIt) {
     turn();
     click("key:view.azimuth@4");
     frames(2);
-    EXPECT_EQ(session->window.playback.time, 4);
+    EXPECT_EQ(session->look.playback.time, 4);
     click("key:easing");
     frames(2);
     click("easing:ease-in-out");
@@ -144,13 +144,13 @@ TEST_F(TimelineTab, KeysOfTheKeyboardMoveAndRemove) {
     frames(2);
     key(key::left);
     EXPECT_EQ(keys()[1].time, 3.9F);
-    EXPECT_EQ(session->window.playback.time, double{3.9F}) << "the clock follows";
+    EXPECT_EQ(session->look.playback.time, double{3.9F}) << "the clock follows";
     key(key::right);
     EXPECT_EQ(keys()[1].time, 4);
     key(',');
-    EXPECT_EQ(session->window.playback.time, 0);
+    EXPECT_EQ(session->look.playback.time, 0);
     key('.');
-    EXPECT_EQ(session->window.playback.time, 4);
+    EXPECT_EQ(session->look.playback.time, 4);
     key(key::del);
     frames(2);
     EXPECT_EQ(keys().size(), 1U);
@@ -203,12 +203,12 @@ TEST_F(TimelineTab, TheRulerMovesTheTimeAndThePanelsFollow) {
     turn();
     clickAt({placeAt(2).x, place("timeline:ruler").y});
     frames(2);
-    EXPECT_EQ(session->window.playback.time, 2);
+    EXPECT_EQ(session->look.playback.time, 2);
     EXPECT_EQ(scene(), session->document.history.current()) << "the scene itself stays";
     click("timeline:next");
-    EXPECT_EQ(session->window.playback.time, 4);
+    EXPECT_EQ(session->look.playback.time, 4);
     click("timeline:previous");
-    EXPECT_EQ(session->window.playback.time, 0);
+    EXPECT_EQ(session->look.playback.time, 0);
 }
 
 TEST_F(TimelineTab, TurningTheCameraByTheMouseIsAKey) {
@@ -217,7 +217,7 @@ TEST_F(TimelineTab, TurningTheCameraByTheMouseIsAKey) {
     frames(2);
     const float way = scene().view.azimuth - start;
     turn();
-    session->window.playback.time = 2;
+    session->look.playback.time = 2;
     frames(2);
     drag(place("view"), {-50, 0});
     frames(2);
@@ -237,7 +237,7 @@ TEST_F(TimelineTab, StandsInEverySizeWithManyTracks) {
     for (const float scale : {0.75F, 1.0F, 2.5F}) {
         start(crowded, 1024, 700, scale);
         for (const Dock dock : {Dock::Right, Dock::Below}) {
-            moveTab(session->window.settings.workspace, Tab::Timeline, dock);
+            moveTab(session->settings.workspace, Tab::Timeline, dock);
             openTab();
             expectSoundFrame();
         }

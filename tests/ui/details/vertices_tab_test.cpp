@@ -29,7 +29,7 @@ protected:
 
 TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
     EXPECT_FALSE(has("show Position"));
-    session->window.settings.workspace.maximised = Maximised::Right; // room for the list
+    session->settings.workspace.maximised = Maximised::Right; // room for the list
     frames(3);
     click("make mesh");
     EXPECT_EQ(scene().models[0].shape, Shape::Mesh);
@@ -43,7 +43,7 @@ TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
     EXPECT_NEAR(after.x, before.x + 0.4F, 0.011F);
     EXPECT_EQ(after.y, before.y);
     EXPECT_EQ(countAt(after), 3) << "of the other two faces";
-    EXPECT_EQ(session->window.selection.vertex, std::optional<std::size_t>(2));
+    EXPECT_EQ(session->look.selection.vertex, std::optional<std::size_t>(2));
     click("move together");
     drag(place("models[0].mesh.positions[2][1]"), {30, 0});
     EXPECT_EQ(countAt(after), 2);
@@ -57,7 +57,7 @@ TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
 
 TEST_F(VerticesTab, AModelsNameIsShownWholeWhereThereIsRoom) {
     scene().models[0].name = "A quad with t upwards";
-    session->window.settings.workspace.maximised = Maximised::Right;
+    session->settings.workspace.maximised = Maximised::Right;
     frames(3);
     EXPECT_TRUE(has("model choice:0  A quad with t upwards"));
     scene().models[0].name = std::string(200, 'n');
@@ -75,7 +75,7 @@ TEST_F(VerticesTab, AShapeThatIsTooLargeSaysSo) {
     frames(2);
     click("make mesh");
     EXPECT_EQ(scene().models[0].shape, Shape::Sphere);
-    EXPECT_EQ(session->window.notice.text, "the sphere has 66049 vertices, a mesh has at most 65536");
+    EXPECT_EQ(session->look.notice.text, "the sphere has 66049 vertices, a mesh has at most 65536");
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
@@ -86,19 +86,19 @@ TEST_F(VerticesTab, VerticesAreAddedDuplicatedAndRemoved) {
     click("add vertex");
     ASSERT_EQ(mesh().positions.size(), 4U);
     EXPECT_EQ(mesh().positions[3], mesh().positions[2]);
-    EXPECT_EQ(session->window.selection.vertex, std::optional<std::size_t>(3));
+    EXPECT_EQ(session->look.selection.vertex, std::optional<std::size_t>(3));
     frames(2);
     click("vertex:0");
     click("duplicate vertex");
     ASSERT_EQ(mesh().positions.size(), 5U);
     EXPECT_EQ(mesh().positions[1], mesh().positions[0]);
-    EXPECT_EQ(session->window.selection.vertex, std::optional<std::size_t>(1));
+    EXPECT_EQ(session->look.selection.vertex, std::optional<std::size_t>(1));
     for (int left = 4; left >= 0; --left) {
         click("remove vertex");
         ASSERT_EQ(mesh().positions.size(), static_cast<std::size_t>(left));
         frames(2);
     }
-    EXPECT_FALSE(session->window.selection.vertex.has_value());
+    EXPECT_FALSE(session->look.selection.vertex.has_value());
     click("remove vertex"); // which is off
     click("add vertex");
     EXPECT_EQ(mesh().positions.size(), 1U);
@@ -141,7 +141,7 @@ TEST_F(VerticesTab, VerticesThatCompleteNoPartAreListed) {
 
 TEST_F(VerticesTab, OfALongListOnlyWhatOneSeesIsDrawn) {
     startWithPoints(static_cast<int>(maxMeshVertices));
-    session->window.settings.workspace.maximised = Maximised::Right; // room for the list
+    session->settings.workspace.maximised = Maximised::Right; // room for the list
     frames(3);
     const auto rows = [&] {
         return std::ranges::count_if(places.items,
@@ -150,7 +150,7 @@ TEST_F(VerticesTab, OfALongListOnlyWhatOneSeesIsDrawn) {
     EXPECT_GT(rows(), 3);
     EXPECT_LT(rows(), 100);
     EXPECT_TRUE(has("vertex:0"));
-    session->window.selection.vertex = 40000; // as a click in the view would
+    session->look.selection.vertex = 40000; // as a click in the view would
     frames(3);
     ASSERT_TRUE(has("vertex:40000"));
     EXPECT_TRUE(places.items.at("vertex:40000").visible);

@@ -1,8 +1,9 @@
 // Submitted steps, without panels and without Dear ImGui.
 
 #include "app/ui/editor/editor.h"
-#include "app/ui/model/services.h"
+#include "app/ui/files/replaced_document.h"
 #include "app/ui/model/session.h"
+#include "app/ui/services/services.h"
 #include "tests/ui/edits.h"
 
 #include <gmock/gmock.h>
@@ -65,27 +66,26 @@ TEST_F(Editor, RefusesAStepThatIsNotPossibleAndSaysWhy) {
     make({.name = "Impossible", .edits = {edit::Set{"view.azimuth", "10"}, edit::Remove{"models", 99}}});
     EXPECT_EQ(scene(), before);
     EXPECT_EQ(history().size(), steps);
-    EXPECT_THAT(session.window.notice.text, testing::HasSubstr("found 99"));
+    EXPECT_THAT(session.look.notice.text, testing::HasSubstr("found 99"));
 }
 
 TEST_F(Editor, SaysThatAKeyFrameIsMissing) {
     scene().timeline.keys.assign(maxKeyFrames, {0, "view.azimuth", "0"});
     for (std::size_t i = 0; i < maxKeyFrames; ++i)
         scene().timeline.keys[i].time = static_cast<float>(i) / 100;
-    session.window.playback = {.playing = false, .time = 100};
+    session.look.playback = {.playing = false, .time = 100};
     const Scene before = scene();
     make(set("view.azimuth", "7"));
     EXPECT_EQ(scene(), before);
-    EXPECT_THAT(session.window.notice.text,
-                testing::HasSubstr("a key frame can't be added: expected at most"));
+    EXPECT_THAT(session.look.notice.text, testing::HasSubstr("a key frame can't be added: expected at most"));
 }
 
 TEST_F(Editor, SelectsWhatTheStepSaysAsFarAsItExists) {
     make({.name = "Select",
           .edits = {edit::Set{"view.azimuth", "10"}},
           .select = Selection{.model = 99, .unit = 2}});
-    EXPECT_EQ(session.window.selection.model, 0) << "the first that is visible";
-    EXPECT_EQ(session.window.selection.unit, 2);
+    EXPECT_EQ(session.look.selection.model, 0) << "the first that is visible";
+    EXPECT_EQ(session.look.selection.unit, 2);
 }
 
 TEST_F(Editor, ForgetsTheStepsOfAnotherDocument) {
@@ -101,26 +101,26 @@ TEST_F(Editor, DoesWhatAnActionRequestsInTheSameFrame) {
         EXPECT_EQ(acting.document.scene.view.azimuth, 10) << "after the earlier step";
         submit(acting, set("view.azimuth", "20"));
     });
-    change(session, [](WindowState& window) { window.view.magnifies = true; });
-    EXPECT_FALSE(session.window.view.magnifies) << "not before the end of the frame";
+    act(session, [](Session& changed) { changed.view.magnifies = true; });
+    EXPECT_FALSE(session.view.magnifies) << "not before the end of the frame";
     takeRequests(session);
     EXPECT_EQ(scene().view.azimuth, 20);
-    EXPECT_TRUE(session.window.view.magnifies);
+    EXPECT_TRUE(session.view.magnifies);
     EXPECT_TRUE(session.out.requests.empty());
 }
 
 TEST_F(Editor, MakesNoStepInADocumentThatAnActionHasOpened) {
     act(session, [](Session& acting) { replaceDocument(acting, Document(defaultScene(), ImageSource{})); });
     submit(session, set("view.azimuth", "10"));
-    change(session, [](WindowState& window) { window.view.magnifies = true; });
+    act(session, [](Session& changed) { changed.view.magnifies = true; });
     takeRequests(session);
     EXPECT_NE(scene().view.azimuth, 10);
-    EXPECT_TRUE(session.window.view.magnifies) << "the window stays";
+    EXPECT_TRUE(session.view.magnifies) << "the window stays";
 }
 
 /// What panels get: they can request, and write nothing else.
 static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().document.scene)), Scene>);
-static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().window.dialog)), Dialog>);
+static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().asking.dialog)), Dialog>);
 
 /// Any steps, undone and redone, lead to the same scenes.
 TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {

@@ -2,6 +2,7 @@
 // EXT_texture_compression_s3tc, and what is taken from a texture is held against its bytes.
 
 #include "app/ui/figures/block_microscope.h"
+#include "app/ui/model/explaining.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/encode.h"
 #include "tests/ui/workbench.h"
@@ -158,7 +159,7 @@ TEST_F(BlockMicroscope, FollowsTheProbedPixel) {
     open();
     click("block:source probed");
     EXPECT_TRUE(has("block:problem")) << "no pixel is probed";
-    session->window.explaining.pixel = {layout.picture.width / 4, layout.picture.height / 2};
+    session->look.explaining.pixel = {layout.picture.width / 4, layout.picture.height / 2};
     frames(3);
     const reference::UnitExplanation* unit = probedUnit(*session);
     ASSERT_NE(unit, nullptr);

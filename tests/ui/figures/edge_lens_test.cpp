@@ -44,8 +44,8 @@ TEST_F(EdgeLens, ThePointerOnAStripPreviewsIt) {
     open();
     moveTo(place("edge:GL_CLAMP_TO_EDGE"));
     frames(2);
-    ASSERT_TRUE(session->window.preview);
-    EXPECT_EQ(session->window.preview->scene->textures[0].wrapS, Wrap::ClampToEdge);
+    ASSERT_TRUE(session->look.preview);
+    EXPECT_EQ(session->look.preview->scene->textures[0].wrapS, Wrap::ClampToEdge);
     EXPECT_EQ(texture().wrapS, Wrap::Repeat);
 }
 

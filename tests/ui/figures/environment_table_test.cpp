@@ -67,7 +67,7 @@ TEST_F(EnvironmentTable, TheViewShowsTheCellUnderThePointer) {
     EXPECT_NE(unit().envMode, EnvMode::Replace);
     moveTo(place("view"));
     frames(2);
-    EXPECT_FALSE(session->window.preview);
+    EXPECT_FALSE(session->look.preview);
     EXPECT_EQ(steps(), step);
 }
 
@@ -92,15 +92,15 @@ TEST_F(EnvironmentTable, SaysInNumbersOrInSymbols) {
     EXPECT_EQ(table().shows, CellText::Numbers);
     click("table picture:Gradient");
     EXPECT_TRUE(table().gradient);
-    toggleMaximised(session->window.settings.workspace, Maximised::Below);
+    toggleMaximised(session->settings.workspace, Maximised::Below);
     frames(3);
     EXPECT_FALSE(has("table text:In numbers")) << "there is room for both";
 }
 
 TEST_F(EnvironmentTable, ShowsPicturesAloneWhereCellsAreNarrow) {
     EXPECT_FALSE(has("table text:Pictures")) << "they are next to the text";
-    session->window.settings.workspace.textureSpace = false;
-    moveTab(session->window.settings.workspace, Tab::Figures, Dock::Right);
+    session->settings.workspace.textureSpace = false;
+    moveTab(session->settings.workspace, Tab::Figures, Dock::Right);
     frames(3);
     click("table text:Pictures");
     EXPECT_EQ(table().shows, CellText::Pictures);
@@ -111,7 +111,7 @@ TEST_F(EnvironmentTable, ShowsPicturesAloneWhereCellsAreNarrow) {
 TEST_F(EnvironmentTable, StandsInEverySizeAndWithoutATexture) {
     for (const float scale : {0.75F, 1.0F, 2.5F}) {
         start(defaultScene(), 1024, 700, scale);
-        moveTab(session->window.settings.workspace, Tab::Figures, Dock::Right);
+        moveTab(session->settings.workspace, Tab::Figures, Dock::Right);
         open();
         expectSoundFrame();
     }

@@ -1,5 +1,6 @@
+#include "app/ui/files/texshot_command.h"
 #include "app/ui/model/preview.h"
-#include "app/ui/model/texshot_command.h"
+#include "app/ui/model/sheet_choice.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
@@ -16,7 +17,7 @@ class Sheet : public Workbench {
 protected:
     Sheet() {
         start(defaultScene(), 1920, 1600);
-        session->window.settings.workspace.seams.below = 0.7F; // no cell has to be scrolled to
+        session->settings.workspace.seams.below = 0.7F; // no cell has to be scrolled to
         open();
     }
 
@@ -70,7 +71,7 @@ TEST_F(Sheet, TheViewShowsTheCellUnderThePointer) {
     EXPECT_EQ(texture().maxAnisotropy, 1);
     moveTo(place("view"));
     frames(2);
-    EXPECT_FALSE(session->window.preview);
+    EXPECT_FALSE(session->look.preview);
 }
 
 TEST_F(Sheet, HasOtherPairs) {
@@ -113,7 +114,7 @@ TEST_F(Sheet, SaysWhatItCantShow) {
 }
 
 TEST_F(Sheet, TakesTwoParametersThatArePickedInThePanel) {
-    session->window.settings.workspace = {};
+    session->settings.workspace = {};
     session->window.figure = Figure::Block;
     open("Texture");
     scrollTo("textures[0].wrapS#label");
@@ -121,7 +122,7 @@ TEST_F(Sheet, TakesTwoParametersThatArePickedInThePanel) {
     frames(2);
     click("textures[0].wrapS#menu:rows");
     frames(3);
-    EXPECT_TRUE(isShown(session->window.settings.workspace, Tab::Figures));
+    EXPECT_TRUE(isShown(session->settings.workspace, Tab::Figures));
     EXPECT_EQ(session->window.figure, Figure::Sheet);
     EXPECT_EQ(axesOf(*session)[0], (SheetAxis{"textures[0].wrapS", "*"}));
     scrollTo("textures[0].magFilter#label");
@@ -136,7 +137,7 @@ TEST_F(Sheet, TakesTwoParametersThatArePickedInThePanel) {
 }
 
 TEST_F(Sheet, OnlyTakesWhatHasFewValues) {
-    session->window.settings.workspace = {};
+    session->settings.workspace = {};
     open("Model");
     scrollTo("models[0].name#label");
     click("models[0].name#label", ImGuiMouseButton_Right);
@@ -160,10 +161,10 @@ TEST_F(Sheet, ItsCommandIsCopied) {
     write("sheet values:Rows", "1,4");
     click("sheet:copy");
     EXPECT_STREQ(ImGui::GetClipboardText(), sweepCommand(*session).value().c_str());
-    EXPECT_TRUE(session->window.notice.isGood);
+    EXPECT_TRUE(session->look.notice.isGood);
     scene().textures.push_back({});
     click("sheet:copy");
-    EXPECT_THAT(session->window.notice.text, testing::HasSubstr("No command can draw this sheet: "));
+    EXPECT_THAT(session->look.notice.text, testing::HasSubstr("No command can draw this sheet: "));
 }
 
 TEST_F(Sheet, IsWrittenAsAFile) {
@@ -177,30 +178,30 @@ TEST_F(Sheet, IsWrittenAsAFile) {
     type("64");
     key(key::enter);
     frames(2);
-    EXPECT_EQ(session->window.sheet.width, 64);
-    EXPECT_EQ(session->window.sheet.labels, sheet::LabelKind::Words);
+    EXPECT_EQ(session->sheet.width, 64);
+    EXPECT_EQ(session->sheet.labels, sheet::LabelKind::Words);
     click("sheet file:choose");
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::SaveSheet);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveSheet);
     EXPECT_EQ(states.dialogs.browser.typed, "scene-sheet.png");
     key('A', {ctrl});
     type((folder / "sheet.png").string());
     key(key::enter);
     frames(3);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
-    EXPECT_EQ(session->window.notice.text, "Written: " + (folder / "sheet.png").string());
-    EXPECT_TRUE(session->window.notice.isGood);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
+    EXPECT_EQ(session->look.notice.text, "Written: " + (folder / "sheet.png").string());
+    EXPECT_TRUE(session->look.notice.isGood);
     EXPECT_TRUE(std::filesystem::exists(folder / "sheet.png"));
 }
 
 TEST_F(Sheet, WhatCantBeWrittenIsSaidBeforeAFileIsAskedFor) {
-    session->window.sheet.width = 16000;
+    session->sheet.width = 16000;
     click("sheet:save");
     frames(2);
     EXPECT_TRUE(has("sheet:problem"));
     click("sheet file:choose");
     frames(2);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
 }
 
 TEST_F(Sheet, StandsWithoutATexture) {
@@ -214,7 +215,7 @@ TEST_F(Sheet, StandsWithoutATexture) {
 TEST_F(Sheet, StandsInEverySize) {
     for (const float scale : {0.75F, 1.0F, 2.5F}) {
         start(defaultScene(), 1024, 700, scale);
-        moveTab(session->window.settings.workspace, Tab::Figures, Dock::Right);
+        moveTab(session->settings.workspace, Tab::Figures, Dock::Right);
         open();
         expectSoundFrame();
     }

@@ -1,7 +1,7 @@
 // What programs can't say, in every language: such sentences come from core/emit and name a parameter.
 
+#include "app/ui/files/program_file.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/program_file.h"
 #include "core/emit/program.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
@@ -83,12 +83,12 @@ TEST_P(Refusals, AreSpokenWhereTheyAreShown) {
     speak(GetParam(), &gaps);
     for (const Refusal& refusal : refusals) {
         start(edited(refusal));
-        session->window.flavour = refusal.flavour;
+        session->asking.flavour = refusal.flavour;
         ASSERT_TRUE(saveProgram(*session, folder / "a" += emit::extensionOf(refusal.flavour)));
         session->window.wantedTab = Tab::Commands;
         frames(3);
-        EXPECT_FALSE(session->window.notice.isGood) << refusal.name;
-        expectTranslated(session->window.notice.text, "The program can't be written");
+        EXPECT_FALSE(session->look.notice.isGood) << refusal.name;
+        expectTranslated(session->look.notice.text, "The program can't be written");
         ASSERT_TRUE(has("notice"));
     }
     for (const std::string& gap : gaps)

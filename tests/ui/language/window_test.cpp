@@ -1,6 +1,6 @@
 // The window in every language: nothing that it shows stays English but what has to.
 
-#include "app/ui/model/details_tabs.h"
+#include "app/ui/state/details_tabs.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
 #include "core/preset/preset.h"
@@ -197,8 +197,8 @@ TEST_P(Languages, AreSpokenByEveryPanel) {
     for (const auto& [width, height, scale] : {std::tuple(1280, 800, 1.0F), std::tuple(3840, 2160, 2.0F)}) {
         start(defaultScene(), width, height, scale);
         for (const TabRow& tab : tabRows) {
-            showTab(session->window.settings.workspace, tab.tab);
-            session->window.explaining.pixel = {width / 6, height / 5};
+            showTab(session->settings.workspace, tab.tab);
+            session->look.explaining.pixel = {width / 6, height / 5};
             frames(3);
         }
     }

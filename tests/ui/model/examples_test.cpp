@@ -62,7 +62,7 @@ TEST_F(Examples, AskAboutUnsavedChangesFirst) {
     click("menu:File");
     click("menu:Examples");
     click("menu:Spiral line");
-    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_EQ(session->asking.dialog, Dialog::Discard);
     EXPECT_EQ(scene(), mine);
 }
 

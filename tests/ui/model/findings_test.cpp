@@ -64,10 +64,10 @@ TEST_F(Findings, WhatADriverLacksIsNoMatterWhereOnlyTheReferenceDraws) {
     texture().border = 1; // Mesa removes it
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
-    showOne(session->window.view, RendererKind::Reference);
+    showOne(session->view, RendererKind::Reference);
     frames(2);
     EXPECT_FALSE(has("textures[0].border#problem"));
-    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
 }
@@ -79,12 +79,12 @@ TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
     frames(2);
     EXPECT_FALSE(has("passes[0].units[2].matrix[0].amount[1]"));
     click("finding");
-    EXPECT_EQ(session->window.selection.unit, 2);
+    EXPECT_EQ(session->look.selection.unit, 2);
     frames(2);
     const ImVec2 control = place("passes[0].units[2].matrix[0].amount[1]"); // fails if it is not visible
     EXPECT_LT(control.x, static_cast<float>(layout.parameters.right()));
     EXPECT_TRUE(has("passes[0].units[2].matrix[0].amount#problem"));
-    EXPECT_EQ(session->window.shownParam, "passes[0].units[2].matrix[0].amount");
+    EXPECT_EQ(session->look.shownParam, "passes[0].units[2].matrix[0].amount");
     click("fix:Scale by 1"); // which makes another scene
     EXPECT_EQ(scene().passes[0].units[2].matrix[0].amount, glm::vec3(1));
 }
@@ -95,7 +95,7 @@ TEST_F(Findings, ABadVertexLeadsToItsModel) {
     list[7].w = 0;
     frames(2);
     click("finding");
-    EXPECT_EQ(session->window.selection.model, 1);
+    EXPECT_EQ(session->look.selection.model, 1);
 }
 
 TEST_F(Findings, WhatHasNoEffectIsDimEverywhere) {

@@ -64,27 +64,27 @@ TEST_F(EditMenu, ArrowsAndEnterWorkInAnOpenList) {
     key(key::down);
     key(key::space);
     EXPECT_NE(texture().internalFormat, InternalFormat::Rgba);
-    EXPECT_TRUE(session->window.playback.playing) << "Space was the list's";
+    EXPECT_TRUE(session->look.playback.playing) << "Space was the list's";
 }
 
 TEST_F(EditMenu, TheListsFollowWhatUndoShows) {
     item("View", "Show Sphere");
-    EXPECT_EQ(session->window.selection.model, 1);
+    EXPECT_EQ(session->look.selection.model, 1);
     scene().models[0].visible = true;
     scene().models[1].visible = false;
     recordEdit(*session, "Visible");
-    EXPECT_EQ(session->window.selection.model, 1) << "hiding a model does not move the selection off it";
+    EXPECT_EQ(session->look.selection.model, 1) << "hiding a model does not move the selection off it";
     key('Z', {ctrl});
-    EXPECT_EQ(session->window.selection.model, 1);
+    EXPECT_EQ(session->look.selection.model, 1);
     key('Y', {ctrl});
-    EXPECT_EQ(session->window.selection.model, 0);
+    EXPECT_EQ(session->look.selection.model, 0);
 }
 
 TEST_F(EditMenu, HelpOpensAndCloses) {
     key(key::f1);
     EXPECT_TRUE(has("help:close"));
     key(key::space);
-    EXPECT_TRUE(session->window.playback.playing) << "the keys are the dialog's";
+    EXPECT_TRUE(session->look.playback.playing) << "the keys are the dialog's";
     click("help:close");
     EXPECT_FALSE(has("help:close"));
 }

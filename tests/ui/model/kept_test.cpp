@@ -1,5 +1,7 @@
 // A and B: what was kept, and what is now. By the menu, the row and the keys.
 
+#include "app/ui/files/replaced_document.h"
+#include "app/ui/model/kept.h"
 #include "app/ui/model/preview.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
@@ -44,7 +46,7 @@ TEST_F(Kept, WithoutItNothingFlips) {
     key('T', {shift});
     item("flip");
     EXPECT_FALSE(isKeptShown(*session));
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::One);
+    EXPECT_EQ(session->view.arrangement, Arrangement::One);
     EXPECT_THAT(changesSinceKept(*session), IsEmpty());
 }
 
@@ -80,11 +82,11 @@ TEST_F(Kept, IsSeenByThePresentCamera) {
 TEST_F(Kept, GoesWithItsDocument) {
     key('K');
     key('T', {shift});
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::Kept);
+    EXPECT_EQ(session->view.arrangement, Arrangement::Kept);
     replaceDocument(*session, {defaultScene(), ImageSource{}});
     frames(1);
     EXPECT_FALSE(kept());
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::One);
+    EXPECT_EQ(session->view.arrangement, Arrangement::One);
 }
 
 TEST_F(Kept, TheRowHasWhatFits) {
@@ -133,17 +135,17 @@ TEST_F(Kept, TheViewSplitsBothAcrossOnePicture) {
     EXPECT_LT(colors(both, middle + 4, layout.picture.right()), 300)
         << "but for a ring around the worst pixel";
     drag(place("picture seam"), {100, 0});
-    EXPECT_GT(session->window.view.split, 0.55F);
+    EXPECT_GT(session->view.split, 0.55F);
     key('2');
     EXPECT_TRUE(isKeptBeside(*session)) << "another renderer draws both";
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_EQ(session->view.renderer, RendererKind::Shader);
     static_cast<void>(picture());
     EXPECT_GT(colors(picture(), layout.picture.x, middle - 4), 1000);
     key('3');
     static_cast<void>(picture());
     EXPECT_GT(colors(picture(), layout.picture.x, middle - 4), 1000);
     key('4');
-    EXPECT_TRUE(comparesRenderers(session->window.view));
+    EXPECT_TRUE(comparesRenderers(session->view));
 }
 
 TEST_F(Kept, TheListSaysWhatDiffersAndTakesItOver) {
@@ -177,22 +179,22 @@ TEST_F(Kept, WhatComesBackIsSelectedAsItWas) {
     scene().models.resize(3, scene().models[0]);
     scene().passes.resize(2, scene().passes[0]);
     recordEdit(*session, "More");
-    session->window.selection = {.model = 2, .vertex = 5, .group = {}, .pass = 1, .unit = 3};
+    session->look.selection = {.model = 2, .vertex = 5, .group = {}, .pass = 1, .unit = 3};
     keepAsA(*session);
     scene().models.resize(1);
     scene().passes.resize(1);
     recordEdit(*session, "Less");
     frames(1);
-    EXPECT_EQ(session->window.selection.model, 0);
+    EXPECT_EQ(session->look.selection.model, 0);
     takeFromKept(*session, {"models", "Models", "", "", true});
     frames();
-    EXPECT_EQ(session->window.selection.model, 2);
-    EXPECT_EQ(session->window.selection.vertex, 5U);
-    EXPECT_EQ(session->window.selection.pass, 0);
+    EXPECT_EQ(session->look.selection.model, 2);
+    EXPECT_EQ(session->look.selection.vertex, 5U);
+    EXPECT_EQ(session->look.selection.pass, 0);
     takeAllFromKept(*session);
     frames();
-    EXPECT_EQ(session->window.selection.pass, 1);
-    EXPECT_EQ(session->window.selection.unit, 3);
+    EXPECT_EQ(session->look.selection.pass, 1);
+    EXPECT_EQ(session->look.selection.unit, 3);
 }
 
 TEST_F(Kept, TakingOverBringsTheSelectionIntoTheScene) {
@@ -200,11 +202,11 @@ TEST_F(Kept, TakingOverBringsTheSelectionIntoTheScene) {
     const auto models = static_cast<int>(scene().models.size());
     scene().models.resize(9, scene().models[0]);
     recordEdit(*session, "More");
-    session->window.selection.model = 8;
+    session->look.selection.model = 8;
     session->document.kept.selection.model = 8;
     takeFromKept(*session, {"models", "Models", "", "", true});
     frames();
-    EXPECT_LT(session->window.selection.model, models);
+    EXPECT_LT(session->look.selection.model, models);
 }
 
 TEST_F(Kept, WhatDoesNotFitIsRefusedWithASentence) {
@@ -217,7 +219,7 @@ TEST_F(Kept, WhatDoesNotFitIsRefusedWithASentence) {
     frames(3);
     click("take:textures");
     EXPECT_EQ(scene(), before);
-    EXPECT_NE(session->window.notice.text, "");
+    EXPECT_NE(session->look.notice.text, "");
 }
 
 TEST_F(Kept, IsForgottenByTheMenu) {

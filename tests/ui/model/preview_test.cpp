@@ -1,4 +1,5 @@
 #include "app/ui/editor/editor.h"
+#include "app/ui/model/playback.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/shown_passes.h"
@@ -79,7 +80,7 @@ TEST_F(PreviewTest, PlaysWhereItMoves) {
 TEST_F(PreviewTest, ShowsItsOwnPasses) {
     hover("pass", "Another pass", [](Scene& scene) { scene.passes.push_back(scene.passes[0]); });
     EXPECT_EQ(shownPasses(session), 2U);
-    session.window.view.stepsThroughPasses = true;
+    session.view.stepsThroughPasses = true;
     Scene stepped;
     EXPECT_EQ(shownScene(session, stepped).passes.size(), 1U);
 }

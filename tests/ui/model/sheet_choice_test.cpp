@@ -1,5 +1,6 @@
+#include "app/ui/files/sheet_file.h"
 #include "app/ui/model/session.h"
-#include "app/ui/model/sheet_file.h"
+#include "app/ui/model/sheet_choice.h"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +12,7 @@ using testing::HasSubstr;
 class SheetChoiceTest : public testing::Test {
 protected:
     void choose(SheetAxis rows, SheetAxis columns) {
-        session.window.sheet.own = SheetAxes{std::move(rows), std::move(columns)};
+        session.sheet.own = SheetAxes{std::move(rows), std::move(columns)};
     }
 
     ServicesAtOnce services;
@@ -20,10 +21,10 @@ protected:
 
 TEST_F(SheetChoiceTest, EveryPairIsOfTwoParametersOfTheScene) {
     for (std::size_t pair = 0; pair < sheetPairs().size(); ++pair) {
-        session.window.sheet.pair = pair;
+        session.sheet.pair = pair;
         const auto axes = sweptAxes(session);
         ASSERT_TRUE(axes) << sheetPairs()[pair].name;
-        session.window.sheet.swapped = !session.window.sheet.swapped;
+        session.sheet.swapped = !session.sheet.swapped;
         EXPECT_EQ(sweptAxes(session).value()[0], axes.value()[1]);
     }
 }
@@ -34,7 +35,7 @@ TEST_F(SheetChoiceTest, AParameterThatIsPickedBringsTheSheetToTheFront) {
     EXPECT_EQ(axesOf(session), (SheetAxes{SheetAxis{"textures[0].wrapS"}, SheetAxis{"textures[0].wrapT"}}));
     EXPECT_EQ(session.window.wantedTab, Tab::Figures);
     EXPECT_EQ(session.window.figure, Figure::Sheet);
-    session.window.sheet.own->at(0).values = "GL_CLAMP";
+    session.sheet.own->at(0).values = "GL_CLAMP";
     varyOnSheet(session, "textures[0].wrapS", 0);
     EXPECT_EQ(axesOf(session)[0].values, "GL_CLAMP") << "it is there already";
     varyOnSheet(session, "textures[0].wrapS", 1);
@@ -53,20 +54,20 @@ TEST_F(SheetChoiceTest, WhatIsNoSheetIsOneSentence) {
     choose({"textures[0].lodBias", "0..1/1000000"}, {"textures[0].wrapT"});
     EXPECT_FALSE(sheetOrder(session));
     choose({"textures[0].lodBias", "0..1/5"}, {"textures[0].wrapT"});
-    session.window.sheet.width = 16000;
+    session.sheet.width = 16000;
     EXPECT_THAT(describe(sheetExtent(session).error()), HasSubstr("smaller pictures or fewer values"));
     EXPECT_THAT(describe(saveSheet(session, "sheet.png").error()),
                 HasSubstr("smaller pictures or fewer values"));
-    session.window.sheet.width = 64;
+    session.sheet.width = 64;
     EXPECT_THAT(describe(saveSheet(session, "sheet.json").error()), HasSubstr("found \"sheet.json\""));
 }
 
 TEST_F(SheetChoiceTest, TheOrderIsOfTheSceneAsItIs) {
     choose({"textures[0].lodBias", "0..1/3"}, {"textures[0].wrapT", "GL_REPEAT,GL_CLAMP"});
     session.document.scene.view.azimuth = 12;
-    session.window.playback.time = 1.5;
+    session.look.playback.time = 1.5;
     session.document.suggested = "/somewhere/earth.texplorer.json";
-    session.window.sheet.labels = sheet::LabelKind::Words;
+    session.sheet.labels = sheet::LabelKind::Words;
     const SheetOrder order = sheetOrder(session).value();
     EXPECT_EQ(order.picture.scene, session.document.scene);
     EXPECT_EQ(order.picture.time, 1.5);

@@ -12,7 +12,7 @@ protected:
     /// A cube's pixel in the picture's left half, of a texture with colours.
     void probe() {
         texture().pattern = Pattern::UvTemplate;
-        session->window.explaining.pixel = {layout.picture.width / 4, layout.picture.height / 2};
+        session->look.explaining.pixel = {layout.picture.width / 4, layout.picture.height / 2};
         frames(2);
     }
 };

@@ -1,6 +1,6 @@
+#include "app/ui/files/scene_saving.h"
+#include "app/ui/model/playback.h"
 #include "app/ui/model/preview.h"
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/scene_saving.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "core/scene/params/key_edits.h"
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 class TimelineEdits : public testing::Test {
 protected:
-    TimelineEdits() { session.window.playback.playing = false; }
+    TimelineEdits() { session.look.playback.playing = false; }
 
     [[nodiscard]] Scene& scene() { return session.document.scene; }
     [[nodiscard]] std::vector<KeyFrame>& keys() { return scene().timeline.keys; }
@@ -29,7 +29,7 @@ protected:
         sealEdit(session);
     }
     void at(double time) {
-        session.window.playback.time = time;
+        session.look.playback.time = time;
         showPresent(session);
     }
     void set(const std::string& path, const std::string& value) {
@@ -52,14 +52,14 @@ TEST_F(TimelineEdits, PanelsSeeTheSceneOfThePresentTime) {
 TEST_F(TimelineEdits, AnEditOfWhatMovesIsAKeyAndTimeStandsStill) {
     turn();
     at(1.004);
-    session.window.playback.playing = true;
+    session.look.playback.playing = true;
     set("view.azimuth", "15");
     set("view.azimuth", "16"); // a drag goes on within the same step
     ASSERT_EQ(keys().size(), 3U);
     EXPECT_EQ(keys().back(), (KeyFrame{1, "view.azimuth", "16"}));
     EXPECT_EQ(presentScene(session).view.azimuth, 16);
-    EXPECT_FALSE(session.window.playback.playing);
-    EXPECT_EQ(session.window.playback.time, 1);
+    EXPECT_FALSE(session.look.playback.playing);
+    EXPECT_EQ(session.look.playback.time, 1);
     EXPECT_EQ(scene(), session.document.history.current());
     EXPECT_EQ(scene().view.azimuth, 99) << "what it is without keys";
     take(session, Undo{});
@@ -142,7 +142,7 @@ TEST_F(TimelineEdits, KeysAreAddedMovedAndRemovedOneStepEach) {
     EXPECT_EQ(keys().size(), 1U);
     addKey(session, "view.nothing", 0);
     takeRequests(session);
-    EXPECT_THAT(session.window.notice.text, HasSubstr("A key frame can't be added: "));
+    EXPECT_THAT(session.look.notice.text, HasSubstr("A key frame can't be added: "));
 }
 
 TEST_F(TimelineEdits, WhatLosesItsKeysStaysWhatItIs) {
@@ -168,25 +168,25 @@ TEST_F(TimelineEdits, TimeGoesFromKeyToKey) {
     keys().push_back({2.5F, "view.elevation", "1"});
     showPresent(session);
     goToKey(session, 1);
-    EXPECT_EQ(session.window.playback.time, 2.5);
+    EXPECT_EQ(session.look.playback.time, 2.5);
     goToKey(session, 1);
-    EXPECT_EQ(session.window.playback.time, 4);
+    EXPECT_EQ(session.look.playback.time, 4);
     goToKey(session, 1);
-    EXPECT_EQ(session.window.playback.time, 4) << "there is none behind";
+    EXPECT_EQ(session.look.playback.time, 4) << "there is none behind";
     goToKey(session, -1);
-    EXPECT_EQ(session.window.playback.time, 2.5);
+    EXPECT_EQ(session.look.playback.time, 2.5);
 }
 
 TEST_F(TimelineEdits, TimeBeginsAnewBehindTheLastKey) {
     turn();
-    session.window.playback.playing = true;
+    session.look.playback.playing = true;
     at(3.5);
     advance(session, 1);
-    EXPECT_DOUBLE_EQ(session.window.playback.time, 0.5);
-    session.window.playback.loops = false;
+    EXPECT_DOUBLE_EQ(session.look.playback.time, 0.5);
+    session.look.playback.loops = false;
     at(3.5);
     advance(session, 1);
-    EXPECT_DOUBLE_EQ(session.window.playback.time, 4.5);
+    EXPECT_DOUBLE_EQ(session.look.playback.time, 4.5);
 }
 
 TEST_F(TimelineEdits, APreviewOfWhatMovesIsSeen) {

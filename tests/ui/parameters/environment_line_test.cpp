@@ -1,6 +1,6 @@
 // The equation next to the environment's mode, as in the tables of section 3.8.13.
 
-#include "app/ui/model/session.h"
+#include "app/ui/model/explaining.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::environment_line_test {
@@ -47,7 +47,7 @@ TEST_F(EnvironmentLine, IsThatOfThePreviewedMode) {
 
 TEST_F(EnvironmentLine, IsOfTheProbedPixelWhereThereIsOne) {
     EXPECT_FALSE(has("environment:probed"));
-    session->window.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
+    session->look.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
     frames(3);
     ASSERT_TRUE(explanationOf(*session));
     EXPECT_EQ(has("environment:probed"), probedUnit(*session) != nullptr);

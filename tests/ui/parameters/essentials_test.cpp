@@ -93,13 +93,13 @@ TEST_F(Essentials, TheVertexIsChosenAndItsCoordinatesDragged) {
     EXPECT_TRUE(has("no vertex"));
     EXPECT_FALSE(has("vertex s"));
     click("next vertex");
-    EXPECT_EQ(session->window.selection.vertex, 0U);
+    EXPECT_EQ(session->look.selection.vertex, 0U);
     click("next vertex");
-    EXPECT_EQ(session->window.selection.vertex, 1U);
+    EXPECT_EQ(session->look.selection.vertex, 1U);
     click("previous vertex");
     click("previous vertex");
-    EXPECT_EQ(session->window.selection.vertex, selectedMesh(*session).vertices.size() - 1);
-    session->window.selection.vertex = 2;
+    EXPECT_EQ(session->look.selection.vertex, selectedMesh(*session).vertices.size() - 1);
+    session->look.selection.vertex = 2;
     frames(2);
     const glm::vec4 before = coordinate(2);
     drag(place("vertex s"), {40, 0}); // 0.005 a pixel
@@ -118,7 +118,7 @@ TEST_F(Essentials, AModelOfNoVerticesHasNoneToChoose) {
     scene().models.clear();
     frames(2);
     click("next vertex");
-    EXPECT_EQ(session->window.selection.vertex, std::nullopt);
+    EXPECT_EQ(session->look.selection.vertex, std::nullopt);
     EXPECT_TRUE(has("no vertex"));
 }
 
@@ -191,7 +191,7 @@ TEST_F(Essentials, APatternIsChosenByItsPicture) {
     key('Z', {ctrl});
     EXPECT_EQ(texture().pattern, Pattern::Checker);
     click("open image");
-    EXPECT_EQ(session->window.dialog, Dialog::OpenImage);
+    EXPECT_EQ(session->asking.dialog, Dialog::OpenImage);
 }
 
 TEST_F(Essentials, TheMatrixIsSetInMotion) {
@@ -223,7 +223,7 @@ TEST_F(Essentials, TheStepsOfTheMatrixAreAClickAway) {
 TEST_F(Essentials, AHoveredChoiceIsPreviewed) {
     const Scene before = scene();
     moveTo(place("textures[0].wrapS=GL_CLAMP"));
-    ASSERT_TRUE(session->window.preview);
+    ASSERT_TRUE(session->look.preview);
     EXPECT_EQ(shownScene(*session).textures[0].wrapS, Wrap::Clamp);
     EXPECT_TRUE(has("preview")) << "the view says so";
     EXPECT_EQ(scene(), before);
@@ -231,7 +231,7 @@ TEST_F(Essentials, AHoveredChoiceIsPreviewed) {
     moveTo(place("textures[0].wrapS=GL_CLAMP_TO_BORDER"));
     EXPECT_EQ(shownScene(*session).textures[0].wrapS, Wrap::ClampToBorder);
     moveTo(place("textures[0].wrapS=GL_REPEAT"));
-    EXPECT_FALSE(session->window.preview) << "it is so already";
+    EXPECT_FALSE(session->look.preview) << "it is so already";
     moveTo(place("passes[0].units[0].envMode=GL_DECAL"));
     EXPECT_EQ(shownScene(*session).passes[0].units[0].envMode, EnvMode::Decal);
     moveTo(place("textures[0].pattern=tree"));
@@ -241,14 +241,14 @@ TEST_F(Essentials, AHoveredChoiceIsPreviewed) {
     moveTo(place("motion:scroll"));
     EXPECT_EQ(shownScene(*session).passes[0].units[0].matrix.size(), 1U);
     moveTo(place("view"));
-    EXPECT_FALSE(session->window.preview);
+    EXPECT_FALSE(session->look.preview);
     EXPECT_FALSE(has("preview"));
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(Essentials, AChoiceOfAListIsPreviewedToo) {
-    session->window.settings.glNames = true;
+    session->settings.glNames = true;
     frames(2);
     scrollTo("textures[0].minFilter");
     click("textures[0].minFilter");
@@ -256,7 +256,7 @@ TEST_F(Essentials, AChoiceOfAListIsPreviewedToo) {
     EXPECT_EQ(shownScene(*session).textures[0].minFilter, MinFilter::Nearest);
     key(key::escape);
     moveTo(place("view"));
-    EXPECT_FALSE(session->window.preview);
+    EXPECT_FALSE(session->look.preview);
     EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapLinear);
 }
 
@@ -264,7 +264,7 @@ TEST_F(Essentials, ARowIsPinnedAndTakenOutAgain) {
     scrollTo("textures[0].lodBias#label");
     click("textures[0].lodBias#label", ImGuiMouseButton_Right);
     click("textures[0].lodBias#menu:pin");
-    EXPECT_THAT(session->window.settings.pinned, ElementsAre("textures[].lodBias"));
+    EXPECT_THAT(session->settings.pinned, ElementsAre("textures[].lodBias"));
     states.parameters.tab = ParameterTab::Essentials;
     frames(2);
     drag(place("textures[0].lodBias"), {50, 0}); // 0.02 a pixel
@@ -274,32 +274,32 @@ TEST_F(Essentials, ARowIsPinnedAndTakenOutAgain) {
     EXPECT_EQ(texture().lodBias, 0);
     click("textures[0].lodBias#label", ImGuiMouseButton_Right);
     click("textures[0].lodBias#menu:pin");
-    EXPECT_THAT(session->window.settings.pinned, IsEmpty());
+    EXPECT_THAT(session->settings.pinned, IsEmpty());
     EXPECT_FALSE(has("textures[0].lodBias"));
 }
 
 TEST_F(Essentials, WhatEssentialsHasIsNotPinned) {
     click("textures[0].magFilter#label", ImGuiMouseButton_Right);
     click("textures[0].magFilter#menu:pin");
-    EXPECT_THAT(session->window.settings.pinned, IsEmpty());
+    EXPECT_THAT(session->settings.pinned, IsEmpty());
 }
 
 TEST_F(Essentials, APinOfNothingIsNoTrouble) {
-    session->window.settings.pinned = {"textures[].nothing", "", "models[].material.ambient"};
+    session->settings.pinned = {"textures[].nothing", "", "models[].material.ambient"};
     frames(2);
     expectSoundFrame();
     EXPECT_FALSE(has("models[0].material.ambient")) << "the model has no material of its own";
 }
 
 TEST_F(Essentials, NamesAreThoseOfOpenGlWhereOneWantsThem) {
-    EXPECT_FALSE(has("textures[0].minFilter#label") && session->window.settings.glNames);
+    EXPECT_FALSE(has("textures[0].minFilter#label") && session->settings.glNames);
     click("GL names");
-    EXPECT_TRUE(session->window.settings.glNames);
+    EXPECT_TRUE(session->settings.glNames);
     EXPECT_TRUE(has("textures[0].magFilter=GL_NEAREST") || has("textures[0].magFilter"));
     choose("textures[0].wrapS", "GL_CLAMP_TO_EDGE");
     EXPECT_EQ(texture().wrapS, Wrap::ClampToEdge);
     click("GL names");
-    EXPECT_FALSE(session->window.settings.glNames);
+    EXPECT_FALSE(session->settings.glNames);
 }
 
 TEST_F(Essentials, WithoutATextureTheySayWhatToDo) {

@@ -1,4 +1,4 @@
-#include "app/ui/model/session.h"
+#include "app/ui/model/preview.h"
 #include "app/ui/model/shown_passes.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
@@ -47,7 +47,7 @@ TEST_F(ModelSection, AddsAModelLikeTheChosenOneBesideIt) {
     press("add model");
     EXPECT_THAT(names(), ElementsAre("a", "a", "b", "c"));
     EXPECT_GT(scene().models[1].position.x, scene().models[0].position.x);
-    EXPECT_EQ(session->window.selection.model, 1);
+    EXPECT_EQ(session->look.selection.model, 1);
     EXPECT_THAT(scene().passes[0].models, IsEmpty());
     EXPECT_THAT(scene().passes[1].models, ElementsAre(3, 0, 1)) << "it names the same ones, and the new one";
     key('Z', {ctrl});
@@ -68,7 +68,7 @@ TEST_F(ModelSection, ReordersModelsAndPassesGoOnNamingTheSame) {
     startWith(three(), "Model");
     press("model down");
     EXPECT_THAT(names(), ElementsAre("b", "a", "c"));
-    EXPECT_EQ(session->window.selection.model, 1) << "it stays chosen";
+    EXPECT_EQ(session->look.selection.model, 1) << "it stays chosen";
     EXPECT_THAT(scene().passes[1].models, ElementsAre(2, 1));
     press("model up");
     EXPECT_THAT(names(), ElementsAre("a", "b", "c"));

@@ -159,7 +159,7 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
 
 TEST_F(ParametersPanel, EditsTheChosenUnit) {
     click("unit:1");
-    EXPECT_EQ(session->window.selection.unit, 1);
+    EXPECT_EQ(session->look.selection.unit, 1);
     choose("passes[0].units[1].envMode", "GL_ADD");
     EXPECT_EQ(scene().passes[0].units[1].envMode, EnvMode::Add);
     EXPECT_EQ(unit().envMode, EnvMode::Modulate);
@@ -195,7 +195,7 @@ TEST_F(ParametersPanel, PassesAreAddedExchangedSwitchedOffAndRemoved) {
     Pass like = scene().passes[0];
     like.depthFunc = CompareFunc::LessEqual;
     EXPECT_EQ(scene().passes[1], like);
-    EXPECT_EQ(session->window.selection.pass, 1);
+    EXPECT_EQ(session->look.selection.pass, 1);
 
     scrollTo("passes[1].enabled");
     click("passes[1].enabled");
@@ -204,16 +204,16 @@ TEST_F(ParametersPanel, PassesAreAddedExchangedSwitchedOffAndRemoved) {
     scrollTo("pass up");
     click("pass up");
     EXPECT_FALSE(scene().passes[0].enabled);
-    EXPECT_EQ(session->window.selection.pass, 0) << "it stays chosen";
+    EXPECT_EQ(session->look.selection.pass, 0) << "it stays chosen";
 
     scrollTo("pass:1");
     click("pass:1");
-    EXPECT_EQ(session->window.selection.pass, 1);
+    EXPECT_EQ(session->look.selection.pass, 1);
     scrollTo("remove pass");
     click("remove pass");
     ASSERT_EQ(scene().passes.size(), 1U);
     EXPECT_FALSE(scene().passes[0].enabled);
-    EXPECT_EQ(session->window.selection.pass, 0);
+    EXPECT_EQ(session->look.selection.pass, 0);
     scrollTo("remove pass");
     click("remove pass");
     EXPECT_EQ(scene().passes.size(), 1U) << "one there is always";
@@ -235,10 +235,10 @@ TEST_F(ParametersPanel, AVectorHasADragForEachComponent) {
 
 TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
     choose("textures[0].source", "file");
-    EXPECT_EQ(session->window.dialog, Dialog::OpenImage);
+    EXPECT_EQ(session->asking.dialog, Dialog::OpenImage);
     EXPECT_EQ(texture().source, SourceKind::Pattern);
     key(key::escape);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
@@ -253,7 +253,7 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().texGenT.mode = TexGenMode::ObjectLinear;
     frames(1);
     scene().models[0].shape = Shape::Sphere;
-    session->window.settings.pinned.clear();
+    session->settings.pinned.clear();
     const std::set<std::string> names = namesOfAllTabs();
     int rows = 0;
     const auto expectRows = [&](const Owner& owner, const StructTable& table) {
@@ -483,13 +483,13 @@ TEST_F(ParametersPanel, WhatHasNoEffectIsFoldedAndDoesntVanish) {
 
 TEST_F(ParametersPanel, TwoColumnsWhereThereIsRoom) {
     start(defaultScene(), 2560, 1440);
-    session->window.settings.workspace.seams.parameters = 640;
+    session->settings.workspace.seams.parameters = 640;
     show(ParameterTab::Texture);
     const WidgetPlaces::Item& base = places.items.at("textures[0].baseLevel");
     const WidgetPlaces::Item& last = places.items.at("textures[0].maxLevel");
     EXPECT_EQ(base.top, last.top);
     EXPECT_LT(base.right, last.left);
-    session->window.settings.workspace.seams.parameters = 0;
+    session->settings.workspace.seams.parameters = 0;
     frames(2);
     EXPECT_LT(places.items.at("textures[0].baseLevel").top, places.items.at("textures[0].maxLevel").top);
 }

@@ -58,8 +58,8 @@ TEST_F(TextureLists, ALevelAsksForItsFile) {
     texture().levels.resize(2);
     frames(2);
     choose("textures[0].levels[1].source", "file");
-    EXPECT_EQ(session->window.dialog, Dialog::OpenImage);
-    EXPECT_EQ(session->window.imageParam, "textures[0].levels[1].file");
+    EXPECT_EQ(session->asking.dialog, Dialog::OpenImage);
+    EXPECT_EQ(session->asking.imageParam, "textures[0].levels[1].file");
     EXPECT_EQ(texture().levels[1].source, SourceKind::Pattern);
 }
 

@@ -15,7 +15,7 @@ TEST_F(UnitBar, IsThereWhateverTabIsInFront) {
         EXPECT_TRUE(places.items.at("unit:2").visible) << tab.label;
     }
     click("unit:2");
-    EXPECT_EQ(session->window.selection.unit, 2);
+    EXPECT_EQ(session->look.selection.unit, 2);
 }
 
 TEST_F(UnitBar, ShowsTheTextureOfEachUnit) {
@@ -28,7 +28,7 @@ TEST_F(UnitBar, ShowsTheTextureOfEachUnit) {
 
 TEST_F(UnitBar, AUnitGetsATextureOfItsOwnTheFirstTime) {
     click("unit:1 on");
-    EXPECT_EQ(session->window.selection.unit, 1);
+    EXPECT_EQ(session->look.selection.unit, 1);
     ASSERT_EQ(scene().textures.size(), 2U);
     const auto second = [&]() -> const Unit& { return scene().passes[0].units[1]; };
     EXPECT_TRUE(second().enabled);
@@ -67,7 +67,7 @@ TEST_F(UnitBar, WhereThereIsNoRoomForATextureItShares) {
     frames(2);
     click("unit:2 on");
     EXPECT_FALSE(scene().passes[0].units[2].enabled);
-    EXPECT_FALSE(session->window.notice.text.empty());
+    EXPECT_FALSE(session->look.notice.text.empty());
 }
 
 TEST_F(UnitBar, SaysWhatAChangeReachesAndGivesAUnitItsOwn) {

@@ -20,15 +20,13 @@ protected:
     }
     float pixelsPerUnit() {
         const ui::WidgetPlaces::Item& canvas = places.items.at("texture space");
-        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) /
-               session->window.plane.extent;
+        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) / session->look.plane.extent;
     }
     /// Where the panel shows a coordinate.
     ImVec2 at(float s, float t) {
         const ui::WidgetPlaces::Item& canvas = places.items.at("texture space");
-        return {
-            std::floor((canvas.left + canvas.right) / 2) + (s - session->window.plane.s) * pixelsPerUnit(),
-            std::floor((canvas.top + canvas.bottom) / 2) - (t - session->window.plane.t) * pixelsPerUnit()};
+        return {std::floor((canvas.left + canvas.right) / 2) + (s - session->look.plane.s) * pixelsPerUnit(),
+                std::floor((canvas.top + canvas.bottom) / 2) - (t - session->look.plane.t) * pixelsPerUnit()};
     }
     void expectCoord(std::size_t vertex, float s, float t, float tolerance = 1e-4F) {
         EXPECT_NEAR(coord(vertex).s, s, tolerance) << "vertex " << vertex;

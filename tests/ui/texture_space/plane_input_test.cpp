@@ -1,7 +1,7 @@
 // Mouse and keys over the texture space: selecting and moving.
 
-#include "app/ui/model/chosen_vertices.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/scene_files.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "app/ui/widgets/keys.h"
 #include "core/codec/png/png.h"
 #include "core/files/file_io.h"
@@ -21,7 +21,7 @@ using testing::IsEmpty;
 
 class PlaneInput : public PlaneBench {
 protected:
-    std::vector<std::size_t> chosen() { return chosenVertices(session->window.selection); }
+    std::vector<std::size_t> chosen() { return chosenVertices(session->look.selection); }
     TextureSpaceState& state() { return states.textureSpace; }
 };
 
@@ -31,7 +31,7 @@ TEST_F(PlaneInput, ShiftAndAClickAddAndTakeAway) {
         const Held shifted(*this, shift);
         clickAt(place("coord:2"));
         EXPECT_THAT(chosen(), ElementsAre(0, 2));
-        EXPECT_EQ(session->window.selection.vertex, 2U);
+        EXPECT_EQ(session->look.selection.vertex, 2U);
         clickAt(place("coord:0"));
     }
     EXPECT_THAT(chosen(), ElementsAre(2));
@@ -40,7 +40,7 @@ TEST_F(PlaneInput, ShiftAndAClickAddAndTakeAway) {
 }
 
 TEST_F(PlaneInput, ADragWithShiftChoosesWhatIsInItsBox) {
-    const Plane before = session->window.plane;
+    const Plane before = session->look.plane;
     {
         const Held shifted(*this, shift);
         const ImVec2 from = at(0.5F, -0.1F);
@@ -48,7 +48,7 @@ TEST_F(PlaneInput, ADragWithShiftChoosesWhatIsInItsBox) {
         drag(from, {to.x - from.x, to.y - from.y});
     }
     EXPECT_THAT(chosen(), ElementsAre(1, 2));
-    EXPECT_EQ(session->window.plane.s, before.s) << "the plane stays";
+    EXPECT_EQ(session->look.plane.s, before.s) << "the plane stays";
     EXPECT_EQ(undoSteps(), 0U) << "what is chosen is no edit";
 }
 
@@ -59,10 +59,10 @@ TEST_F(PlaneInput, InItsModeADragNeedsNoShift) {
     const ImVec2 to = at(1.1F, 1.1F);
     drag(from, {to.x - from.x, to.y - from.y});
     EXPECT_THAT(chosen(), ElementsAre(2)) << "in the place of those before";
-    const Plane before = session->window.plane;
+    const Plane before = session->look.plane;
     const Held shifted(*this, shift);
     drag(from, {to.x - from.x, to.y - from.y});
-    EXPECT_LT(session->window.plane.s, before.s) << "with Shift it moves the plane";
+    EXPECT_LT(session->look.plane.s, before.s) << "with Shift it moves the plane";
 }
 
 TEST_F(PlaneInput, SeveralMoveTogetherInOneStep) {
@@ -108,7 +108,7 @@ TEST_F(PlaneInput, AClickThatTremblesMovesNothing) {
     const Scene before = scene();
     drag(place("coord:2"), {2, 1});
     EXPECT_EQ(scene(), before);
-    EXPECT_EQ(session->window.selection.vertex, 2U);
+    EXPECT_EQ(session->look.selection.vertex, 2U);
 }
 
 // A scale by 1/2 maps (1, 1) to (0.5, 0.5): a drag changes the coordinate by twice its distance.
@@ -153,11 +153,11 @@ TEST_F(PlaneInput, AGivenQDivides) {
 
 TEST_F(PlaneInput, OutlinesMoveWithTheScenesTime) {
     unit().matrix = {{.op = MatrixOp::Translate, .rate = {0.25F, 0, 0}}};
-    session->window.playback.playing = false;
-    session->window.playback.time = 0;
+    session->look.playback.playing = false;
+    session->look.playback.time = 0;
     frames(2);
     EXPECT_EQ(noted("legend:as given"), "") << "both are the same";
-    session->window.playback.time = 2;
+    session->look.playback.time = 2;
     frames(2);
     EXPECT_NEAR(place("end:0").x, at(0.5F, 0).x, 0.5F);
     EXPECT_NEAR(place("coord:0").x, at(0, 0).x, 0.5F);
@@ -168,7 +168,7 @@ TEST_F(PlaneInput, SaysWhyWhatIsGeneratedCannotBeMoved) {
     frames(2);
     // The square reaches from -1 to 1.
     EXPECT_NEAR(place("end:2").x, at(1, 1).x, 0.5F);
-    session->window.plane = {0, 0.5F, 3};
+    session->look.plane = {0, 0.5F, 3};
     frames(2);
     const Scene before = scene();
     moveTo(place("end:0"));
@@ -194,7 +194,7 @@ TEST_F(PlaneInput, SaysWhereTheMatrixHasNoInverse) {
     frames(1);
     ImGui::GetIO().MousePos.x += 40;
     frames(2);
-    EXPECT_EQ(session->window.selection.vertex, 2U);
+    EXPECT_EQ(session->look.selection.vertex, 2U);
     EXPECT_EQ(noted("refusal:"),
               "refusal:the texture matrix has no inverse: it maps many coordinates to one place");
     ImGui::GetIO().MouseDown[0] = false;
@@ -244,7 +244,7 @@ TEST_F(PlaneInput, AnImageThatArrivesWaitsForTheEndOfAMove) {
 }
 
 TEST_F(PlaneInput, EscapeTakesAKeyedMoveBackAndNothingElse) {
-    session->window.explaining.pixel = {5, 5};
+    session->look.explaining.pixel = {5, 5};
     clickAt(place("coord:2"));
     const Scene before = scene();
     moveTo(at(0.5F, 0.5F));
@@ -255,7 +255,7 @@ TEST_F(PlaneInput, EscapeTakesAKeyedMoveBackAndNothingElse) {
     key(key::escape);
     EXPECT_EQ(scene(), before);
     EXPECT_EQ(undoSteps(), 0U);
-    EXPECT_TRUE(session->window.explaining.pixel.has_value());
+    EXPECT_TRUE(session->look.explaining.pixel.has_value());
     key('G');
     moveTo(at(0.6F, 0.6F));
     clickAt(at(0.6F, 0.6F), ImGuiMouseButton_Right);
@@ -318,9 +318,9 @@ TEST_F(PlaneInput, KeysCountOnlyOverThePanel) {
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(state().move.has_value());
     moveTo(at(0.5F, 0.5F));
-    session->window.plane.extent = 20;
+    session->look.plane.extent = 20;
     key('F');
-    EXPECT_NEAR(session->window.plane.extent, 1.4F, 1e-5F);
+    EXPECT_NEAR(session->look.plane.extent, 1.4F, 1e-5F);
     EXPECT_EQ(scene(), before) << "F frames the models over the view alone";
 }
 
@@ -352,14 +352,14 @@ TEST_F(PlaneInput, ASnapIsToTheNearest) {
 
 TEST_F(PlaneInput, HoveringAVertexRingsItInBothViews) {
     moveTo(place("coord:2"));
-    EXPECT_EQ(session->window.hoveredInPlane, (PickedVertex{0, 2}));
+    EXPECT_EQ(session->look.hoveredInPlane, (PickedVertex{0, 2}));
     frames(1);
     ASSERT_TRUE(has("hovered vertex")) << "in the view";
     EXPECT_EQ(noted("coord label:2"), "coord label:2   (1.00, 1.00)");
     const ImVec2 inView = place("hovered vertex");
     moveTo(inView);
-    EXPECT_EQ(session->window.hoveredInPlane, std::nullopt);
-    EXPECT_EQ(session->window.hoveredInView, (PickedVertex{0, 2}));
+    EXPECT_EQ(session->look.hoveredInPlane, std::nullopt);
+    EXPECT_EQ(session->look.hoveredInView, (PickedVertex{0, 2}));
     frames(1);
     ASSERT_TRUE(has("hover ring")) << "in the texture space";
     EXPECT_NEAR(place("hover ring").x, at(1, 1).x, 0.5F);

@@ -1,6 +1,6 @@
 // The toolbar of the texture space, and the controls behind "…".
 
-#include "app/ui/model/chosen_vertices.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "app/ui/texture_space/plane_keys.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/texture_space/plane_bench.h"
@@ -34,7 +34,7 @@ protected:
 
 TEST_F(PlaneTools, StayInOneLine) {
     for (const float width : {300.0F, 350.0F, 420.0F, 600.0F}) {
-        session->window.settings.workspace.seams.details = width;
+        session->settings.workspace.seams.details = width;
         frames(4);
         const WidgetPlaces::Item& fit = places.items.at("fit plane");
         const WidgetPlaces::Item& canvas = places.items.at("texture space");
@@ -143,10 +143,10 @@ TEST_F(PlaneTools, MirrorTheChosenOnesOrAll) {
     expectCoord(0, 1, 0);
     expectCoord(2, 0, 1);
     EXPECT_EQ(undoSteps(), 1U);
-    chooseVertices(session->window.selection, {0, 1});
+    chooseVertices(session->look.selection, {0, 1});
     click("menu mirror t");
     expectCoord(0, 1, 0); // both have the same t
-    chooseVertices(session->window.selection, {1, 2});
+    chooseVertices(session->look.selection, {1, 2});
     click("menu mirror t");
     expectCoord(1, 0, 1);
     expectCoord(2, 0, 0);
@@ -174,7 +174,7 @@ TEST_F(PlaneTools, CoordinatesAreCopiedAndPasted) {
     click("paste coordinates");
     expectCoord(2, 2, 2);
     EXPECT_EQ(undoSteps(), 1U);
-    chooseVertices(session->window.selection, {0, 2});
+    chooseVertices(session->look.selection, {0, 2});
     ImGui::SetClipboardText("0.5, 0.25\n3, 4");
     click("paste coordinates");
     expectCoord(0, 0.5F, 0.25F);
@@ -187,11 +187,11 @@ TEST_F(PlaneTools, WhatDoesNotFitIsToldAndChangesNothing) {
     moveTo(at(0.5F, 0.5F));
     ImGui::SetClipboardText("hello");
     key('V', {ctrl});
-    EXPECT_EQ(session->window.notice.text,
+    EXPECT_EQ(session->look.notice.text,
               "The clipboard has no texture coordinates: line 1: expected a number, found \"hello\".");
     ImGui::SetClipboardText("0 0\n1 1\n");
     key('V', {ctrl});
-    EXPECT_EQ(session->window.notice.text, "Expected coordinates of 4 vertices, but the clipboard has 2.");
+    EXPECT_EQ(session->look.notice.text, "Expected coordinates of 4 vertices, but the clipboard has 2.");
     EXPECT_EQ(scene(), before);
     ImGui::SetClipboardText("");
     key('C', {ctrl});

@@ -1,5 +1,6 @@
-#include "app/ui/model/chosen_vertices.h"
+#include "app/ui/files/lessons.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/state/chosen_vertices.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
@@ -25,14 +26,13 @@ protected:
     }
     float pixelsPerUnit() {
         const WidgetPlaces::Item& canvas = places.items.at("texture space");
-        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) /
-               session->window.plane.extent;
+        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) / session->look.plane.extent;
     }
     /// The position of a coordinate in the panel.
     ImVec2 at(float s, float t) {
         const WidgetPlaces::Item& canvas = places.items.at("texture space");
-        return {(canvas.left + canvas.right) / 2 + (s - session->window.plane.s) * pixelsPerUnit(),
-                (canvas.top + canvas.bottom) / 2 - (t - session->window.plane.t) * pixelsPerUnit()};
+        return {(canvas.left + canvas.right) / 2 + (s - session->look.plane.s) * pixelsPerUnit(),
+                (canvas.top + canvas.bottom) / 2 - (t - session->look.plane.t) * pixelsPerUnit()};
     }
     int channel(ImVec2 place, int component) {
         const Image window = picture();
@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(TextureSpace, AVertexIsDraggedToOtherCoordinates) {
-    session->window.selection.vertex = 2;
+    session->look.selection.vertex = 2;
     ASSERT_EQ(coord(2), glm::vec4(1, 1, 0, 1));
     const float unitPixels = pixelsPerUnit();
     drag(place("coord:2"), {50, 20});
@@ -64,7 +64,7 @@ TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
                    box.top <= place.y && place.y <= box.bottom;
         });
     };
-    session->window.explaining.pixel = {159, 165};
+    session->look.explaining.pixel = {159, 165};
     frames(5);
     ASSERT_TRUE(std::ranges::any_of(places.items,
                                     [](const auto& item) { return item.first.starts_with("patch-frame:"); }));
@@ -73,7 +73,7 @@ TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
         covered += covers(corner);
     EXPECT_GT(covered, 0);
     for (std::size_t vertex = 0; vertex < 4; ++vertex) {
-        session->window.selection.vertex = vertex;
+        session->look.selection.vertex = vertex;
         frames(3);
         const glm::vec4 place = coord(vertex);
         EXPECT_FALSE(covers(at(place.s, place.t))) << vertex;
@@ -81,24 +81,24 @@ TEST_F(TextureSpace, SmallPicturesLeaveTheChosenVertexInSight) {
 }
 
 TEST_F(TextureSpace, OfVerticesAtOnePlaceTheChosenFacesIsTaken) {
-    session->window.selection.vertex = 4; // of the back face
+    session->look.selection.vertex = 4; // of the back face
     clickAt(at(1, 1));
-    ASSERT_TRUE(session->window.selection.vertex.has_value());
+    ASSERT_TRUE(session->look.selection.vertex.has_value());
     const std::vector<std::uint32_t>& back = selectedMesh(*session).faces[1].vertices;
-    EXPECT_NE(std::ranges::find(back, *session->window.selection.vertex), back.end());
+    EXPECT_NE(std::ranges::find(back, *session->look.selection.vertex), back.end());
 }
 
 TEST_F(TextureSpace, DraggingElsewhereMovesThePlaneNotTheScene) {
     const Scene before = scene();
-    const Plane plane = session->window.plane;
+    const Plane plane = session->look.plane;
     drag(at(0.5F, 0.5F), {30, 0});
-    EXPECT_LT(session->window.plane.s, plane.s);
+    EXPECT_LT(session->look.plane.s, plane.s);
     drag(at(1, 1), {30, 0}, ImGuiMouseButton_Right); // a right drag never moves a vertex
     wheel(at(0.3F, 0.3F), 3);
-    EXPECT_LT(session->window.plane.extent, plane.extent);
+    EXPECT_LT(session->look.plane.extent, plane.extent);
     EXPECT_EQ(scene(), before);
     click("fit plane");
-    EXPECT_NEAR(session->window.plane.s, 0.5F, 1e-5F);
+    EXPECT_NEAR(session->look.plane.s, 0.5F, 1e-5F);
 }
 
 // Faces of a third of the picture's height, +x in the third column.
@@ -136,8 +136,8 @@ TEST_P(HeavyMesh, IsDrawnFromNearAndFarWithoutACrash) {
     heavy.models[0].slices = heavy.models[0].stacks = GetParam().subdivision;
     start(heavy, 2560, 1440);
     for (const float extent : {0.02F, 1.6F, 20.0F, 112.0F, 200.0F}) {
-        session->window.plane.extent = extent;
-        session->window.selection.vertex = 5;
+        session->look.plane.extent = extent;
+        session->look.selection.vertex = 5;
         (void)picture();
     }
     click("fit plane");
@@ -155,9 +155,9 @@ TEST_P(HeavyMesh, IsDrawnTwiceWithEverythingChosenWithoutACrash) {
     start(heavy, 2560, 1440);
     std::vector<std::size_t> all(selectedMesh(*session).vertices.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    chooseVertices(session->window.selection, std::move(all));
+    chooseVertices(session->look.selection, std::move(all));
     for (const float extent : {0.02F, 1.6F, 20.0F, 200.0F}) {
-        session->window.plane.extent = extent;
+        session->look.plane.extent = extent;
         (void)picture();
     }
 }
@@ -173,31 +173,31 @@ INSTANTIATE_TEST_SUITE_P(All, HeavyMesh,
 /// A cube map has no vertices in this plane, whichever was selected before.
 TEST_F(TextureSpace, OfACubeMapNoVertexIsUnderTheMouse) {
     unit().target = Target::CubeMap;
-    session->window.selection.vertex = 3;
+    session->look.selection.vertex = 3;
     const Scene before = scene();
     frames(2);
     drag(place("texture space"), {40, 0});
     EXPECT_EQ(scene(), before);
-    EXPECT_EQ(session->window.selection.vertex, 3U) << "and none is chosen or given up";
+    EXPECT_EQ(session->look.selection.vertex, 3U) << "and none is chosen or given up";
 }
 
 TEST_F(TextureSpace, TheLargestCoordinatesAreDrawnSomewhere) {
     constexpr float largest = std::numeric_limits<float>::max();
     scene().models[0].texCoords[0] = effectiveTexCoords(Model{}, selectedMesh(*session), 0);
     scene().models[0].texCoords[0][0] = {largest, -largest, 0, 1};
-    session->window.selection.vertex = 0;
+    session->look.selection.vertex = 0;
     frames(2);
     expectSoundFrame();
-    session->window.plane.extent = 0.02F;
+    session->look.plane.extent = 0.02F;
     frames(2);
     expectSoundFrame();
 }
 
 TEST_F(TextureSpace, ADragEndsSomewhere) {
-    session->window.plane.extent = 200;
+    session->look.plane.extent = 200;
     for (int i = 0; i < 20; ++i) { // each by some 160 units, then the plane is brought back
-        session->window.plane.s = 0.5F + static_cast<float>(i == 0 ? 0 : coord(2).x - 0.5F);
-        session->window.selection.vertex = 2;
+        session->look.plane.s = 0.5F + static_cast<float>(i == 0 ? 0 : coord(2).x - 0.5F);
+        session->look.selection.vertex = 2;
         frames(1);
         drag(place("coord:2"), {270, 0});
     }
@@ -354,7 +354,7 @@ TEST_F(TextureSpace, TheListDragsSingleNumbers) {
     drag(place("models[0].texCoords0[1][0]"), {40, 0});
     EXPECT_NEAR(coord(1).x, 1 + 40 * 0.005F, 0.006F);
     EXPECT_EQ(coord(1).y, 0);
-    EXPECT_EQ(session->window.selection.vertex, std::optional<std::size_t>(1));
+    EXPECT_EQ(session->look.selection.vertex, std::optional<std::size_t>(1));
     key('Z', {ctrl});
     EXPECT_EQ(coord(1).x, 1);
 }
@@ -391,7 +391,7 @@ TEST_F(TextureSpace, ListsTheVerticesOfTheChosenModel) {
     putListRight();
     click("model choice");
     click("model:1");
-    EXPECT_EQ(session->window.selection.model, 1);
+    EXPECT_EQ(session->look.selection.model, 1);
     const std::string face = selectedMesh(*session).faces.front().name;
     EXPECT_TRUE(has("face:" + face));
     click("face:" + face);

@@ -29,28 +29,28 @@ protected:
 
 TEST_F(Comparison, TheMenuBarAndAKeyLeadThereAndBack) {
     click("renderer:Compare");
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::Split);
+    EXPECT_EQ(session->view.arrangement, Arrangement::Split);
     click("arrangement:Side by side");
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::Grid);
+    EXPECT_EQ(session->view.arrangement, Arrangement::Grid);
     click("renderer:Shader");
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::One);
+    EXPECT_EQ(session->view.arrangement, Arrangement::One);
     EXPECT_FALSE(has("arrangement:Split"));
     key('4');
-    EXPECT_EQ(session->window.view.arrangement, Arrangement::Grid) << "as it was last";
+    EXPECT_EQ(session->view.arrangement, Arrangement::Grid) << "as it was last";
     click("menu:View");
     click("menu:Compare");
-    EXPECT_TRUE(isComparing(session->window.view));
+    EXPECT_TRUE(isComparing(session->view));
 }
 
 TEST_F(Comparison, TheSeamIsDraggedAndTheCameraStays) {
     click("renderer:Compare");
     const View before = scene().view;
     drag(place("picture seam"), {100, 5});
-    EXPECT_NEAR(session->window.view.split, 0.5F + 100 / static_cast<float>(layout.picture.width), 0.01F);
+    EXPECT_NEAR(session->view.split, 0.5F + 100 / static_cast<float>(layout.picture.width), 0.01F);
     drag(place("picture seam"), {-2000, 0});
-    EXPECT_EQ(session->window.view.split, 0);
+    EXPECT_EQ(session->view.split, 0);
     drag(place("picture seam"), {60, 0});
-    EXPECT_GT(session->window.view.split, 0.05F) << "it can be taken hold of at the edge";
+    EXPECT_GT(session->view.split, 0.05F) << "it can be taken hold of at the edge";
     EXPECT_EQ(scene().view, before);
 }
 
@@ -58,24 +58,22 @@ TEST_F(Comparison, ListsChooseTheTwo) {
     click("renderer:Compare");
     click("compared:1");
     click("compared:1=shader");
-    EXPECT_THAT(session->window.view.compared,
-                testing::ElementsAre(RendererKind::Fixed, RendererKind::Shader));
+    EXPECT_THAT(session->view.compared, testing::ElementsAre(RendererKind::Fixed, RendererKind::Shader));
     click("arrangement:Side by side");
     click("compared:0");
     click("compared:0=reference");
-    EXPECT_THAT(session->window.view.compared,
-                testing::ElementsAre(RendererKind::Reference, RendererKind::Shader));
+    EXPECT_THAT(session->view.compared, testing::ElementsAre(RendererKind::Reference, RendererKind::Shader));
 }
 
 TEST_F(Comparison, EachSideOfTheSeamIsItsRenderersPicture) {
     start(defaultScene(), 900, 600);
     std::array<Image, 2> alone;
-    showComparison(session->window.view);
-    session->window.view.split = 0;
+    showComparison(session->view);
+    session->view.split = 0;
     alone[1] = window();
-    session->window.view.split = 1;
+    session->view.split = 1;
     alone[0] = window();
-    session->window.view.split = 0.5F;
+    session->view.split = 0.5F;
     const Image both = window();
     const int seam = layout.picture.x + layout.picture.width / 2;
     for (int y = layout.picture.y + 70; y < layout.picture.bottom(); ++y) { // below the lists
@@ -88,10 +86,9 @@ TEST_F(Comparison, EachSideOfTheSeamIsItsRenderersPicture) {
 }
 
 TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
-    showComparison(session->window.view,
-                   {RendererKind::Fixed, RendererKind::Reference, RendererKind::Shader});
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference, RendererKind::Shader});
     const Image shown = window();
-    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
+    const Panes panes(layout, session->view, {layout.picture.width, layout.picture.height});
     const Rect& fixed = panes.all()[0].frame;
     const Rect& reference = panes.all()[2].frame;
     const Rect& heat = panes.all()[3].frame;
@@ -122,8 +119,7 @@ TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
                 continue;
             const int difference = differenceAt(x, y);
             different += difference > 0 ? 1 : 0;
-            const auto expected =
-                heatColor(static_cast<float>(difference), {session->window.view.tolerance, 255});
+            const auto expected = heatColor(static_cast<float>(difference), {session->view.tolerance, 255});
             ASSERT_EQ(at(shown, heat.x + x, heat.y + y),
                       (std::array<int, 3>{expected[0], expected[1], expected[2]}))
                 << x << ", " << y;
@@ -133,12 +129,12 @@ TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
 }
 
 TEST_F(Comparison, TheStripSaysHowFarTheyAreApart) {
-    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
     static_cast<void>(window());
     EXPECT_TRUE(has("share over"));
     EXPECT_TRUE(has("mean difference"));
     ASSERT_TRUE(has("worst"));
-    session->window.view.compared = {RendererKind::Fixed, RendererKind::Fixed};
+    session->view.compared = {RendererKind::Fixed, RendererKind::Fixed};
     static_cast<void>(window());
     EXPECT_TRUE(has("equal"));
     EXPECT_FALSE(has("worst"));
@@ -146,11 +142,11 @@ TEST_F(Comparison, TheStripSaysHowFarTheyAreApart) {
 
 // A ring says that something is over the tolerance: a difference of one pixel is within one of 255.
 TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
-    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
-    session->window.view.tolerance = 2;
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
+    session->view.tolerance = 2;
     static_cast<void>(window());
     EXPECT_TRUE(has("ring"));
-    session->window.view.tolerance = ViewSettings::maxTolerance;
+    session->view.tolerance = ViewSettings::maxTolerance;
     static_cast<void>(window());
     ASSERT_TRUE(has("worst"));
     EXPECT_FALSE(has("ring"));
@@ -158,17 +154,17 @@ TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
 
 // What is only noted, such as a border that the driver takes away, keeps no picture back.
 TEST_F(Comparison, APictureThatIsStillToComeIsNotMissing) {
-    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
     frames(2);
     const std::array notes{std::string("textures[0]: drawn without its border")};
     std::vector<ViewFrame> frames;
-    for (const RendererKind renderer : session->window.view.compared)
+    for (const RendererKind renderer : session->view.compared)
         frames.push_back({renderer, {{}, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});
     const Pictures coming{.frames = frames, .problems = notes};
-    EXPECT_TRUE(isDrawing(coming, session->window.view.compared));
+    EXPECT_TRUE(isDrawing(coming, session->view.compared));
     EXPECT_FALSE(isDrawing(coming, std::array{RendererKind::Fixed}));
     frames[1].whole = true;
-    EXPECT_FALSE(isDrawing(coming, session->window.view.compared));
+    EXPECT_FALSE(isDrawing(coming, session->view.compared));
 }
 
 TEST_F(Comparison, AllOfTheStripIsInSightInEveryWindow) {
@@ -178,7 +174,7 @@ TEST_F(Comparison, AllOfTheStripIsInSightInEveryWindow) {
           std::tuple(1280, 800, Language::Russian), std::tuple(1024, 700, Language::Russian)}) {
         start(defaultScene(), width, height);
         speak(language);
-        showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
+        showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
         static_cast<void>(window());
         for (const char* name : {"arrangement:Split", "arrangement:Side by side", "tolerance", "share over",
                                  "mean difference", "worst"}) {

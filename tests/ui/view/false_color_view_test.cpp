@@ -21,20 +21,20 @@ protected:
 
 TEST_F(FalseColorView, IsChosenInTheToolRow) {
     EXPECT_FALSE(has("false colors:legend"));
-    EXPECT_EQ(session->window.levels.answer, nullptr) << "hidden panels request no work";
+    EXPECT_EQ(session->look.levels.answer, nullptr) << "hidden panels request no work";
     choose("lambda");
-    EXPECT_EQ(session->window.view.shown, Shown::Lambda);
+    EXPECT_EQ(session->view.shown, Shown::Lambda);
     frames(2);
     EXPECT_TRUE(has("false colors:legend"));
-    ASSERT_NE(session->window.levels.answer, nullptr);
-    EXPECT_NE(session->window.levels.answer->colors, nullptr);
+    ASSERT_NE(session->look.levels.answer, nullptr);
+    EXPECT_NE(session->look.levels.answer->colors, nullptr);
     choose("anisotropy");
-    EXPECT_EQ(session->window.view.shown, Shown::Anisotropy);
+    EXPECT_EQ(session->view.shown, Shown::Anisotropy);
     choose("picture");
-    EXPECT_EQ(session->window.view.shown, Shown::Picture);
+    EXPECT_EQ(session->view.shown, Shown::Picture);
     frames(2);
     EXPECT_FALSE(has("false colors:legend"));
-    EXPECT_EQ(session->window.levels.answer, nullptr);
+    EXPECT_EQ(session->look.levels.answer, nullptr);
     EXPECT_FALSE(session->document.history.canUndo()) << "to look is no edit";
 }
 
@@ -42,30 +42,30 @@ TEST_F(FalseColorView, IsChosenInTheMenu) {
     click("menu:View");
     click("menu:Picture or false colours");
     click("shown:lambda");
-    EXPECT_EQ(session->window.view.shown, Shown::Lambda);
+    EXPECT_EQ(session->view.shown, Shown::Lambda);
 }
 
 TEST_F(FalseColorView, TellsTheNumberUnderThePointer) {
     choose("lambda");
     moveTo(onTheCube());
     EXPECT_TRUE(has("false colors:tip"));
-    ASSERT_TRUE(session->window.levels.hovered);
-    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
+    ASSERT_TRUE(session->look.levels.hovered);
+    const Panes panes(layout, session->view, {layout.picture.width, layout.picture.height});
     const auto expected = panes.pixelAt(onTheCube());
-    EXPECT_EQ(*session->window.levels.hovered, (reference::PixelPlace{expected->x, expected->y}));
+    EXPECT_EQ(*session->look.levels.hovered, (reference::PixelPlace{expected->x, expected->y}));
     moveTo({static_cast<float>(layout.picture.x + 15), static_cast<float>(layout.picture.y + 15)});
     EXPECT_FALSE(has("false colors:tip")) << "nothing is drawn there";
     moveTo({5, 5});
-    EXPECT_FALSE(session->window.levels.hovered);
+    EXPECT_FALSE(session->look.levels.hovered);
 }
 
 // Opaque parts have exactly the false colour of the pixel.
 TEST_F(FalseColorView, LiesOverThePicture) {
     choose("lambda");
     moveTo({5, 5});
-    session->window.view.opacity = 1;
+    session->view.opacity = 1;
     const Image window = picture();
-    const auto& answer = session->window.levels.answer;
+    const auto& answer = session->look.levels.answer;
     ASSERT_TRUE(answer && answer->colors);
     const Image& colors = *answer->colors;
     ASSERT_EQ(colors.width, layout.picture.width);
@@ -85,7 +85,7 @@ TEST_F(FalseColorView, LiesOverThePicture) {
 
 TEST_F(FalseColorView, SaysWhyThereAreNone) {
     choose("lambda");
-    session->window.selection.unit = 2;
+    session->look.selection.unit = 2;
     frames(2);
     EXPECT_TRUE(has("false colors:none"));
     EXPECT_FALSE(has("false colors:legend"));
@@ -93,12 +93,12 @@ TEST_F(FalseColorView, SaysWhyThereAreNone) {
 
 TEST_F(FalseColorView, IsSoundInANarrowWindowAndBesideADifference) {
     start(defaultScene(), 720, 480);
-    session->window.view.shown = Shown::Anisotropy;
+    session->view.shown = Shown::Anisotropy;
     frames(3);
     expectSoundFrame();
     EXPECT_TRUE(has("shown")) << "it is never put away";
-    showComparison(session->window.view);
-    session->window.view.arrangement = Arrangement::Grid;
+    showComparison(session->view);
+    session->view.arrangement = Arrangement::Grid;
     frames(3);
     expectSoundFrame();
 }

@@ -1,6 +1,6 @@
 // A fitted camera follows the shape of its view until the user moves it.
 
-#include "app/ui/model/camera.h"
+#include "app/ui/state/camera.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
@@ -14,7 +14,7 @@ protected:
     /// The distance at which the scene would fill the current view.
     [[nodiscard]] float filling() const {
         Scene copy = session->document.scene;
-        fitDistance(copy, session->window.playback.time, aspectOf(layout));
+        fitDistance(copy, session->look.playback.time, aspectOf(layout));
         return copy.view.distance;
     }
     void narrowTheView() {

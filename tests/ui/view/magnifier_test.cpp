@@ -43,7 +43,7 @@ TEST_F(Magnifier, AKeyAndTheViewMenuSwitchIt) {
 }
 
 TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
-    session->window.view.magnifies = true;
+    session->view.magnifies = true;
     static_cast<void>(picture());
     for (const ImVec2 share :
          {ImVec2(0.2F, 0.5F), ImVec2(0.25F, 0.42F), ImVec2(0.7F, 0.5F), ImVec2(0.01F, 0.01F)}) {
@@ -59,7 +59,7 @@ TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
 
 TEST_F(Magnifier, ItsHeadingFits) {
     start(defaultScene(), 2400, 1200);
-    session->window.view.magnifies = true;
+    session->view.magnifies = true;
     moveTo(inside(0.9F, 0.9F)); // where numbers are long
     const WidgetPlaces::Item& frame = places.items.at("magnifier");
     const WidgetPlaces::Item& where = places.items.at("magnifier:where");
@@ -68,14 +68,13 @@ TEST_F(Magnifier, ItsHeadingFits) {
 }
 
 TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
-    session->window.view.magnifies = true;
-    showComparison(session->window.view,
-                   {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+    session->view.magnifies = true;
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
     static_cast<void>(picture());
     static_cast<void>(picture());
     moveTo(inside(0.2F, 0.5F));
     const Image window = picture();
-    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
+    const Panes panes(layout, session->view, {layout.picture.width, layout.picture.height});
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (const Pane& pane : panes.all()) {
         const std::string name = pane.renderer ? std::string(rowOf(*pane.renderer).label) : "Difference";
@@ -90,9 +89,8 @@ TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
 
 TEST_F(Magnifier, StaysInTheWindow) {
     start(defaultScene(), 900, 600);
-    session->window.view.magnifies = true;
-    showComparison(session->window.view,
-                   {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+    session->view.magnifies = true;
+    showComparison(session->view, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
     frames(2);
     for (const ImVec2 share :
          {ImVec2(0.1F, 0.2F), ImVec2(0.9F, 0.2F), ImVec2(0.1F, 0.95F), ImVec2(0.9F, 0.95F)}) {

@@ -1,3 +1,4 @@
+#include "app/ui/state/layout.h"
 #include "app/ui/view/panes.h"
 
 #include <gmock/gmock.h>

@@ -32,40 +32,40 @@ protected:
 TEST_F(RendererChoice, TheMenuBarChoosesAmongThem) {
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         click("renderer:" + std::string(row.label));
-        EXPECT_EQ(session->window.view.renderer, static_cast<RendererKind>(row.value)) << row.label;
+        EXPECT_EQ(session->view.renderer, static_cast<RendererKind>(row.value)) << row.label;
     }
     EXPECT_FALSE(session->document.history.canUndo()) << "it is no edit of the scene";
 }
 
 TEST_F(RendererChoice, KeysAndTheViewMenuChooseToo) {
     key('3');
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+    EXPECT_EQ(session->view.renderer, RendererKind::Reference);
     key('2');
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_EQ(session->view.renderer, RendererKind::Shader);
     click("menu:View");
     click("menu:Drawn by: Fixed function");
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Fixed);
+    EXPECT_EQ(session->view.renderer, RendererKind::Fixed);
 }
 
 TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropy) {
     Scene scene = defaultScene();
     scene.textures[0].maxAnisotropy = 8;
     start(std::move(scene), 800, 500);
-    showOne(session->window.view, RendererKind::Reference);
+    showOne(session->view, RendererKind::Reference);
     const auto probes = view();
     click("menu:View");
     click("menu:Anisotropy of the reference: Ellipse");
-    EXPECT_EQ(session->window.view.anisotropy, reference::AnisotropyMethod::Ellipse);
+    EXPECT_EQ(session->view.anisotropy, reference::AnisotropyMethod::Ellipse);
     EXPECT_FALSE(view() == probes);
 }
 
 TEST_F(RendererChoice, TheReferenceHasBothEndsOfRho) {
     start(defaultScene(), 800, 500);
-    showOne(session->window.view, RendererKind::Reference);
+    showOne(session->view, RendererKind::Reference);
     const auto ideal = view();
     click("menu:View");
     click("menu:rho of the reference: Lower end");
-    EXPECT_EQ(session->window.view.rho, reference::RhoMethod::Lower);
+    EXPECT_EQ(session->view.rho, reference::RhoMethod::Lower);
     EXPECT_FALSE(view() == ideal);
 }
 
@@ -76,7 +76,7 @@ protected:
         view::OfferedRenderers offered;
         for (const RendererKind kind : kinds)
             offered.withhold(kind, "the driver has none");
-        std::ignore = offerRenderers(session->window.view, offered);
+        std::ignore = offerRenderers(session->view, offered);
         frames(2);
     }
     /// Whether a tooltip is visible.
@@ -90,45 +90,44 @@ protected:
 
 TEST_F(FewerRenderers, WhatIsNotThereIsDimAndSaysWhy) {
     lack({RendererKind::Fixed});
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
-    EXPECT_THAT(session->window.view.compared,
-                testing::ElementsAre(RendererKind::Shader, RendererKind::Reference));
+    EXPECT_EQ(session->view.renderer, RendererKind::Shader);
+    EXPECT_THAT(session->view.compared, testing::ElementsAre(RendererKind::Shader, RendererKind::Reference));
     click("renderer:Fixed function");
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_EQ(session->view.renderer, RendererKind::Shader);
     EXPECT_TRUE(hasTip() || has("hint"));
     click("menu:View");
     click("menu:Drawn by: Fixed function");
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_EQ(session->view.renderer, RendererKind::Shader);
     click("menu:Drawn by: Reference");
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+    EXPECT_EQ(session->view.renderer, RendererKind::Reference);
     key('1');
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
-    EXPECT_THAT(session->window.notice.text, testing::HasSubstr("the driver has none"));
+    EXPECT_EQ(session->view.renderer, RendererKind::Reference);
+    EXPECT_THAT(session->look.notice.text, testing::HasSubstr("the driver has none"));
 }
 
 TEST_F(FewerRenderers, TwoAreComparedAndTheThirdIsNoChoice) {
     lack({RendererKind::Shader});
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Fixed);
+    EXPECT_EQ(session->view.renderer, RendererKind::Fixed);
     click("renderer:Compare");
-    EXPECT_TRUE(isComparing(session->window.view));
+    EXPECT_TRUE(isComparing(session->view));
     click("compared:1");
     click("compared:1=shader");
-    EXPECT_EQ(session->window.view.compared[1], RendererKind::Reference);
+    EXPECT_EQ(session->view.compared[1], RendererKind::Reference);
     key(ui::key::escape);
     click("arrangement:Side by side");
-    EXPECT_THAT(shownRenderers(session->window.view),
+    EXPECT_THAT(shownRenderers(session->view),
                 testing::ElementsAre(RendererKind::Fixed, RendererKind::Reference));
     frames(3);
 }
 
 TEST_F(FewerRenderers, OneAloneIsNotCompared) {
-    showComparison(session->window.view);
+    showComparison(session->view);
     lack({RendererKind::Fixed, RendererKind::Shader});
-    EXPECT_FALSE(isComparing(session->window.view));
+    EXPECT_FALSE(isComparing(session->view));
     click("renderer:Compare");
     key('4');
-    EXPECT_FALSE(isComparing(session->window.view));
-    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+    EXPECT_FALSE(isComparing(session->view));
+    EXPECT_EQ(session->view.renderer, RendererKind::Reference);
 }
 
 TEST_F(FewerRenderers, ASentenceSaysWhatGaveWay) {
@@ -159,7 +158,7 @@ TEST_F(RendererChoice, IsInReachAtEverySize) {
                 click("menu:View");
             }
             click(has("renderer:Reference") ? "renderer:Reference" : "menu:Drawn by: Reference");
-            EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+            EXPECT_EQ(session->view.renderer, RendererKind::Reference);
             EXPECT_TRUE(has("play"));
             EXPECT_TRUE(has("a-b row:keep") || scale > 1 || width < 1024);
             for (const auto& [name, item] : places.items) {
@@ -183,7 +182,7 @@ TEST_F(RendererChoice, EachDrawsThePictureItself) {
     start(defaultScene(), 800, 500);
     std::vector<std::vector<std::byte>> pictures;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        showOne(session->window.view, static_cast<RendererKind>(row.value));
+        showOne(session->view, static_cast<RendererKind>(row.value));
         pictures.push_back(view());
     }
     for (std::size_t i = 1; i < pictures.size(); ++i) {

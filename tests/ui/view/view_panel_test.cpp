@@ -29,14 +29,14 @@ protected:
 TEST_F(ViewPanel, AClickPicksAVertexAndMarksIt) {
     const ImVec2 at = pixelOf(0, 2);
     clickAt({at.x + 2, at.y - 1});
-    ASSERT_TRUE(session->window.selection.vertex.has_value());
-    EXPECT_EQ(session->window.selection.model, 0);
-    EXPECT_EQ(*session->window.selection.vertex, 2U);
+    ASSERT_TRUE(session->look.selection.vertex.has_value());
+    EXPECT_EQ(session->look.selection.model, 0);
+    EXPECT_EQ(*session->look.selection.vertex, 2U);
     EXPECT_NEAR(places.items.at("marker").left, at.x, 1);
     EXPECT_NEAR(places.items.at("marker").top, at.y, 1);
     EXPECT_FALSE(session->document.history.canUndo()) << "selecting is no edit";
     clickAt(corner());
-    EXPECT_FALSE(session->window.selection.vertex.has_value());
+    EXPECT_FALSE(session->look.selection.vertex.has_value());
 }
 
 TEST_F(ViewPanel, ADragOrbitsAndIsNoPick) {
@@ -46,7 +46,7 @@ TEST_F(ViewPanel, ADragOrbitsAndIsNoPick) {
     EXPECT_NEAR(scene().view.azimuth, before.azimuth - 50 * 0.4F, 6 * 0.4F);
     EXPECT_NEAR(scene().view.elevation, before.elevation + 20 * 0.4F, 6 * 0.4F);
     EXPECT_EQ(scene().view.target, before.target);
-    EXPECT_FALSE(session->window.selection.vertex.has_value());
+    EXPECT_FALSE(session->look.selection.vertex.has_value());
     drag(corner(), {50, 20});
     key('Z', {ctrl});
     EXPECT_EQ(scene().view, before) << "looking around is one step";
@@ -78,11 +78,11 @@ TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
     setHeld(ctrl, true);
     wheel(pixelOf(0, 2), 1);
     wheel(pixelOf(0, 2), 1);
-    EXPECT_EQ(session->window.view.zoom.factor, 4);
+    EXPECT_EQ(session->view.zoom.factor, 4);
     setHeld(ctrl, false);
     const ImVec2 where = pixelOf(0, 2); // of the vertex, which stayed under the mouse
     clickAt(where);
-    EXPECT_EQ(session->window.selection.vertex, 2U);
+    EXPECT_EQ(session->look.selection.vertex, 2U);
     EXPECT_NEAR(places.items.at("marker").left, where.x, 2); // half a pixel of the enlarged picture
     frames(25);                                              // the next press is no double click
     setHeld(ctrl, true);
@@ -95,7 +95,7 @@ TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
 
 TEST_F(ViewPanel, AnEnlargedPictureShowsItsPixelsAsSquares) {
     const ImVec2 at = pixelOf(0, 2);
-    zoomPictures(session->window.view, layout, at, 5);
+    zoomPictures(session->view, layout, at, 5);
     const Image window = picture();
     for (int y = layout.picture.y; y < layout.picture.bottom(); ++y) {
         int changes = 0;
@@ -135,7 +135,7 @@ TEST_F(ViewPanel, TheButtonsShowOneShapeAndSelectIt) {
     click("show:Sphere");
     EXPECT_FALSE(scene().models[0].visible);
     EXPECT_TRUE(scene().models[1].visible);
-    EXPECT_EQ(session->window.selection.model, 1);
+    EXPECT_EQ(session->look.selection.model, 1);
     click("show:Floor");
     ASSERT_EQ(scene().models.size(), 3U);
     EXPECT_EQ(scene().models[2].shape, Shape::Floor);

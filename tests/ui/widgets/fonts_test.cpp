@@ -1,5 +1,5 @@
 #include "app/lettering/font_lettering.h"
-#include "app/ui/model/details_tabs.h"
+#include "app/ui/state/details_tabs.h"
 #include "app/ui/widgets/fonts.h"
 #include "app/ui/widgets/theme.h"
 #include "tests/ui/workbench.h"
@@ -146,7 +146,7 @@ TEST_F(Names, InAnyScriptAreShownByEveryPanelInEnglish) {
     scene.textures[0].file = "纹理图像.png";
     start(std::move(scene));
     for (const TabRow& tab : tabRows) {
-        showTab(session->window.settings.workspace, tab.tab);
+        showTab(session->settings.workspace, tab.tab);
         frames(5);
         for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
             EXPECT_FALSE(isDrawn(*font->FallbackGlyph)) << tab.name;

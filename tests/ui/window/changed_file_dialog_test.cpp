@@ -1,4 +1,4 @@
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "core/files/file_io.h"
 #include "core/scene/params/json.h"
@@ -40,11 +40,11 @@ protected:
 TEST_F(ChangedFileDialog, NamesWhatDiffersAndKeepsMine) {
     key('S', {ctrl});
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::FileHasChanged);
+    ASSERT_EQ(session->asking.dialog, Dialog::FileHasChanged);
     EXPECT_TRUE(has("changed:textures[0].wrapS"));
     EXPECT_TRUE(has("changed:textures[0].wrapT"));
     click("changed:mine");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(saved(), scene());
     EXPECT_FALSE(isDirty(session->document));
 }
@@ -66,7 +66,7 @@ TEST_F(ChangedFileDialog, SavesElsewhere) {
     frames(3);
     click("changed:elsewhere");
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveScene);
     type((folder / "mine.json").string());
     key(key::enter);
     EXPECT_EQ(session->document.file, folder / "mine.json");
@@ -76,12 +76,12 @@ TEST_F(ChangedFileDialog, SavesElsewhere) {
 TEST_F(ChangedFileDialog, StandsBeforeWhatWaitsForTheSaving) {
     newScene();
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::Discard);
+    ASSERT_EQ(session->asking.dialog, Dialog::Discard);
     click("discard:save");
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::FileHasChanged);
+    ASSERT_EQ(session->asking.dialog, Dialog::FileHasChanged);
     key(key::escape);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(session->document.file, file) << "nothing has happened";
     newScene();
     frames(3);
@@ -97,10 +97,10 @@ TEST_F(ChangedFileDialog, SaysThatTheFileIsNoSceneAnyMore) {
     write("{");
     key('S', {ctrl});
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::FileHasChanged);
+    ASSERT_EQ(session->asking.dialog, Dialog::FileHasChanged);
     EXPECT_TRUE(has("changed:problem"));
     click("changed:theirs"); // which there are none of
-    EXPECT_EQ(session->window.dialog, Dialog::FileHasChanged);
+    EXPECT_EQ(session->asking.dialog, Dialog::FileHasChanged);
     click("changed:mine");
     EXPECT_EQ(saved(), scene());
 }
@@ -114,7 +114,7 @@ TEST_F(ChangedFileDialog, AsksAgainWhereWhatIsToBeOverwrittenChanges) {
     EXPECT_THAT(states.dialogs.browser.error, HasSubstr("other.json exists"));
     std::ofstream(other) << "of another program";
     click("browser:ok");
-    EXPECT_EQ(session->window.dialog, Dialog::SaveScene);
+    EXPECT_EQ(session->asking.dialog, Dialog::SaveScene);
     EXPECT_EQ(readText(other).value(), "of another program");
     click("browser:ok");
     EXPECT_EQ(session->document.file, other);

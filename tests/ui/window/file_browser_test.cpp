@@ -1,5 +1,5 @@
-#include "app/ui/model/asking.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/files/asking.h"
+#include "app/ui/files/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "core/codec/png/png.h"
 #include "core/files/file_io.h"
@@ -39,20 +39,20 @@ protected:
 TEST_F(FileBrowserDialog, SaysWhatAnEmptyFolderLacks) {
     session->document.file = folder / "mine.texplorer.json";
     key('S', {ctrl, shift});
-    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveScene);
     EXPECT_TRUE(has("browser:There are no files to replace here."));
     key(key::escape);
     key('O', {ctrl});
-    ASSERT_EQ(session->window.dialog, Dialog::OpenScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::OpenScene);
     EXPECT_TRUE(has("browser:There are no files to open here."));
 }
 
 TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
     change();
     key('S', {ctrl});
-    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveScene);
     enter(folder / "mine");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(session->document.file, folder / "mine.texplorer.json"); // the extension is added
     EXPECT_FALSE(isDirty(session->document));
     const Scene saved = scene();
@@ -62,12 +62,12 @@ TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
     choose("textures[0].wrapS", "GL_REPEAT");
     EXPECT_TRUE(isDirty(session->document));
     key('S', {ctrl}); // straight into the same file
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(parseScene(readText(folder / "mine.texplorer.json").value()).value().textures[0].wrapS,
               Wrap::Repeat);
 
     key('O', {ctrl});
-    ASSERT_EQ(session->window.dialog, Dialog::OpenScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::OpenScene);
     write(folder / "other.json", R"({"version": 1, "textures": [{"wrapT": "GL_CLAMP"}]})");
     enter(folder / "other.json");
     EXPECT_EQ(texture().wrapT, Wrap::Clamp);
@@ -105,7 +105,7 @@ TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
     EXPECT_FALSE(isDirty(session->document));
     EXPECT_THAT(requests.title, HasSubstr("made.texplorer.json - "));
     key('S', {ctrl}); // asks for a name, and has one
-    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveScene);
     key(key::enter);
     EXPECT_EQ(session->document.file, folder / "made.texplorer.json");
     EXPECT_EQ(readFile(folder / "made.png").value(), png);
@@ -121,9 +121,9 @@ TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
         made, encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value()));
     requestOpen(*session, {made});
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::Picture);
+    ASSERT_EQ(session->asking.dialog, Dialog::Picture);
     click("picture:cancel");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(scene().textures, defaultScene().textures);
 
     requestOpen(*session, {made});
@@ -137,7 +137,7 @@ TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
     frames(3);
     click("picture:scene");
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::Discard);
+    ASSERT_EQ(session->asking.dialog, Dialog::Discard);
     click("discard:drop");
     frames(2);
     EXPECT_EQ(texture().wrapS, Wrap::MirroredRepeat);
@@ -145,7 +145,7 @@ TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
     start(defaultScene());
     ASSERT_TRUE(openArguments(*session, {made}));
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::Picture);
+    ASSERT_EQ(session->asking.dialog, Dialog::Picture);
     click("picture:image");
     frames(2);
     EXPECT_EQ(texture().source, SourceKind::File);
@@ -156,11 +156,11 @@ TEST_F(FileBrowserDialog, AnExistingFileIsNotReplacedUnasked) {
     write(folder / "old.json", "precious");
     key('S', {ctrl, shift});
     enter(folder / "old.json");
-    EXPECT_EQ(session->window.dialog, Dialog::SaveScene);
+    EXPECT_EQ(session->asking.dialog, Dialog::SaveScene);
     EXPECT_THAT(states.dialogs.browser.error, HasSubstr("old.json exists"));
     EXPECT_EQ(readText(folder / "old.json").value(), "precious");
     click("browser:ok");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_NE(readText(folder / "old.json").value(), "precious");
 }
 
@@ -183,11 +183,11 @@ TEST_P(RefusedScene, SaysWhyAndChangesNothing) {
         write(folder / GetParam().file, GetParam().content);
     key('O', {ctrl});
     enter(folder / GetParam().file);
-    EXPECT_EQ(session->window.dialog, Dialog::OpenScene) << "the list stays open";
+    EXPECT_EQ(session->asking.dialog, Dialog::OpenScene) << "the list stays open";
     EXPECT_THAT(states.dialogs.browser.error, HasSubstr(GetParam().sentence));
     EXPECT_TRUE(has("browser:error"));
     key(key::escape);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(scene(), before);
     EXPECT_TRUE(session->document.file.empty());
 }
@@ -205,8 +205,8 @@ TEST_F(FileBrowserDialog, AMissingImageIsSaidOnceTheListIsClosed) {
     write(folder / "image.json", R"({"textures": [{"source": "file", "file": "gone.bmp"}]})");
     key('O', {ctrl});
     enter(folder / "image.json");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
-    EXPECT_THAT(session->window.notice.text, HasSubstr("gone.bmp"));
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
+    EXPECT_THAT(session->look.notice.text, HasSubstr("gone.bmp"));
     EXPECT_TRUE(has("notice"));
     EXPECT_EQ(scene(), before);
     EXPECT_TRUE(session->document.file.empty());
@@ -215,7 +215,7 @@ TEST_F(FileBrowserDialog, AMissingImageIsSaidOnceTheListIsClosed) {
 TEST_F(FileBrowserDialog, AFolderThatCannotBeWrittenIsSaid) {
     key('S', {ctrl});
     enter(folder / "no such folder" / "a.json");
-    EXPECT_EQ(session->window.dialog, Dialog::SaveScene);
+    EXPECT_EQ(session->asking.dialog, Dialog::SaveScene);
     EXPECT_THAT(states.dialogs.browser.error, HasSubstr("no folder"));
     key(key::escape);
     EXPECT_TRUE(session->document.file.empty());
@@ -247,11 +247,11 @@ TEST_F(FileBrowserDialog, ChangesAreNotLostUnasked) {
     change();
     requestQuit(*session);
     frames(3);
-    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_EQ(session->asking.dialog, Dialog::Discard);
     EXPECT_TRUE(ImGui::FindWindowByName("Unsaved changes in this scene"));
     EXPECT_FALSE(requests.quit);
     click("discard:cancel");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
 
     click("menu:File");
@@ -263,7 +263,7 @@ TEST_F(FileBrowserDialog, ChangesAreNotLostUnasked) {
     requestQuit(*session);
     frames(3);
     click("discard:save");
-    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveScene);
     type((folder / "kept.json").string());
     setHeld(key::enter, true);
     bool quit = false;

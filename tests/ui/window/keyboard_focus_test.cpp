@@ -35,16 +35,16 @@ TEST_F(KeyboardFocusTest, F6LeadsThroughAllPanelsAndBack) {
 }
 
 TEST_F(KeyboardFocusTest, SpaceWorksAControlUntilEscape) {
-    const bool playing = session->window.playback.playing;
+    const bool playing = session->look.playback.playing;
     key(ui::key::f6);
     EXPECT_TRUE(states.keyboard.walks);
     EXPECT_NE(ImGui::GetCurrentContext()->NavId, 0U);
     key(ui::key::down);
     key(ui::key::escape);
     EXPECT_FALSE(states.keyboard.walks);
-    EXPECT_EQ(session->window.playback.playing, playing);
+    EXPECT_EQ(session->look.playback.playing, playing);
     key(ui::key::space);
-    EXPECT_NE(session->window.playback.playing, playing);
+    EXPECT_NE(session->look.playback.playing, playing);
 }
 
 TEST_F(KeyboardFocusTest, AMenuOpensByKeysAlone) {

@@ -1,3 +1,4 @@
+#include "app/ui/state/layout.h"
 #include "app/ui/window/layout.h"
 #include "tests/ui/window_sizes.h"
 

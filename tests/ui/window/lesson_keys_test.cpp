@@ -1,6 +1,9 @@
 // The keys of NeHe's lesson 22, pressed while the lesson is open.
 
+#include "app/ui/files/lessons.h"
+#include "app/ui/files/replaced_document.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/model/playback.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/window/shortcuts.h"
 #include "tests/ui/workbench.h"
@@ -53,7 +56,7 @@ TEST_F(LessonKeys, AreThoseOfTheProgram) {
     key('B');
     EXPECT_THAT(passes(), ElementsAre(true, false, false, false, false, true, true));
     key('E');
-    EXPECT_EQ(scene(), session->window.lesson->start.scene);
+    EXPECT_EQ(scene(), session->lesson->start.scene);
 }
 
 TEST_F(LessonKeys, AChoiceThatAnotherOverridesIsKept) {
@@ -107,7 +110,7 @@ TEST_F(LessonKeys, DoNothingElse) {
     key(key::pageDown);
     EXPECT_NE(scene().view.distance, distance);
     EXPECT_EQ(scrollOfText(), 0);
-    session->window.lesson->usable.assign(session->window.lesson->usable.size(), false);
+    session->lesson->usable.assign(session->lesson->usable.size(), false);
     key(key::pageDown);
     EXPECT_GT(scrollOfText(), 0) << "a key that the step hasn't turns the page";
 }
@@ -140,7 +143,7 @@ TEST_F(LessonKeys, EachPressIsAStepOfUndo) {
     EXPECT_TRUE(has("lesson key:M=one unit"));
     undoOnce();
     EXPECT_TRUE(has("lesson key:M=two units"));
-    EXPECT_EQ(scene(), session->window.lesson->start.scene);
+    EXPECT_EQ(scene(), session->lesson->start.scene);
 }
 
 TEST_F(LessonKeys, ArrowsGoOnWhileTheyAreHeld) {
@@ -164,14 +167,14 @@ TEST_F(LessonKeys, ArrowsGoOnWhileTheyAreHeld) {
 
 TEST_F(LessonKeys, TheWindowGoesOnWhileOneIsHeld) {
     open();
-    session->window.playback.playing = false;
+    session->look.playback.playing = false;
     EXPECT_FALSE(isMoving(*session));
     setHeld(key::up, true);
     frames(2);
     EXPECT_TRUE(isMoving(*session));
-    const double time = session->window.playback.time;
+    const double time = session->look.playback.time;
     advance(*session, 1);
-    EXPECT_EQ(session->window.playback.time, time) << "the clock is stopped";
+    EXPECT_EQ(session->look.playback.time, time) << "the clock is stopped";
     setHeld(key::up, false);
     frames(2);
     EXPECT_FALSE(isMoving(*session));
@@ -179,13 +182,13 @@ TEST_F(LessonKeys, TheWindowGoesOnWhileOneIsHeld) {
 
 TEST_F(LessonKeys, GoBeforeTheWindowsOwn) {
     open();
-    session->window.explaining.pixel = {100, 100};
+    session->look.explaining.pixel = {100, 100};
     moveTo(ImVec2(static_cast<float>(layout.view.x + layout.view.width / 2),
                   static_cast<float>(layout.view.y + layout.view.height / 2)));
-    const auto before = session->window.explaining.pixel;
+    const auto before = session->look.explaining.pixel;
     key('E'); // held over the view it explains the pixel there
     key(key::left);
-    EXPECT_EQ(session->window.explaining.pixel, before);
+    EXPECT_EQ(session->look.explaining.pixel, before);
     key('F', {ctrl}); // with Control it is the window's
     EXPECT_EQ(texture().minFilter, MinFilter::Linear);
 }
@@ -196,7 +199,7 @@ TEST_F(LessonKeys, AreLettersWhereOneTypes) {
     frames(4);
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     key('M');
-    EXPECT_EQ(scene(), session->window.lesson->start.scene);
+    EXPECT_EQ(scene(), session->lesson->start.scene);
 }
 
 TEST_F(LessonKeys, AreClickedAsWell) {
@@ -204,7 +207,7 @@ TEST_F(LessonKeys, AreClickedAsWell) {
     click("lesson key:M");
     EXPECT_TRUE(has("lesson key:M=one unit"));
     click("lesson key:Up");
-    EXPECT_NEAR(scene().models[0].spin.x, session->window.lesson->start.scene.models[0].spin.x - 0.6F, 1e-4F);
+    EXPECT_NEAR(scene().models[0].spin.x, session->lesson->start.scene.models[0].spin.x - 0.6F, 1e-4F);
 }
 
 TEST_F(LessonKeys, DoNothingWhereTheSceneHasNotWhatTheyChange) {

@@ -1,5 +1,4 @@
-#include "app/ui/model/scene_files.h"
-#include "app/ui/model/scene_saving.h"
+#include "app/ui/files/scene_saving.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/window/text_size.h"
@@ -21,7 +20,7 @@ using testing::StartsWith;
 
 class MenuBar : public test::Workbench {
 protected:
-    [[nodiscard]] int& percent() { return session->window.settings.textPercent; }
+    [[nodiscard]] int& percent() { return session->settings.textPercent; }
 };
 
 TEST_F(MenuBar, TextGrowsAndShrinksByKeys) {
@@ -71,7 +70,7 @@ TEST_F(MenuBar, CtrlAndTheWheelResizeWhereNothingElseDoes) {
     EXPECT_EQ(percent(), 90);
     turn(place("view"), 1);
     EXPECT_EQ(percent(), 90) << "there it enlarges pixels";
-    EXPECT_EQ(session->window.view.zoom.factor, 2);
+    EXPECT_EQ(session->view.zoom.factor, 2);
     turn({static_cast<float>(layout.texture.x + 60), static_cast<float>(layout.texture.bottom() - 60)}, 1);
     EXPECT_EQ(percent(), 90);
     wheel(place("parameters"), -1);
@@ -93,7 +92,7 @@ TEST_F(MenuBar, AThemeIsChosenInTheMenu) {
     click("menu:View");
     click("menu:Theme");
     click("menu:Light colours");
-    EXPECT_EQ(session->window.settings.theme, Theme::Light);
+    EXPECT_EQ(session->settings.theme, Theme::Light);
     frames(1);
     EXPECT_EQ(static_cast<ImU32>(color::text), paletteOf(Theme::Light).text);
     EXPECT_EQ(ImGui::ColorConvertFloat4ToU32(ImGui::GetStyle().Colors[ImGuiCol_WindowBg]),
@@ -111,7 +110,7 @@ TEST_F(MenuBar, HelpStandsBelowOrBesideThePointer) {
     moveTo(place("play"));
     frames(2);
     EXPECT_TRUE(has("hint"));
-    session->window.settings.helpBelow = false;
+    session->settings.helpBelow = false;
     frames(2);
     EXPECT_FALSE(has("hint"));
 }
@@ -124,7 +123,7 @@ TEST_F(MenuBar, ALinkLeadsBackToTheScene) {
     click("menu:Copy link to this scene");
     const std::string link = ImGui::GetClipboardText();
     EXPECT_THAT(link, StartsWith("texplorer:1:"));
-    EXPECT_TRUE(session->window.notice.isGood);
+    EXPECT_TRUE(session->look.notice.isGood);
     const Scene copied = scene();
     start(defaultScene());
     ASSERT_NE(scene(), copied);
@@ -142,7 +141,7 @@ TEST_F(MenuBar, UnsavedChangesAreAskedAboutBeforeALinkIsOpened) {
     ImGui::SetClipboardText(link.c_str());
     key('V', {ctrl});
     frames(3);
-    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_EQ(session->asking.dialog, Dialog::Discard);
     EXPECT_EQ(texture().wrapS, Wrap::ClampToBorder);
     click("discard:drop");
     frames(3);
@@ -154,20 +153,20 @@ TEST_F(MenuBar, WhatIsNoLinkIsSaid) {
          {std::pair("some words", "no link"), std::pair("texplorer:1:%", "damaged"),
           std::pair("texplorer:2:AAAA", "later version")}) {
         ImGui::SetClipboardText(text);
-        session->window.notice = {};
+        session->look.notice = {};
         key('V', {ctrl});
-        EXPECT_THAT(session->window.notice.text, HasSubstr(said));
-        EXPECT_FALSE(session->window.notice.isGood);
+        EXPECT_THAT(session->look.notice.text, HasSubstr(said));
+        EXPECT_FALSE(session->look.notice.isGood);
     }
 }
 
 TEST_F(MenuBar, RecentFilesOpenAgain) {
     const test::TempDir folder;
     ASSERT_TRUE(saveScene(*session, folder / "mine.json"));
-    EXPECT_THAT(session->window.settings.recentFiles, ElementsAre(folder / "mine.json"));
-    const Settings settings = session->window.settings;
+    EXPECT_THAT(session->settings.recentFiles, ElementsAre(folder / "mine.json"));
+    const Settings settings = session->settings;
     start(defaultScene());
-    session->window.settings = settings;
+    session->settings = settings;
     click("menu:File");
     click("menu:Open recent");
     click("menu:mine.json");
@@ -176,7 +175,7 @@ TEST_F(MenuBar, RecentFilesOpenAgain) {
     click("menu:File");
     click("menu:Open recent");
     click("menu:Forget these files");
-    EXPECT_TRUE(session->window.settings.recentFiles.empty());
+    EXPECT_TRUE(session->settings.recentFiles.empty());
 }
 
 } // namespace

@@ -12,7 +12,7 @@ using namespace ui;
 
 class Notes : public test::Workbench {
 protected:
-    [[nodiscard]] ViewNotes& notes() { return session->window.notes; }
+    [[nodiscard]] ViewNotes& notes() { return session->notes; }
     /// A point of the picture area, as fractions of its size.
     [[nodiscard]] ImVec2 at(float x, float y) const {
         return {static_cast<float>(layout.canvas.x) + x * static_cast<float>(layout.canvas.width),
@@ -142,7 +142,7 @@ TEST_F(Notes, AreSeenWithTheirHalo) {
 TEST_F(Notes, GrowWithTheText) {
     write(at(0.4F, 0.4F), "words");
     const WidgetPlaces::Item before = places.items.find("note:0")->second;
-    session->window.settings.textPercent = 200;
+    session->settings.textPercent = 200;
     frames(3);
     const WidgetPlaces::Item after = places.items.find("note:0")->second;
     EXPECT_NEAR((after.right - after.left) / (before.right - before.left), 2, 0.15);

@@ -1,3 +1,4 @@
+#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
 
@@ -10,13 +11,13 @@ using reference::PixelPlace;
 class PixelKeys : public Workbench {
 protected:
     void begin() {
-        session->window.explaining.pixel = {100, 100};
+        session->look.explaining.pixel = {100, 100};
         moveTo(middleOf(layout.view));
     }
     static ImVec2 middleOf(const Rect& rect) {
         return {static_cast<float>(rect.x + rect.width / 2), static_cast<float>(rect.y + rect.height / 2)};
     }
-    [[nodiscard]] PixelPlace pixel() const { return session->window.explaining.pixel.value(); }
+    [[nodiscard]] PixelPlace pixel() const { return session->look.explaining.pixel.value(); }
 };
 
 TEST_F(PixelKeys, MoveThePixelThatIsExplained) {
@@ -35,7 +36,7 @@ TEST_F(PixelKeys, MoveThePixelThatIsExplained) {
 
 TEST_F(PixelKeys, KeepItInThePicture) {
     begin();
-    session->window.explaining.pixel = {3, layout.picture.height - 2};
+    session->look.explaining.pixel = {3, layout.picture.height - 2};
     key(key::left, {shift});
     key(key::up, {shift});
     EXPECT_EQ(pixel(), (PixelPlace{0, layout.picture.height - 1}));
@@ -48,7 +49,7 @@ TEST_F(PixelKeys, BelongToOthersElsewhere) {
         key(key::right);
     }
     EXPECT_EQ(pixel(), (PixelPlace{100, 100}));
-    closeTab(session->window.settings.workspace, Tab::Explain);
+    closeTab(session->settings.workspace, Tab::Explain);
     moveTo(middleOf(layout.view));
     key(key::right);
     EXPECT_EQ(pixel(), (PixelPlace{100, 100})) << "Explain is closed";

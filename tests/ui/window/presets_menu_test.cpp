@@ -32,14 +32,14 @@ TEST_F(PresetsMenu, IsOneStepOfUndoThatBearsItsName) {
     EXPECT_TRUE(scene().passes[0].alphaTest);
     EXPECT_EQ(texture().pattern, Pattern::Tree);
     EXPECT_EQ(session->document.history.undoName(), "Alpha test > 0.5");
-    EXPECT_THAT(session->window.notice.text, HasSubstr("the far sides show through the holes"));
+    EXPECT_THAT(session->look.notice.text, HasSubstr("the far sides show through the holes"));
     key('Z', {ctrl});
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(PresetsMenu, IsAboutTheSelectedUnit) {
-    session->window.selection.unit = 1;
+    session->look.selection.unit = 1;
     choosePreset("sphere-map");
     EXPECT_FALSE(scene().passes[0].units[0].texGenS.enabled);
     EXPECT_TRUE(scene().passes[0].units[1].texGenS.enabled);
@@ -49,15 +49,15 @@ TEST_F(PresetsMenu, ShowsWhatItWouldDoWhileThePointerRestsOnIt) {
     const Scene before = scene();
     click("menu:Presets");
     moveTo(place("preset:anisotropy"));
-    ASSERT_TRUE(session->window.preview);
-    EXPECT_EQ(session->window.preview->scene->textures[0].maxAnisotropy, 16);
+    ASSERT_TRUE(session->look.preview);
+    EXPECT_EQ(session->look.preview->scene->textures[0].maxAnisotropy, 16);
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canUndo());
     moveTo(place("preset:decal"));
-    ASSERT_TRUE(session->window.preview);
-    EXPECT_EQ(session->window.preview->scene->passes[0].units[0].envMode, EnvMode::Decal);
+    ASSERT_TRUE(session->look.preview);
+    EXPECT_EQ(session->look.preview->scene->passes[0].units[0].envMode, EnvMode::Decal);
     moveTo({600, 700});
-    EXPECT_FALSE(session->window.preview);
+    EXPECT_FALSE(session->look.preview);
 }
 
 TEST_F(PresetsMenu, ExplainsItselfBesideTheMenuAndThePicture) {
@@ -75,18 +75,18 @@ TEST_F(PresetsMenu, ExplainsItselfBesideTheMenuAndThePicture) {
 }
 
 TEST_F(PresetsMenu, LetsWhatMovesPlay) {
-    session->window.playback.playing = false;
+    session->look.playback.playing = false;
     choosePreset("decal");
-    EXPECT_FALSE(session->window.playback.playing);
+    EXPECT_FALSE(session->look.playback.playing);
     choosePreset("scroll");
-    EXPECT_TRUE(session->window.playback.playing);
+    EXPECT_TRUE(session->look.playback.playing);
 }
 
 TEST_F(PresetsMenu, SelectsAModelThatOneSees) {
-    session->window.selection.vertex = 3;
+    session->look.selection.vertex = 3;
     choosePreset("shimmer");
-    EXPECT_EQ(scene().models[static_cast<std::size_t>(session->window.selection.model)].shape, Shape::Floor);
-    EXPECT_FALSE(session->window.selection.vertex);
+    EXPECT_EQ(scene().models[static_cast<std::size_t>(session->look.selection.model)].shape, Shape::Floor);
+    EXPECT_FALSE(session->look.selection.vertex);
 }
 
 TEST_F(PresetsMenu, SaysWhyThereIsNoRoom) {
@@ -95,7 +95,7 @@ TEST_F(PresetsMenu, SaysWhyThereIsNoRoom) {
     const Scene before = scene();
     choosePreset("detail");
     EXPECT_EQ(scene(), before);
-    EXPECT_THAT(session->window.notice.text, HasSubstr("4 units"));
+    EXPECT_THAT(session->look.notice.text, HasSubstr("4 units"));
 }
 
 } // namespace

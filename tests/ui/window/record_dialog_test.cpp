@@ -1,4 +1,5 @@
-#include "app/ui/model/texshot_command.h"
+#include "app/ui/files/recording_file.h"
+#include "app/ui/files/texshot_command.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
@@ -13,10 +14,10 @@ using namespace test;
 class RecordDialog : public Workbench {
 protected:
     RecordDialog() {
-        session->window.playback.playing = false;
-        session->window.recording.width = 32;
-        session->window.recording.height = 20;
-        session->window.recording.perSecond = 4;
+        session->look.playback.playing = false;
+        session->recording.width = 32;
+        session->recording.height = 20;
+        session->recording.perSecond = 4;
         click("menu:File");
         frames(2);
         click("menu:Record animation…");
@@ -26,19 +27,19 @@ protected:
 
 TEST_F(RecordDialog, LeadsToAFile) {
     const TempDir folder;
-    ASSERT_EQ(session->window.dialog, Dialog::Record);
+    ASSERT_EQ(session->asking.dialog, Dialog::Record);
     EXPECT_TRUE(has("record:still")) << "nothing moves yet";
     click("record:GIF");
     click("record:choose");
     frames(3);
-    ASSERT_EQ(session->window.dialog, Dialog::SaveRecording);
+    ASSERT_EQ(session->asking.dialog, Dialog::SaveRecording);
     EXPECT_EQ(states.dialogs.browser.typed, "scene.gif");
     key('A', {ctrl});
     type((folder / "a").string());
     key(key::enter);
     frames(3);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
-    EXPECT_EQ(session->window.notice.text, "Written: " + (folder / "a.gif").string());
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
+    EXPECT_EQ(session->look.notice.text, "Written: " + (folder / "a.gif").string());
     EXPECT_TRUE(std::filesystem::exists(folder / "a.gif"));
 }
 
@@ -51,7 +52,7 @@ TEST_F(RecordDialog, KnowsHowLongTheKeyFramesAre) {
     type("1.5");
     key(key::enter);
     frames(2);
-    EXPECT_EQ(session->window.dialog, Dialog::Record) << "Enter ended the typing";
+    EXPECT_EQ(session->asking.dialog, Dialog::Record) << "Enter ended the typing";
     EXPECT_EQ(recordedSeconds(*session), 1.5F);
     click("record:as keys");
     frames(2);
@@ -60,15 +61,15 @@ TEST_F(RecordDialog, KnowsHowLongTheKeyFramesAre) {
 
 TEST_F(RecordDialog, SaysWhatCantBe) {
     click("record:GIF");
-    session->window.recording.perSecond = 80;
+    session->recording.perSecond = 80;
     frames(2);
     EXPECT_TRUE(has("record:problem"));
     click("record:choose");
     frames(2);
-    EXPECT_EQ(session->window.dialog, Dialog::Record);
+    EXPECT_EQ(session->asking.dialog, Dialog::Record);
     key(key::escape);
     frames(2);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
 }
 
 TEST_F(RecordDialog, CopiesItsCommand) {

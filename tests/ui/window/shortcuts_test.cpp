@@ -41,33 +41,33 @@ TEST_F(Workbench, CallsShortcutsAsOnTheKeyboard) {
 TEST_F(Workbench, TabShowsTheViewAlone) {
     const int before = layout.view.width;
     key(ui::key::tab);
-    EXPECT_EQ(maximisedOf(session->window.settings.workspace), Maximised::View);
+    EXPECT_EQ(maximisedOf(session->settings.workspace), Maximised::View);
     EXPECT_GT(layout.view.width, before);
     EXPECT_FALSE(has("textures[0].minFilter"));
     key(ui::key::tab);
-    EXPECT_EQ(maximisedOf(session->window.settings.workspace), Maximised::None);
+    EXPECT_EQ(maximisedOf(session->settings.workspace), Maximised::None);
     EXPECT_EQ(layout.view.width, before);
 }
 
 // Dear ImGui closes a menu before the panels are drawn: the key that closed it is no shortcut as well.
 TEST_F(Workbench, EscapeThatClosesAMenuLetsGoOfNothingElse) {
-    session->window.explaining.pixel = {3, 3};
+    session->look.explaining.pixel = {3, 3};
     frames(2);
     click("menu:Help");
     frames(2);
     ASSERT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
     key(ui::key::escape);
     EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
-    EXPECT_TRUE(session->window.explaining.pixel);
+    EXPECT_TRUE(session->look.explaining.pixel);
     key(ui::key::escape);
-    EXPECT_FALSE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->look.explaining.pixel);
 }
 
 TEST_F(Workbench, TabIsATextFieldsWhileItHasTheKeyboard) {
     key('F', {ctrl}); // the search among the parameters
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     key(ui::key::tab);
-    EXPECT_EQ(maximisedOf(session->window.settings.workspace), Maximised::None);
+    EXPECT_EQ(maximisedOf(session->settings.workspace), Maximised::None);
 }
 
 TEST_F(Workbench, F11FillsTheScreenAndGivesItBack) {
@@ -86,19 +86,19 @@ TEST_F(Workbench, F12AsksForAPicture) {
 
 TEST_F(Workbench, F1ListsTheKeys) {
     key(ui::key::f1);
-    EXPECT_EQ(session->window.dialog, Dialog::Help);
+    EXPECT_EQ(session->asking.dialog, Dialog::Help);
     EXPECT_TRUE(has("help:close"));
     key(ui::key::f11); // a dialog has its own keys
     EXPECT_FALSE(session->window.fillsScreen);
     key(ui::key::escape);
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
 }
 
 TEST_F(Workbench, AModifierMakesAnotherShortcut) {
     key('M', {shift});
-    EXPECT_FALSE(session->window.view.magnifies);
+    EXPECT_FALSE(session->view.magnifies);
     key('M');
-    EXPECT_TRUE(session->window.view.magnifies);
+    EXPECT_TRUE(session->view.magnifies);
 }
 
 } // namespace

@@ -15,7 +15,7 @@ protected:
 };
 
 TEST_F(StatusBar, TheConsequenceIsFirstAndTheDriverLast) {
-    session->window.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
+    session->look.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
     frames(3);
     const WidgetPlaces::Item& consequence = item("consequence");
     const WidgetPlaces::Item& driver = item("status");
@@ -27,7 +27,7 @@ TEST_F(StatusBar, TheConsequenceIsFirstAndTheDriverLast) {
 TEST_F(StatusBar, WhatIsWrongGoesBeforeTheConsequence) {
     texture().mipmaps = MipPolicy::None;
     texture().minFilter = MinFilter::NearestMipmapLinear;
-    session->window.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
+    session->look.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
     frames(3);
     EXPECT_TRUE(has("finding"));
     EXPECT_FALSE(has("consequence"));
@@ -53,7 +53,7 @@ TEST_F(StatusBar, TheHintStandsBetweenBoth) {
 }
 
 TEST_F(StatusBar, WhatWasDoneIsSaidUntilItIsDismissed) {
-    session->window.notice = {.text = "Written", .file = {}, .isGood = true};
+    session->look.notice = {.text = "Written", .file = {}, .isGood = true};
     frames(2);
     EXPECT_TRUE(has("notice"));
     click("dismiss notice");
@@ -63,7 +63,7 @@ TEST_F(StatusBar, WhatWasDoneIsSaidUntilItIsDismissed) {
 TEST_F(StatusBar, FitsIntoEveryWindow) {
     for (const int width : {320, 640, 1024, 3840}) {
         start(defaultScene(), width, 480);
-        session->window.notice = {.text = std::string(300, 'x'), .file = "/a", .isGood = false};
+        session->look.notice = {.text = std::string(300, 'x'), .file = "/a", .isGood = false};
         frames(3);
         expectSoundFrame();
         EXPECT_LE(item("notice").right, item("status").left) << width;

@@ -1,6 +1,6 @@
 // A window manager may make the window smaller than it asks for: nothing fits, and nothing may break.
 
-#include "app/ui/model/min_window_size.h"
+#include "app/ui/state/min_window_size.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::tiny_window_test {
@@ -17,9 +17,9 @@ protected:
     void tryAll(int width, int height) {
         SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
         start(defaultScene(), width, height);
-        session->window.selection.vertex = 3;
-        session->window.explaining.pixel = {0, 0};
-        session->window.view.magnifies = true;
+        session->look.selection.vertex = 3;
+        session->look.explaining.pixel = {0, 0};
+        session->view.magnifies = true;
         session->window.showRq = true;
         texture().mipmaps = MipPolicy::None; // something to say in the status bar
         unit().envMode = EnvMode::Combine;
@@ -35,14 +35,14 @@ protected:
         }
         for (const bool compares : {false, true}) {
             if (compares)
-                showComparison(session->window.view,
+                showComparison(session->view,
                                {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
             draw(2);
         }
-        session->window.refused = {{ErrorCode::NotFound, "is not there", "a.bmp"}};
+        session->asking.refused = {{ErrorCode::NotFound, "is not there", "a.bmp"}};
         for (const Dialog dialog : {Dialog::OpenScene, Dialog::OpenImage, Dialog::SaveScene,
                                     Dialog::SaveAnswers, Dialog::Discard, Dialog::Help, Dialog::Refused}) {
-            session->window.dialog = dialog;
+            session->asking.dialog = dialog;
             draw(2);
         }
     }

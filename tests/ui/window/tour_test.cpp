@@ -25,10 +25,10 @@ TEST_F(Tour, LeadsThroughItsSteps) {
     click("tour:Previous");
     EXPECT_EQ(session->window.tour, tourSteps - 2);
     click("tour:Next");
-    EXPECT_FALSE(session->window.settings.hasSeenTour);
+    EXPECT_FALSE(session->settings.hasSeenTour);
     click("tour:Done");
     EXPECT_FALSE(session->window.tour);
-    EXPECT_TRUE(session->window.settings.hasSeenTour);
+    EXPECT_TRUE(session->settings.hasSeenTour);
 }
 
 TEST_F(Tour, EndsWithSkipAndWithEscape) {
@@ -37,11 +37,11 @@ TEST_F(Tour, EndsWithSkipAndWithEscape) {
     click("tour:Skip");
     EXPECT_FALSE(session->window.tour);
     session->window.tour = 1;
-    session->window.explaining.pixel = {3, 3};
+    session->look.explaining.pixel = {3, 3};
     frames(3);
     key(ui::key::escape);
     EXPECT_FALSE(session->window.tour);
-    EXPECT_TRUE(session->window.explaining.pixel) << "one Escape does one thing";
+    EXPECT_TRUE(session->look.explaining.pixel) << "one Escape does one thing";
 }
 
 // Who clicks on must not find Previous below the pointer.

@@ -1,7 +1,7 @@
 // Menus and dialogs in another language: they have the same places for tests, and room for longer words.
 
+#include "app/ui/files/asking.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/model/asking.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 
@@ -61,7 +61,7 @@ TEST_F(TranslatedWindow, AButtonIsAsWideAsItsWords) {
     const WidgetPlaces::Item item = places.items.find("discard:save")->second;
     EXPECT_GE(item.right - item.left, ImGui::CalcTextSize(longSave.data()).x);
     click("discard:cancel");
-    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->asking.dialog, Dialog::None);
 }
 
 TEST_F(TranslatedWindow, TheTitleOfTheWindowIsTranslatedToo) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/ui/state/settings.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/files/file_fingerprint.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace texplorer::ui {
+
+/// The student's answers in all lessons, as JSON, to keep or hand in.
+[[nodiscard]] std::string answersText(const Settings& settings);
+
+/// The same as a file, written by writeFreely.
+[[nodiscard]] Result<std::filesystem::path> saveAnswers(const Settings& settings,
+                                                        const std::filesystem::path& file,
+                                                        const std::optional<FileFingerprint>& replaces = {});
+
+} // namespace texplorer::ui

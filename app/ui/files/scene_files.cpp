@@ -1,0 +1,357 @@
+#include "app/ui/files/scene_files.h"
+
+#include "app/ui/files/loads.h"
+#include "app/ui/files/replaced_document.h"
+#include "app/ui/files/scene_paths.h"
+#include "app/ui/files/scene_saving.h"
+#include "app/ui/model/notice.h"
+#include "app/ui/model/timeline_edits.h"
+#include "core/codec/image_file.h"
+#include "core/codec/registry.h"
+#include "core/files/file_io.h"
+#include "core/lesson/example.h"
+#include "core/scene/params/json.h"
+#include "core/scene/storage/scene_file.h"
+#include "core/scene/storage/scene_link.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same for a file that becomes an image of a source; absolute if the scene was never saved.
+std::string nameIn(const ImageSource& images, const fs::path& file) {
+    return images.directory().empty() ? absolutePath(file).generic_string()
+                                      : nameFrom(images.directory(), file);
+}
+
+/// The scene in the file, if it can be read: for undo and the mark of unsaved changes.
+SceneText savedScene(const fs::path& file) {
+    return file.empty() ? SceneText{defaultScene()} : readScene(file).value_or(SceneText{});
+}
+
+/// Replaces the document's scene by what another program has written, as a step of its history; the view
+/// stays.
+void replaceByFile(Session& session, Load load) {
+    Document document(std::move(load.scene), std::move(load.images), load.path);
+    document.fileHash = std::move(load.fileHash);
+    document.needsFit = false; // it was saved like this
+    document.kept = std::move(session.document.kept);
+    document.history = std::move(session.document.history);
+    document.history.seal();
+    document.history.record(document.scene, "Reload the file");
+    document.history.seal();
+    exchangeDocument(session, std::move(document));
+}
+
+/// Replaces the document by unsaved work, with its draft as this window's own.
+void replaceByUnsaved(Session& session, Load load) {
+    const UnsavedScene draft{load.path, load.images.directory(), load.scene, load.fileHash};
+    Document document(std::move(load.scene), std::move(load.images), load.path);
+    SceneText saved = savedScene(document.file);
+    if (saved.hash == load.fileHash) // otherwise it was written again since
+        document.fileHash = std::move(saved.hash);
+    document.saved = std::move(saved.scene);
+    document.needsFit = false; // the camera belongs to the work
+    replaceDocument(session, std::move(document));
+    if (UnsavedWork* unsaved = session.services.unsaved)
+        unsaved->autosave.adopt(unsaved->recovery.takeRestored(), draft);
+}
+
+} // namespace
+
+void bindFile(Scene& scene, int pass, int unit, std::string file) {
+    const auto at = std::min(static_cast<std::size_t>(pass), scene.passes.size() - 1);
+    Unit& shown = scene.passes[at].units[static_cast<std::size_t>(unit)];
+    const bool bound = shown.texture >= 0 && static_cast<std::size_t>(shown.texture) < scene.textures.size();
+    if (!bound) {
+        scene.textures.push_back({});
+        shown.texture = static_cast<int>(scene.textures.size()) - 1;
+    }
+    Texture& texture = scene.textures[static_cast<std::size_t>(shown.texture)];
+    texture.source = SourceKind::File;
+    texture.file = std::move(file);
+    shown.enabled = true;
+}
+
+void newScene(Session& session) {
+    replaceDocument(session, {defaultScene(), ImageSource{}});
+    showAsAtFirst(session.view);
+}
+
+Result<void> openExample(Session& session, std::string_view file) {
+    Result<Scene> scene = exampleScene(file);
+    if (!scene)
+        return fail(scene.error());
+    replaceDocument(session, {std::move(*scene), ImageSource{}});
+    return {};
+}
+
+Result<void> openScene(Session& session, const fs::path& path) {
+    Result<SceneText> read = readScene(path);
+    if (!read)
+        return fail(read.error());
+    const fs::path file = absolutePath(path);
+    rememberFile(session.settings, file);
+    const bool isPicture = isPictureWithScene(file);
+    fs::path suggested = file;
+    suggested.replace_extension(sceneExtension);
+    start(session, {.kind = Load::Kind::Scene,
+                    .path = isPicture ? fs::path() : file,
+                    .scene = std::move(read->scene),
+                    .before = session.document.scene,
+                    .images = ImageSource(file.parent_path()),
+                    .fileHash = std::move(read->hash),
+                    .suggested = isPicture ? std::move(suggested) : fs::path()});
+    return {};
+}
+
+void showLoadedScene(Session& session, Load load) {
+    const bool changedMeanwhile = session.document.scene != load.before && isDirty(session.document);
+    if (!changedMeanwhile && load.restores)
+        return replaceByUnsaved(session, std::move(load));
+    if (!changedMeanwhile && load.reloads)
+        return replaceByFile(session, std::move(load));
+    if (!changedMeanwhile) {
+        Document document(std::move(load.scene), std::move(load.images), load.path);
+        document.fileHash = std::move(load.fileHash);
+        if (!load.suggested.empty())
+            document.needsFit =
+                document.scene.view == defaultScene().view; // it shows the same as the picture
+        document.suggested = std::move(load.suggested);
+        return replaceDocument(session, std::move(document));
+    }
+    load.before = session.document.scene; // the next answer is for this scene
+    session.asking.pending = pending::ShowScene{std::make_shared<Load>(std::move(load))};
+    session.asking.dialog = Dialog::Discard;
+}
+
+void restoreUnsaved(Session& session, UnsavedScene draft) {
+    // A missing image does not lose the restored work: the load goes on without it.
+    start(session, {.kind = Load::Kind::Scene,
+                    .path = std::move(draft.file),
+                    .goesOn = true,
+                    .restores = true,
+                    .scene = std::move(draft.scene),
+                    .before = session.document.scene,
+                    .images = ImageSource(std::move(draft.folder)),
+                    .fileHash = std::move(draft.fileHash)});
+}
+
+void importImage(Session& session, const fs::path& path) {
+    rememberFile(session.settings, absolutePath(path));
+    std::string file = nameIn(session.document.images, path);
+    start(session, {.kind = Load::Kind::Import,
+                    .path = path,
+                    .file = std::move(file),
+                    .pass = session.look.selection.pass,
+                    .unit = session.look.selection.unit});
+}
+
+void setFile(Session& session, std::string param, std::string file) {
+    const fs::path path = session.document.images.directory() / file;
+    start(session,
+          {.kind = Load::Kind::SetFile, .path = path, .file = std::move(file), .param = std::move(param)});
+}
+
+void chooseFile(Session& session, std::string param, const fs::path& path) {
+    setFile(session, std::move(param), nameIn(session.document.images, path));
+}
+
+Result<std::string> sceneLink(const Session& session) {
+    Scene scene = session.document.scene;
+    renameFiles(scene,
+                [&](const std::string& file) { // there is no folder that file names could be relative to
+                    return absolutePath(session.document.images.directory() / file).generic_string();
+                });
+    return writeSceneLink(scene);
+}
+
+Result<void> openSceneLink(Session& session, std::string_view link) {
+    Result<Scene> scene = parseSceneLink(link);
+    if (!scene)
+        return fail(scene.error());
+    start(session, {.kind = Load::Kind::Scene,
+                    .goesOn = true,
+                    .scene = std::move(*scene),
+                    .before = session.document.saved, // otherwise the user is asked
+                    .images = ImageSource(fs::path{})});
+    return {};
+}
+
+Result<bool> holdsScene(const fs::path& path) {
+    const Result<Bytes> start = readFileStart(path, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return false;
+    if (path.extension() == ".json")
+        return true;
+    const auto isSpace = [](std::byte each) {
+        return each == std::byte{' '} || each == std::byte{'\n'} || each == std::byte{'\r'} ||
+               each == std::byte{'\t'};
+    };
+    const auto first = std::ranges::find_if_not(*start, isSpace);
+    return first != start->end() && *first == std::byte{'{'};
+}
+
+Result<void> openFile(Session& session, const fs::path& path) {
+    const Result<bool> scene = holdsScene(path);
+    if (!scene)
+        return fail(scene.error());
+    if (*scene)
+        return openScene(session, path);
+    importImage(session, path);
+    return {};
+}
+
+namespace {
+
+/// The kind of a file, or why it cannot be opened.
+Result<bool> checkFile(const fs::path& file) {
+    const Result<bool> scene = holdsScene(file);
+    if (!scene)
+        return fail(scene.error());
+    if (*scene) {
+        if (const Result<SceneText> parsed = readScene(file); !parsed)
+            return fail(parsed.error());
+        return true;
+    }
+    const Result<Bytes> start = readFileStart(file, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return false;
+    const Result<TextureImage> refused = decodeTexture(*start);
+    if (!refused)
+        return fail(refused.error().code, refused.error().message, file.string());
+    return false;
+}
+
+/// Several files as one load: invalid files and a second scene are already refused.
+Load sorted(const Session& session, const std::vector<fs::path>& files) {
+    Load load{
+        .kind = Load::Kind::Add, .pass = session.look.selection.pass, .unit = session.look.selection.unit};
+    std::vector<fs::path> images;
+    for (const fs::path& file : files) {
+        const Result<bool> isScene = checkFile(file);
+        if (!isScene) {
+            load.refused.push_back(isScene.error());
+        } else if (!*isScene) {
+            images.push_back(file);
+        } else if (load.kind == Load::Kind::Scene) {
+            load.refused.push_back({ErrorCode::OutOfRange,
+                                    fmt::format("only one scene is shown at a time, and {} is opened",
+                                                load.path.filename().string()),
+                                    file.string()});
+        } else if (Result<SceneText> read = readScene(file)) {
+            load.kind = Load::Kind::Scene;
+            load.path = absolutePath(file);
+            load.scene = std::move(read->scene);
+            load.fileHash = std::move(read->hash);
+            load.images = ImageSource(load.path.parent_path());
+            load.pass = load.unit = 0;
+        } else {
+            load.refused.push_back(read.error());
+        }
+    }
+    const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.document.images;
+    for (const fs::path& image : images)
+        load.added.push_back(nameIn(target, image));
+    load.goesOn = files.size() > 1;
+    load.before = session.document.scene;
+    return load;
+}
+
+bool opensNothing(const Load& load) {
+    return load.kind == Load::Kind::Add && load.added.empty();
+}
+
+} // namespace
+
+void addImages(Scene& scene, const ImageSource& images, Load& load) {
+    bool first = true;
+    for (const std::string& name : load.added) {
+        if (!images.holds(name))
+            continue; // it was refused
+        if (first) {
+            bindFile(scene, load.pass, load.unit, name);
+            first = false;
+            continue;
+        }
+        if (scene.textures.size() >= maxTextures) {
+            load.refused.push_back({ErrorCode::TooLarge,
+                                    fmt::format("a scene has at most {} textures", maxTextures),
+                                    (images.directory() / name).string()});
+            continue;
+        }
+        Texture texture;
+        texture.source = SourceKind::File;
+        texture.mipmaps = MipPolicy::Generated;
+        texture.file = name;
+        scene.textures.push_back(std::move(texture));
+    }
+}
+
+std::vector<Error> checkArguments(const std::vector<fs::path>& files) {
+    std::vector<Error> refused;
+    for (const fs::path& file : files) {
+        if (const Result<bool> known = checkFile(file); !known)
+            refused.push_back(known.error());
+    }
+    return refused;
+}
+
+Result<void> openFiles(Session& session, const std::vector<fs::path>& files) {
+    if (files.size() == 1)
+        return openFile(session, files.front());
+    Load load = sorted(session, files);
+    if (opensNothing(load)) {
+        session.asking.refused.insert(session.asking.refused.end(), load.refused.begin(), load.refused.end());
+        return {};
+    }
+    start(session, std::move(load));
+    return {};
+}
+
+namespace {
+
+Result<void> beginWith(Session& session, const std::vector<fs::path>& files) {
+    Load load = sorted(session, files);
+    if (opensNothing(load))
+        return fail(load.refused.front());
+    for (const fs::path& file : files)
+        rememberFile(session.settings, absolutePath(file));
+    if (load.kind == Load::Kind::Add) { // opening them first is not an edit
+        load.kind = Load::Kind::Scene;
+        load.scene = session.document.scene;
+        load.images = ImageSource(session.document.images.directory());
+    }
+    start(session, std::move(load));
+    return {};
+}
+
+} // namespace
+
+Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
+    if (files.empty())
+        return {};
+    if (files.size() != 1 || !isPictureWithScene(files.front()))
+        return beginWith(session, files);
+    session.asking.picture = {files.front(), true};
+    session.asking.dialog = Dialog::Picture;
+    return {};
+}
+
+void usePicture(Session& session) {
+    const AskedPicture asked = std::exchange(session.asking.picture, {});
+    report(session, asked.begins ? beginWith(session, {asked.file}) : openFile(session, asked.file),
+           asked.file);
+}
+
+} // namespace texplorer::ui

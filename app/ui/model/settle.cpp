@@ -1,0 +1,49 @@
+#include "app/ui/model/settle.h"
+
+#include "app/ui/model/kept.h"
+#include "app/ui/state/camera.h"
+#include "core/lesson/numbers.h"
+
+#include <optional>
+
+namespace texplorer::ui {
+namespace {
+
+/// A fitted camera that the user has not moved fills its picture when the picture's shape changes. This is
+/// not an edit: steps of the history and the saved scene with the same camera are changed as well.
+void followShape(Document& document, double time, float aspect) {
+    const Fit& fit = document.fit;
+    const bool follows = fit.aspect > 0 && fit.aspect != aspect && document.scene.view == fit.view;
+    if (!document.needsFit && !follows)
+        return;
+    const View before = document.scene.view;
+    fitDistance(document.scene, time, aspect);
+    document.needsFit = false;
+    document.fit = {document.scene.view, aspect};
+    document.history.replaceView(before, document.scene.view);
+    if (document.saved.view == before)
+        document.saved.view = document.scene.view;
+}
+
+/// Places a lesson's mark in the picture of any size.
+void placeMark(Session& session, lesson::PictureSize picture) {
+    std::optional<WantedProbe>& wanted = session.look.wantedProbe;
+    std::optional<reference::PixelPlace>& explained = session.look.explaining.pixel;
+    const bool isLeft = wanted && wanted->pixel && explained != wanted->pixel; // for another one, or none
+    if (isLeft || !session.lesson)
+        wanted.reset();
+    if (wanted)
+        explained = wanted->pixel = lesson::pixelOf(wanted->x, wanted->y, picture);
+}
+
+} // namespace
+
+void settle(Session& session, const Layout& layout) {
+    followShape(session.document, session.look.playback.time, aspectOf(layout));
+    showPresent(session);
+    bringSelectionBack(session);
+    followKept(session);
+    placeMark(session, {layout.picture.width, layout.picture.height});
+}
+
+} // namespace texplorer::ui

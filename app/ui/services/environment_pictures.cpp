@@ -1,0 +1,42 @@
+#include "app/ui/services/environment_pictures.h"
+
+#include "core/image/thumbnail.h"
+#include "core/reference/shading/environment_table.h"
+
+#include <utility>
+
+namespace texplorer::ui {
+
+EnvironmentPictures::EnvironmentPictures(When when, std::function<void()> wake)
+    : worker_(
+          {.when = when, .order = JobOrder::NewestWins, .wake = std::move(wake)},
+          [](const auto& task) {
+              const Question& asked = task.job();
+              const Image texels =
+                  asked.texels ? thumbnailOf(*asked.texels, maxExtent) : reference::hueAndAlpha(maxExtent);
+              return std::optional(std::make_shared<const Image>(reference::environmentPictures(
+                  texels, {.fragment = asked.fragment, .constant = asked.constant})));
+          },
+          [](const Question& /*question*/, const Error& /*error*/) {
+              return std::shared_ptr<const Image>();
+          }) {}
+
+std::shared_ptr<const Image> EnvironmentPictures::find(const Question& question) {
+    if (asked_ != question) {
+        asked_ = question;
+        worker_.ask(question);
+    }
+    for (std::shared_ptr<const Image>& made : worker_.take())
+        newest_ = std::move(made);
+    return newest_;
+}
+
+void EnvironmentPictures::rest() {
+    if (!asked_)
+        return;
+    worker_.clear();
+    asked_.reset();
+    newest_.reset();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,213 @@
+#include "app/ui/services/settings_file.h"
+
+#include "app/ui/services/settings_json.h"
+#include "app/ui/services/settings_merge.h"
+#include "core/files/file_io.h"
+#include "core/files/folder_lock.h"
+#include "core/files/user_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t maxSettingsBytes = std::size_t{1} << 20;
+constexpr FailureWords settingsFailure{"not enough memory for the settings", "the settings can't be saved"};
+
+fs::path placeIn(const fs::path& folder, const char* name) {
+    return folder.empty() ? folder : folder / "texplorer" / name;
+}
+
+std::string settingsProblem(const Error& error) {
+    return fmt::format("Settings can't be saved: {}.", describe(error));
+}
+
+/// Renames an existing file that cannot be parsed, so that it is not overwritten, without overwriting an
+/// earlier renamed one.
+std::string setAside(const fs::path& file, const Error& error) {
+    std::error_code failed;
+    fs::path broken = file;
+    broken += ".broken";
+    for (int number = 2; fs::exists(fs::symlink_status(broken, failed)); ++number)
+        broken = fmt::format("{}.broken-{}", file.string(), number);
+    fs::rename(file, broken, failed);
+    return failed ? fmt::format("{} can't be read ({}).", file.string(), describe(error))
+                  : fmt::format("{} can't be read ({}). It was renamed to {}.", file.string(),
+                                describe(error), broken.filename().string());
+}
+
+std::string leftOutText(const fs::path& file, const std::vector<std::string>& leftOut) {
+    if (leftOut.empty())
+        return {};
+    return fmt::format("{} has unknown values, which are ignored: {}.", file.string(),
+                       fmt::join(leftOut, ", "));
+}
+
+/// Empty if there is no file, or if it cannot be parsed and was renamed: then `problem` says so.
+template<class Parse>
+std::string readWhole(const fs::path& file, const Parse& parse, std::string& problem) {
+    std::error_code ignored;
+    if (file.empty() || !fs::exists(file, ignored))
+        return {};
+    Result<std::string> text = readText(file, maxSettingsBytes);
+    if (text && text->empty())
+        return {};
+    const Result<void> parsed = text ? parse(*text) : Result<void>(fail(text.error()));
+    if (parsed)
+        return *std::move(text);
+    problem = setAside(file, parsed.error());
+    return {};
+}
+
+/// Reads one of the files again and writes it if it changes. Returns an error message, or an empty text.
+template<class Parse, class Merge>
+std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& merge) {
+    std::error_code ignored; // reported by writing
+    fs::create_directories(file.parent_path(), ignored);
+    const FolderLock lock(
+        file.parent_path()); // otherwise a simultaneous change of another window could be lost
+    std::string problem;
+    const std::string there = readWhole(file, parse, problem);
+    const std::string text = merge(there);
+    if (file.empty() || text == there)
+        return problem;
+    const Result<void> written = writeFileAtomically(file, viewBytes(text));
+    return written ? problem : settingsProblem(written.error());
+}
+
+std::string writeChanges(const SettingsPlaces& places, const Settings& before, const Settings& now) {
+    std::string problem;
+    if (writeSettings(before) != writeSettings(now))
+        problem = mergeInto(
+            places.settings,
+            [](const std::string& text) {
+                std::vector<std::string> ignored; // they stay in the file
+                return parseKnownSettings(text, ignored).map([](const Settings&) {});
+            },
+            [&](const std::string& there) { return mergeSettings(there, before, now); });
+    if (before.recentFiles == now.recentFiles)
+        return problem;
+    std::vector<fs::path> files = before.recentFiles; // if there is no file
+    Settings merged;
+    std::string other = mergeInto(
+        places.recent,
+        [&](const std::string& text) {
+            std::vector<std::string> ignored;
+            return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> found) {
+                files = std::move(found);
+            });
+        },
+        [&](const std::string&) {
+            merged.recentFiles = mergeRecentFiles(files, before.recentFiles, now.recentFiles);
+            return writeRecentFiles(merged);
+        });
+    return problem.empty() ? other : problem;
+}
+
+} // namespace
+
+void rememberFile(Settings& settings, const fs::path& file) {
+    if (file.empty())
+        return;
+    std::erase(settings.recentFiles, file);
+    settings.recentFiles.insert(settings.recentFiles.begin(), file);
+    if (settings.recentFiles.size() > maxRecentFiles)
+        settings.recentFiles.resize(maxRecentFiles);
+}
+
+SettingsPlaces SettingsPlaces::ofUser() {
+    return {placeIn(userFolder("XDG_CONFIG_HOME", ".config"), "settings.json"),
+            placeIn(userFolder("XDG_STATE_HOME", ".local/state"), "recent.json")};
+}
+
+SettingsFile::SettingsFile(SettingsPlaces places, std::function<void()> wake, std::chrono::milliseconds delay,
+                           Clock clock)
+    : places_(std::move(places))
+    , delay_(std::chrono::duration<double>(delay).count())
+    , clock_(std::move(clock))
+    , writing_(
+          {When::WhenReady, JobOrder::Queue, settingsFailure, std::move(wake)},
+          [](const Writing::Task& task) {
+              const Job& job = task.job();
+              return Answer{job.before, writeChanges(job.places, job.before, job.now)};
+          },
+          [](const Job& job, const Error& error) {
+              return Answer{job.before, settingsProblem(error)};
+          }) {}
+
+SettingsFile::~SettingsFile() {
+    writing_.wait();
+    learn();
+    write(); // writes what is not written yet
+    writing_.wait();
+}
+
+Settings SettingsFile::read() {
+    std::string problem;
+    (void)readWhole(
+        places_.settings,
+        [&](const std::string& text) {
+            std::vector<std::string> leftOut;
+            return parseKnownSettings(text, leftOut).map([&](Settings settings) {
+                told_ = std::move(settings);
+                problem = leftOutText(places_.settings, leftOut);
+            });
+        },
+        problem);
+    (void)readWhole(
+        places_.recent,
+        [&](const std::string& text) {
+            std::vector<std::string> ignored; // lost recent files do not matter
+            return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> files) {
+                told_.recentFiles = std::move(files);
+            });
+        },
+        problem);
+    if (!problem.empty())
+        problem_ = std::move(problem);
+    written_ = told_;
+    return told_;
+}
+
+void SettingsFile::keep(const Settings& settings) {
+    if (settings != told_) {
+        told_ = settings;
+        if (!due_)
+            due_ = clock_() + delay_;
+    }
+    if (!due_ || clock_() < *due_)
+        return;
+    if (writing_.isWorking()) // its answer decides what is left to write
+        due_ = clock_() + delay_;
+    else
+        write();
+}
+
+void SettingsFile::learn() {
+    for (Answer& each : writing_.take()) {
+        if (each.problem.empty())
+            continue;
+        written_ = std::move(each.before); // so that it is tried again
+        problem_ = std::move(each.problem);
+    }
+}
+
+void SettingsFile::write() {
+    due_.reset();
+    learn();
+    if (written_ == told_)
+        return;
+    writing_.ask({places_, std::exchange(written_, told_), told_});
+}
+
+std::optional<std::string> SettingsFile::takeProblem() {
+    learn();
+    return std::exchange(problem_, std::nullopt);
+}
+
+} // namespace texplorer::ui

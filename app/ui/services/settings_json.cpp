@@ -1,0 +1,279 @@
+#include "app/ui/services/settings_json.h"
+
+#include "core/text/json_end.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+
+namespace texplorer::ui {
+namespace {
+
+using SettingsJson = nlohmann::ordered_json;
+
+constexpr std::size_t maxPinned = 1000;
+
+/// A stored member. `read` returns what it expected if it does not accept the value.
+struct SettingRow {
+    const char* key;
+    SettingsJson (*write)(const Settings& settings);
+    const char* (*read)(const SettingsJson& value, Settings& settings);
+};
+
+template<bool Settings::*member>
+constexpr SettingRow switchRow(const char* key) {
+    return {key, [](const Settings& settings) { return SettingsJson(settings.*member); },
+            [](const SettingsJson& value, Settings& settings) -> const char* {
+                if (!value.is_boolean())
+                    return "true or false";
+                settings.*member = value.get<bool>();
+                return nullptr;
+            }};
+}
+
+SettingsJson writeTheme(const Settings& settings) {
+    return std::ranges::find(themeRows, settings.theme, &ThemeRow::theme)->name;
+}
+
+const char* readTheme(const SettingsJson& value, Settings& settings) {
+    const auto row = value.is_string()
+                         ? std::ranges::find(themeRows, value.get<std::string>(), &ThemeRow::name)
+                         : themeRows.end();
+    if (row == themeRows.end())
+        return "the name of a theme";
+    settings.theme = row->theme;
+    return nullptr;
+}
+
+const char* readLanguage(const SettingsJson& value, Settings& settings) {
+    const auto row = value.is_string()
+                         ? std::ranges::find(languageRows, value.get<std::string>(), &LanguageRow::name)
+                         : languageRows.end();
+    if (row == languageRows.end())
+        return "the name of a language";
+    settings.language = row->language;
+    return nullptr;
+}
+
+const char* readTextPercent(const SettingsJson& value, Settings& settings) {
+    if (!value.is_number_integer() || value < Settings::minText || value > Settings::maxText)
+        return "a whole number from 75 to 250";
+    settings.textPercent = value.get<int>();
+    return nullptr;
+}
+
+const char* readPinned(const SettingsJson& value, Settings& settings) {
+    const auto isText = [](const SettingsJson& each) { return each.is_string(); };
+    if (!value.is_array() || value.size() > maxPinned || !std::ranges::all_of(value, isText))
+        return "a list of parameters";
+    settings.pinned = value.get<std::vector<std::string>>();
+    return nullptr;
+}
+
+SettingsJson writeLessons(const Settings& settings) {
+    SettingsJson lessons = SettingsJson::object();
+    for (const auto& [name, records] : settings.lessons) {
+        SettingsJson steps = SettingsJson::array();
+        for (const StepRecord& record : records)
+            steps.push_back({record.done, record.tries, record.answer});
+        lessons[name] = std::move(steps);
+    }
+    return lessons;
+}
+
+const char* readLessons(const SettingsJson& value, Settings& settings) {
+    constexpr const char* expected = "of each lesson a list of steps, each true or false and two numbers";
+    if (!value.is_object() || value.size() > maxLessonsKept)
+        return expected;
+    std::map<std::string, std::vector<StepRecord>> lessons;
+    for (const auto& [name, steps] : value.items()) {
+        if (!steps.is_array() || steps.size() > maxStepsKept)
+            return expected;
+        for (const SettingsJson& step : steps) {
+            const auto isWithin = [](const SettingsJson& each, int min, int max) {
+                return each.is_number_integer() && each >= min && each <= max;
+            };
+            if (!step.is_array() || step.size() != 3 || !step[0].is_boolean() ||
+                !isWithin(step[1], 0, maxTriesKept) || !isWithin(step[2], -1, maxTriesKept))
+                return expected;
+            lessons[name].push_back({step[0].get<bool>(), step[1].get<int>(), step[2].get<int>()});
+        }
+    }
+    settings.lessons = std::move(lessons);
+    return nullptr;
+}
+
+const char* readWorkspace(const SettingsJson& value, Settings& settings) {
+    Result<Workspace> workspace = parseWorkspace(value.dump());
+    if (!workspace)
+        return "which panels are open, and where";
+    settings.workspace = *workspace;
+    return nullptr;
+}
+
+constexpr std::array settingRows{
+    SettingRow{"theme", writeTheme, readTheme},
+    SettingRow{"language",
+               [](const Settings& settings) { return SettingsJson(rowOf(settings.language).name); },
+               readLanguage},
+    SettingRow{"textPercent", [](const Settings& settings) { return SettingsJson(settings.textPercent); },
+               readTextPercent},
+    switchRow<&Settings::glNames>("glNames"),
+    switchRow<&Settings::helpBelow>("helpBelow"),
+    switchRow<&Settings::hasSeenTour>("hasSeenTour"),
+    SettingRow{"pinned", [](const Settings& settings) { return SettingsJson(settings.pinned); }, readPinned},
+    SettingRow{"lessons", writeLessons, readLessons},
+    SettingRow{
+        "workspace",
+        [](const Settings& settings) { return SettingsJson::parse(writeWorkspace(settings.workspace)); },
+        readWorkspace},
+};
+
+Result<SettingsJson> parseText(std::string_view json) {
+    if (const Result<void> whole = checkNoNul(json); !whole)
+        return fail(whole.error());
+    constexpr int maxDepth = 32; // nlohmann-json writes recursively
+    bool isTooDeep = false;
+    SettingsJson value = SettingsJson::parse(
+        json,
+        [&isTooDeep](int depth, SettingsJson::parse_event_t, const SettingsJson&) {
+            isTooDeep = isTooDeep || depth > maxDepth;
+            return !isTooDeep;
+        },
+        false);
+    if (isTooDeep)
+        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxDepth));
+    if (value.is_discarded())
+        return fail(ErrorCode::Malformed, "expected JSON");
+    return value;
+}
+
+Result<SettingsJson> parseObject(std::string_view json) {
+    Result<SettingsJson> object = parseText(json);
+    if (object && !object->is_object())
+        return fail(ErrorCode::Malformed, "expected an object");
+    return object;
+}
+
+/// A value without its unknown members; none: all of it is unknown. A list within an object is known as a
+/// whole or not at all, since the positions in it have a meaning.
+std::optional<SettingsJson> knownPart(const SettingsJson& value,
+                                      const std::function<bool(const SettingsJson&)>& isKnown,
+                                      const SettingsJson::json_pointer& where,
+                                      std::vector<std::string>& leftOut, bool isMember = false) {
+    if (isKnown(value))
+        return value;
+    if (value.is_object()) {
+        SettingsJson known = SettingsJson::object();
+        for (const auto& [key, member] : value.items()) {
+            const auto isKnownMember = [&isKnown, &name = key](const SettingsJson& part) {
+                return isKnown(SettingsJson::object({{name, part}}));
+            };
+            if (auto part = knownPart(member, isKnownMember, where / key, leftOut, true))
+                known[key] = *std::move(part);
+        }
+        if (isKnown(known))
+            return known;
+    } else if (value.is_array() && !isMember) {
+        SettingsJson known = SettingsJson::array();
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (isKnown(SettingsJson::array({value[i]})))
+                known.push_back(value[i]);
+            else
+                leftOut.push_back((where / i).to_string());
+        }
+        if (isKnown(known))
+            return known;
+    }
+    leftOut.push_back(where.to_string());
+    return std::nullopt;
+}
+
+std::string settingsText(const SettingsJson& value) {
+    return value.dump(4, ' ', false, SettingsJson::error_handler_t::replace) + '\n';
+}
+
+} // namespace
+
+std::string writeSettings(const Settings& settings, std::string_view before) {
+    const Result<SettingsJson> parsed = parseText(before);
+    SettingsJson object = parsed && parsed->is_object() ? *parsed : SettingsJson::object();
+    for (const SettingRow& row : settingRows)
+        object[row.key] = row.write(settings);
+    return settingsText(object);
+}
+
+Result<Settings> parseSettings(std::string_view json) {
+    const Result<SettingsJson> object = parseObject(json);
+    if (!object)
+        return fail(object.error());
+    Settings settings;
+    for (const SettingRow& row : settingRows) {
+        const auto value = object->find(row.key);
+        if (value == object->end())
+            continue;
+        if (const char* expected = row.read(*value, settings))
+            return fail(ErrorCode::Malformed, fmt::format("expected {}", expected),
+                        fmt::format("/{}", row.key));
+    }
+    return settings;
+}
+
+Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut) {
+    const Result<SettingsJson> object = parseObject(json);
+    if (!object)
+        return fail(object.error());
+    Settings settings;
+    for (const SettingRow& row : settingRows) {
+        const auto value = object->find(row.key);
+        if (value == object->end())
+            continue;
+        const auto isKnown = [&row](const SettingsJson& part) {
+            Settings ignored;
+            return row.read(part, ignored) == nullptr;
+        };
+        if (const std::optional<SettingsJson> known =
+                knownPart(*value, isKnown, SettingsJson::json_pointer() / row.key, leftOut))
+            row.read(*known, settings);
+    }
+    return settings;
+}
+
+std::string writeRecentFiles(const Settings& settings) {
+    SettingsJson list = SettingsJson::array();
+    for (const std::filesystem::path& file : settings.recentFiles)
+        list.push_back(file.string());
+    return settingsText(list);
+}
+
+Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json) {
+    std::vector<std::string> leftOut;
+    Result<std::vector<std::filesystem::path>> files = parseKnownFiles(json, leftOut);
+    if (files && !leftOut.empty())
+        return fail(ErrorCode::Malformed, "expected a list of files", leftOut.front());
+    return files;
+}
+
+Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
+                                                           std::vector<std::string>& leftOut) {
+    const Result<SettingsJson> list = parseText(json);
+    if (!list)
+        return fail(list.error());
+    if (!list->is_array())
+        return fail(ErrorCode::Malformed, "expected a list of files");
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const SettingsJson& each = (*list)[i];
+        if (!each.is_string())
+            leftOut.push_back(fmt::format("/{}", i));
+        else if (files.size() < maxRecentFiles)
+            files.emplace_back(each.get<std::string>());
+    }
+    return files;
+}
+
+} // namespace texplorer::ui

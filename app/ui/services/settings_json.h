@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/ui/state/settings.h"
+#include "core/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// Settings as a JSON object; recent files have a separate text. Unknown keys in `before` are kept.
+[[nodiscard]] std::string writeSettings(const Settings& settings, std::string_view before = {});
+[[nodiscard]] std::string writeRecentFiles(const Settings& settings);
+
+/// Missing values are as in `Settings{}`; unknown keys are ignored. Fails, with the JSON pointer in
+/// Error::where, for invalid JSON, wrong types, and unknown names and sizes.
+[[nodiscard]] Result<Settings> parseSettings(std::string_view json);
+[[nodiscard]] Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json);
+
+/// The same, but skips invalid values and adds their JSON pointers to `leftOut`: they may be from a later
+/// version. Fails for invalid JSON and other documents.
+[[nodiscard]] Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut);
+[[nodiscard]] Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
+                                                                         std::vector<std::string>& leftOut);
+
+} // namespace texplorer::ui

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/base/worker.h"
+#include "core/reference/draw.h"
+#include "core/scene/params/sweep_axis.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// Draws a scene with every pair of values of two parameters, without blocking the window: one picture after
+/// the other, by the reference. A new question takes effect with the next picture and continues at its
+/// position, so that all pictures follow a moving scene and none falls behind. Call all functions on one
+/// thread.
+class SheetPictures {
+public:
+    /// `wake` is called on the working thread when there is a new picture. `levels`: how textures are
+    /// compressed at run time.
+    explicit SheetPictures(When when, std::function<void()> wake = {}, LevelWork levels = {});
+    SheetPictures(const SheetPictures&) = delete;
+    SheetPictures& operator=(const SheetPictures&) = delete;
+    ~SheetPictures(); ///< cancels the current drawing and waits for it
+
+    struct Question {
+        reference::DrawRequest picture; ///< for one cell, with its size; the scene without the axes' values
+        SweepAxis rows;
+        SweepAxis columns;
+
+        bool operator==(const Question&) const = default;
+
+        [[nodiscard]] std::size_t cells() const { return rows.values.size() * columns.values.size(); }
+    };
+    struct Cell {
+        std::shared_ptr<const Image> image{}; ///< bottom row first; nullptr: not ready, or see `problem`
+        std::string problem{};                ///< a sentence without its full stop
+        std::uint64_t question = 0;           ///< the question that it answers, counted from 1
+    };
+    /// Row by row. A cell may be the answer to an earlier question about the same cells.
+    using Cells = std::vector<Cell>;
+
+    /// The newest picture of each cell.
+    [[nodiscard]] const Cells& cells(const Question& question);
+
+    /// Whether more pictures will follow.
+    [[nodiscard]] bool isDrawing() const;
+
+    /// Call when the pictures are no longer shown: cancels the current drawing, and frees pictures and
+    /// textures.
+    void rest();
+
+    /// Blocks until everything is drawn.
+    void wait() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The scene with one value for each axis. Errors: those of setParam.
+[[nodiscard]] Result<Scene> sheetScene(const Scene& scene, const SweepAxis& rows, std::size_t row,
+                                       const SweepAxis& columns, std::size_t column);
+
+} // namespace texplorer::ui
