@@ -4,25 +4,8 @@
 # lies, so that the prefix can be moved. With --strip nothing of it has debugging information.
 include(CMakePackageConfigHelpers)
 
-# The headers. <texplorer/…> is made in the build folder, for those who add this folder to a project of theirs.
-get_property(headers GLOBAL PROPERTY TEXPLORER_HEADERS)
-list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/core/ OUTPUT_VARIABLE sources)
-list(JOIN headers "," names)
-set(include ${PROJECT_BINARY_DIR}/include)
-configure_file(${PROJECT_SOURCE_DIR}/cmake/version.h.in ${include}/texplorer/version.h @ONLY)
-add_custom_command(OUTPUT ${include}/made
-    COMMAND ${CMAKE_COMMAND} -DFROM=${PROJECT_SOURCE_DIR}/core -DTO=${include}/texplorer -DNAMES=${names}
-            -P ${PROJECT_SOURCE_DIR}/cmake/PublicHeaders.cmake
-    COMMAND ${CMAKE_COMMAND} -E touch ${include}/made
-    DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/cmake/PublicHeaders.cmake
-    VERBATIM)
-add_custom_target(texplorer_headers ALL DEPENDS ${include}/made)
-if(NOT PROJECT_IS_TOP_LEVEL)
-    target_include_directories(texplorer_core INTERFACE $<BUILD_INTERFACE:${include}>)
-    add_dependencies(texplorer_core texplorer_headers)
-endif()
-install(DIRECTORY ${include}/texplorer DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-        FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_BINARY_DIR}/version/texplorer/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/texplorer
+        COMPONENT development)
 
 # The archives, for find_package and pkg-config.
 get_property(layers GLOBAL PROPERTY TEXPLORER_CORE_LAYERS)

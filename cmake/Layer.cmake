@@ -5,7 +5,10 @@
 # architecture tests read the property TEXPLORER_LAYERS.
 #
 #   PRECOMPILED  what is precompiled for it (Precompiled.cmake), code unless given; of a program its own kind
-#   HEADERS      of core: the headers that users of the library include, as <texplorer/…>; the others are the library's own
+#   HEADERS      of core: the headers that are installed for users of the library; the others are the library's own
+#
+# Headers of core are <texplorer/…> for all: a link of that name in the build folder leads to core. Headers of app are
+# "app/…", which core can't include.
 function(texplorer_layer target)
     cmake_parse_arguments(PARSE_ARGV 1 LAYER "PROGRAM;MODULE;OBJECT" "PRECOMPILED" "HEADERS;SOURCES;PUBLIC;PRIVATE")
     set(scope PUBLIC)
@@ -42,10 +45,12 @@ function(texplorer_layer target)
         set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
         target_compile_features(${target} ${scope} cxx_std_20)
         target_include_directories(${target} ${scope}
-            $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+            $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/headers>
             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
         file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/core ${CMAKE_CURRENT_SOURCE_DIR})
-        list(TRANSFORM LAYER_HEADERS PREPEND ${folder}/)
-        set_property(GLOBAL APPEND PROPERTY TEXPLORER_HEADERS ${LAYER_HEADERS})
+        install(FILES ${LAYER_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/texplorer/${folder}
+                COMPONENT development)
+    else()
+        target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR})
     endif()
 endfunction()

@@ -1,6 +1,6 @@
 #include "app/animation/gif_encoder.h"
 
-#include "core/animation/dither.h"
+#include "texplorer/animation/dither.h"
 
 #include <fmt/core.h>
 

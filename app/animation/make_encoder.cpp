@@ -2,7 +2,7 @@
 
 #include "app/animation/gif_encoder.h"
 #include "app/animation/webp_encoder.h"
-#include "core/animation/apng.h"
+#include "texplorer/animation/apng.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/animation/encoder.h"
-#include "core/animation/format.h"
+#include "texplorer/animation/encoder.h"
+#include "texplorer/animation/format.h"
 
 #include <memory>
 

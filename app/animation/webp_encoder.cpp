@@ -1,6 +1,6 @@
 #include "app/animation/webp_encoder.h"
 
-#include "core/animation/opaque_frame.h"
+#include "texplorer/animation/opaque_frame.h"
 
 #include <fmt/core.h>
 

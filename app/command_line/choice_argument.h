@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/command_line/offers.h"
-#include "core/base/result.h"
-#include "core/gl/enum_row.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/enum_row.h"
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 
 #include "app/command_line/help_sections.h"
 #include "app/command_line/offers.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <concepts>
 #include <deque>

@@ -1,6 +1,6 @@
 #include "app/command_line/manual.h"
 
-#include "core/text/utf8.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/format.h>
 

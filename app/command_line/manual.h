@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/command_line/command_line.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 
 // Standard output as a file that may be full or closed, or a pipe without a reader.
 
-#include "core/files/file_io.h"
-#include "core/files/file_kind.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_kind.h"
 
 #include <cerrno>
 #include <csignal>

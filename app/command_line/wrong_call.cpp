@@ -1,6 +1,6 @@
 #include "app/command_line/wrong_call.h"
 
-#include "core/text/nearest_name.h"
+#include "texplorer/text/nearest_name.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "app/explorer/frame_watch.h"
 
-#include "core/base/clock.h"
+#include "texplorer/base/clock.h"
 
 #include <utility>
 

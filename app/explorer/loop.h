@@ -5,7 +5,7 @@
 #include "app/explorer/signals.h"
 #include "app/explorer/window.h"
 #include "app/view/pretence.h"
-#include "core/scene/renderer.h"
+#include "texplorer/scene/renderer.h"
 
 #include <filesystem>
 #include <optional>

@@ -7,10 +7,10 @@
 #include "app/explorer/window.h"
 #include "app/ui/files/scene_files.h"
 #include "app/view/pretence.h"
-#include "core/base/thrown.h"
-#include "core/lesson/lesson_files.h"
-#include "core/text/printable.h"
-#include "core/texture/image_budget.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/lesson/lesson_files.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/texture/image_budget.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "app/explorer/restart.h"
 
 #include "app/command_line/standard_streams.h"
-#include "core/scene/renderer.h"
+#include "texplorer/scene/renderer.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "app/explorer/signals.h"
 
-#include "core/base/clock.h"
+#include "texplorer/base/clock.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/stage/event.h"
-#include "core/base/clock.h"
-#include "core/base/result.h"
+#include "texplorer/base/clock.h"
+#include "texplorer/base/result.h"
 
 #include <imgui.h>
 

@@ -1,7 +1,7 @@
 #include "app/lettering/font_lettering.h"
 
 #include "app/view/font_folders.h"
-#include "core/text/utf8.h"
+#include "texplorer/text/utf8.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/sheet/lettering.h"
+#include "texplorer/base/result.h"
+#include "texplorer/sheet/lettering.h"
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 
 #include "app/view/context_choice.h"
 #include "app/view/size.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <memory>
 #include <vector>

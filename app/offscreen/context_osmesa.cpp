@@ -1,6 +1,6 @@
 #include "app/offscreen/context.h"
 #include "app/offscreen/gl_lookup.h"
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <GL/osmesa.h>
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 
 #include "app/render/capabilities.h"
 #include "app/render/rgba_pixels.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl3.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/view/capabilities.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 namespace texplorer::render {
 

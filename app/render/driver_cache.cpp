@@ -1,8 +1,8 @@
 #include "app/render/driver_cache.h"
 
-#include "core/files/descriptor.h"
-#include "core/files/file_kind.h"
-#include "core/files/user_folder.h"
+#include "texplorer/files/descriptor.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/files/user_folder.h"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 // Mesa keeps compiled shaders in the user's cache directory and maps the index of that cache into memory. If
 // the disk is full, or the file system goes away while it is mapped, access to the index is a bus error.
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <filesystem>
 

@@ -1,16 +1,16 @@
 // The core writes down the numbers of GL without a GL header. These checks prove at compile time that each
 // row of each table has the number and the name of the GL macro, and that no row is missing.
 
-#include "core/gl/combine.h"
-#include "core/gl/depth_texture.h"
-#include "core/gl/environment.h"
-#include "core/gl/error.h"
-#include "core/gl/fog.h"
-#include "core/gl/fragment.h"
-#include "core/gl/hint.h"
-#include "core/gl/internal_format.h"
-#include "core/gl/sampling.h"
-#include "core/gl/tex_gen.h"
+#include "texplorer/gl/combine.h"
+#include "texplorer/gl/depth_texture.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/gl/error.h"
+#include "texplorer/gl/fog.h"
+#include "texplorer/gl/fragment.h"
+#include "texplorer/gl/hint.h"
+#include "texplorer/gl/internal_format.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/gl/tex_gen.h"
 
 #include <GL/glew.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/render/fixed_state.h"
 #include "app/render/pipeline.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "app/render/fixed_state.h"
 
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
 #include <GL/glew.h>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/texture_cache.h"
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 namespace texplorer::render {
 

@@ -1,6 +1,6 @@
 #include "app/render/gl_errors.h"
 
-#include "core/gl/error.h"
+#include "texplorer/gl/error.h"
 
 #include <GL/glew.h>
 #include <fmt/core.h>

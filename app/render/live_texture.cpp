@@ -1,6 +1,6 @@
 #include "app/render/live_texture.h"
 
-#include "core/image/power_of_two.h"
+#include "texplorer/image/power_of_two.h"
 
 #include <fmt/core.h>
 

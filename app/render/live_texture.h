@@ -3,8 +3,8 @@
 #include "app/render/capabilities.h"
 #include "app/render/gl_errors.h"
 #include "app/render/texture_object.h"
-#include "core/reference/sampling/sampled_texture.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <memory>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "app/render/mesh_cache.h"
 
-#include "core/glsl/vertex_attributes.h"
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <cstddef>
 #include <vector>

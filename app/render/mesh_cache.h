@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/render/gl_handle.h"
-#include "core/mesh/mesh.h"
-#include "core/scene/scene.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/scene/scene.h"
 
 #include <compare>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/gl_handle.h"
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <cstdint>
 #include <map>

@@ -4,7 +4,7 @@
 #include "app/render/mesh_cache.h"
 #include "app/render/texture_cache.h"
 #include "app/view/frame.h"
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "app/render/preview_picture.h"
 
-#include "core/image/cube_faces.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/image/cube_faces.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "app/render/gl_handle.h"
 #include "app/view/frame.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 namespace texplorer::render {
 

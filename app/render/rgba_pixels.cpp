@@ -1,6 +1,6 @@
 #include "app/render/rgba_pixels.h"
 
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/gl/environment.h"
-#include "core/image/image.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer::render {
 

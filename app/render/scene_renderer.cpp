@@ -7,9 +7,9 @@
 #include "app/render/render_target.h"
 #include "app/render/state_guard.h"
 #include "app/render/texture_cache.h"
-#include "core/base/count.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

@@ -2,12 +2,12 @@
 
 #include "app/render/capabilities.h"
 #include "app/view/frame.h"
-#include "core/base/result.h"
-#include "core/image/image.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
-#include "core/texture/levels_source.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/levels_source.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <memory>
 

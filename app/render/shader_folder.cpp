@@ -1,6 +1,6 @@
 #include "app/render/shader_folder.h"
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/files/file_watch.h"
-#include "core/glsl/shader_pieces.h"
+#include "texplorer/files/file_watch.h"
+#include "texplorer/glsl/shader_pieces.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/gl_handle.h"
-#include "core/glsl/shader_source.h"
+#include "texplorer/glsl/shader_source.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>

@@ -4,9 +4,9 @@
 #include "app/render/pipeline.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_program.h"
-#include "core/glsl/vertex_attributes.h"
-#include "core/scene/animation.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

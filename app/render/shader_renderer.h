@@ -2,7 +2,7 @@
 
 #include "app/render/scene_renderer.h"
 #include "app/view/offered_renderers.h"
-#include "core/scene/renderer.h"
+#include "texplorer/scene/renderer.h"
 
 #include <filesystem>
 #include <functional>

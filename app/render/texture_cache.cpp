@@ -1,8 +1,8 @@
 #include "app/render/texture_cache.h"
 
-#include "core/diagnosis/applied_texture.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

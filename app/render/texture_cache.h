@@ -4,10 +4,10 @@
 #include "app/render/gl_errors.h"
 #include "app/render/live_texture.h"
 #include "app/view/driver_facts.h"
-#include "core/diagnosis/visited_texels.h"
-#include "core/reference/light_depth.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/diagnosis/visited_texels.h"
+#include "texplorer/reference/light_depth.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <cstdint>
 #include <map>

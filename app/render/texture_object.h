@@ -2,8 +2,8 @@
 
 #include "app/render/gl_errors.h"
 #include "app/render/gl_handle.h"
-#include "core/scene/scene.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <optional>
 #include <string_view>

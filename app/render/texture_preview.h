@@ -2,8 +2,8 @@
 
 #include "app/render/live_texture.h"
 #include "app/render/preview_picture.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <memory>
 #include <string>

@@ -10,8 +10,8 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/workers/work_loop.h"
-#include "core/base/thrown.h"
-#include "core/texture/image_budget.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/texture/image_budget.h"
 
 #include <fmt/core.h>
 

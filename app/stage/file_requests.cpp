@@ -7,9 +7,9 @@
 #include "app/ui/files/sheet_file.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "core/base/parallel.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
 
 #include <fmt/core.h>
 

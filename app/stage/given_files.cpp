@@ -4,9 +4,9 @@
 #include "app/ui/files/scene_files.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "core/codec/registry.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
 
 #include <fmt/core.h>
 

@@ -4,12 +4,12 @@
 #include "app/view/frame.h"
 #include "app/view/offered_renderers.h"
 #include "app/view/side.h"
-#include "core/base/result.h"
-#include "core/image/image.h"
-#include "core/scene/renderer.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/renderer.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <imgui.h>
 

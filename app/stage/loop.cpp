@@ -6,7 +6,7 @@
 #include "app/ui/files/unsaved_work.h"
 #include "app/ui/model/playback.h"
 #include "app/ui/model/session.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/view/size.h"
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer::stage {
 

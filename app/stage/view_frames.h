@@ -3,7 +3,7 @@
 #include "app/stage/graphics.h"
 #include "app/ui/model/session.h"
 #include "app/ui/state/view_frame.h"
-#include "core/reference/light_depth.h"
+#include "texplorer/reference/light_depth.h"
 
 #include <array>
 #include <map>

@@ -2,7 +2,7 @@
 
 // Which OpenGL draws where there is no display: what --context takes, and what "texshot drivers" lists.
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/view/capabilities.h"
-#include "core/diagnosis/diagnosis.h"
+#include "texplorer/diagnosis/diagnosis.h"
 
 namespace texplorer::view {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/renderer.h"
+#include "texplorer/scene/renderer.h"
 
 #include <array>
 #include <string>

@@ -2,7 +2,7 @@
 
 // The shaders of a pass, for those who show them.
 
-#include "core/glsl/stage_source.h"
+#include "texplorer/glsl/stage_source.h"
 
 #include <optional>
 #include <string>

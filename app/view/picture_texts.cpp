@@ -1,8 +1,8 @@
 #include "app/view/picture_texts.h"
 
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
-#include "core/text/printable.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/format.h>
 

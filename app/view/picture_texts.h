@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/view/size.h"
-#include "core/codec/common/write_options.h"
-#include "core/conform/pair.h"
-#include "core/scene/params/sweep_axis.h"
-#include "core/scene/scene.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/scene/params/sweep_axis.h"
+#include "texplorer/scene/scene.h"
 
 #include <span>
 #include <string>

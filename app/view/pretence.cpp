@@ -1,8 +1,8 @@
 #include "app/view/pretence.h"
 
-#include "core/scene/params/param_text.h"
-#include "core/scene/scene.h"
-#include "core/text/nearest_name.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/text/nearest_name.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -5,7 +5,7 @@
 // ignores it.
 
 #include "app/view/capabilities.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <span>
 #include <string>

@@ -1,8 +1,8 @@
-#include "core/animation/apng.h"
+#include "texplorer/animation/apng.h"
 
-#include "core/animation/opaque_frame.h"
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_chunks.h"
+#include "texplorer/animation/opaque_frame.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_chunks.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/animation/encoder.h"
+#include "texplorer/animation/encoder.h"
 
 #include <memory>
 

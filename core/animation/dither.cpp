@@ -1,4 +1,4 @@
-#include "core/animation/dither.h"
+#include "texplorer/animation/dither.h"
 
 #include <algorithm>
 #include <array>

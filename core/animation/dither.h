@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/animation/opaque_frame.h"
-#include "core/animation/palette.h"
+#include "texplorer/animation/opaque_frame.h"
+#include "texplorer/animation/palette.h"
 
 namespace texplorer::animation {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/codec/common/write_options.h"
-#include "core/image/image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/image/image.h"
 
 #include <optional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "core/animation/format.h"
+#include "texplorer/animation/format.h"
 
 #include <algorithm>
 

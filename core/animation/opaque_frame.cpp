@@ -1,4 +1,4 @@
-#include "core/animation/opaque_frame.h"
+#include "texplorer/animation/opaque_frame.h"
 
 #include <algorithm>
 

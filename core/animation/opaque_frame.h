@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <cstdint>
 #include <optional>

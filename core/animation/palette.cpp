@@ -1,4 +1,4 @@
-#include "core/animation/palette.h"
+#include "texplorer/animation/palette.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/base/background_thread.h"
+#include "texplorer/base/background_thread.h"
 
 #include <sys/resource.h>
 #include <sys/syscall.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <concepts>
 #include <cstdint>

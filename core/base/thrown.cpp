@@ -1,4 +1,4 @@
-#include "core/base/thrown.h"
+#include "texplorer/base/thrown.h"
 
 #include <cstdio>
 #include <cstdlib>

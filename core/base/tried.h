@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/base/thrown.h"
+#include "texplorer/base/result.h"
+#include "texplorer/base/thrown.h"
 
 #include <new>
 #include <string>

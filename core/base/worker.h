@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/tried.h"
+#include "texplorer/base/tried.h"
 
 #include <algorithm>
 #include <condition_variable>

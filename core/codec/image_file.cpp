@@ -1,6 +1,6 @@
-#include "core/codec/image_file.h"
+#include "texplorer/codec/image_file.h"
 
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
 namespace texplorer {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 namespace texplorer {
 

@@ -1,6 +1,6 @@
-#include "core/codec/losses.h"
+#include "texplorer/codec/losses.h"
 
-#include "core/image/convert.h"
+#include "texplorer/image/convert.h"
 
 #include <fmt/core.h>
 

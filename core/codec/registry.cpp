@@ -1,11 +1,11 @@
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
-#include "core/codec/bmp/bmp.h"
-#include "core/codec/dds/dds.h"
-#include "core/codec/jpeg/jpeg.h"
-#include "core/codec/png/png.h"
-#include "core/codec/tga/tga.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/codec/jpeg/jpeg.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/tga/tga.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
-#include "core/codec/texture_file.h"
+#include "texplorer/codec/texture_file.h"
 
-#include "core/codec/image_file.h"
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
+#include "texplorer/codec/image_file.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

@@ -2,10 +2,10 @@
 
 // Loads and saves textures in any known format.
 
-#include "core/base/result.h"
-#include "core/codec/common/decode_limits.h"
-#include "core/codec/common/write_options.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/decode_limits.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/image/texture_image.h"
 
 #include <filesystem>
 

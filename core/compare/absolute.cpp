@@ -1,6 +1,6 @@
-#include "core/compare/absolute.h"
+#include "texplorer/compare/absolute.h"
 
-#include "core/compare/pixel_difference.h"
+#include "texplorer/compare/pixel_difference.h"
 
 namespace texplorer {
 

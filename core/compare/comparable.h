@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/image/image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

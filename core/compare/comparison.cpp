@@ -1,13 +1,13 @@
-#include "core/compare/comparison.h"
+#include "texplorer/compare/comparison.h"
 
-#include "core/base/parallel.h"
-#include "core/base/tried.h"
-#include "core/compare/flip_filters.h"
-#include "core/compare/heat_map.h"
-#include "core/compare/pixel_difference.h"
-#include "core/compare/pixel_metric.h"
-#include "core/compare/regions.h"
-#include "core/compare/verdict.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/base/tried.h"
+#include "texplorer/compare/flip_filters.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/compare/pixel_difference.h"
+#include "texplorer/compare/pixel_metric.h"
+#include "texplorer/compare/regions.h"
+#include "texplorer/compare/verdict.h"
 
 #include <fmt/core.h>
 

@@ -2,11 +2,11 @@
 
 // Compares a picture with the expected one: what differs, where, and by how much.
 
-#include "core/base/result.h"
-#include "core/compare/criterion.h"
-#include "core/compare/difference.h"
-#include "core/compare/heat_map.h"
-#include "core/image/image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/compare/criterion.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/image/image.h"
 
 #include <glm/vec2.hpp>
 
@@ -87,11 +87,11 @@ struct ComparisonWork {
 };
 
 /// Compares pictures of any format of image files, of one slice (converted as OpenGL sees them,
-/// core/image/convert.h). Pictures of two sizes are not an error, but not alike. Pixels where the mask is
-/// black or fully transparent are not compared and do not affect their neighbours. The result does not depend
-/// on the number of threads. Errors: those of checkCriterion; Unsupported for volumes and depths; OutOfRange
-/// for a mask of another size or one that leaves no pixels; TooLarge without memory (comparisonBytes);
-/// Cancelled.
+/// texplorer/image/convert.h). Pictures of two sizes are not an error, but not alike. Pixels where the mask
+/// is black or fully transparent are not compared and do not affect their neighbours. The result does not
+/// depend on the number of threads. Errors: those of checkCriterion; Unsupported for volumes and depths;
+/// OutOfRange for a mask of another size or one that leaves no pixels; TooLarge without memory
+/// (comparisonBytes); Cancelled.
 [[nodiscard]] Result<Comparison> comparePictures(const Image& expected, const Image& actual,
                                                  const Criterion& criterion = {}, const Image* mask = nullptr,
                                                  const ComparisonWork& work = {});

@@ -2,9 +2,9 @@
 
 // When two pictures count as alike.
 
-#include "core/base/result.h"
-#include "core/compare/difference.h"
-#include "core/compare/metric.h"
+#include "texplorer/base/result.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/compare/metric.h"
 
 #include <optional>
 #include <string>

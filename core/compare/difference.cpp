@@ -1,7 +1,7 @@
-#include "core/compare/difference.h"
+#include "texplorer/compare/difference.h"
 
-#include "core/compare/comparable.h"
-#include "core/compare/pixel_difference.h"
+#include "texplorer/compare/comparable.h"
+#include "texplorer/compare/pixel_difference.h"
 
 #include <fmt/core.h>
 

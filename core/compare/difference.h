@@ -2,8 +2,8 @@
 
 // The difference of two pictures in numbers.
 
-#include "core/base/result.h"
-#include "core/image/image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,9 +1,9 @@
-#include "core/compare/flip.h"
+#include "texplorer/compare/flip.h"
 
-#include "core/compare/flip_color.h"
-#include "core/compare/flip_filters.h"
-#include "core/compare/plane.h"
-#include "core/image/linear_light.h"
+#include "texplorer/compare/flip_color.h"
+#include "texplorer/compare/flip_filters.h"
+#include "texplorer/compare/plane.h"
+#include "texplorer/image/linear_light.h"
 
 #include <array>
 #include <cmath>

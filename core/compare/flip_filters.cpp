@@ -1,4 +1,4 @@
-#include "core/compare/flip_filters.h"
+#include "texplorer/compare/flip_filters.h"
 
 #include <algorithm>
 #include <cmath>

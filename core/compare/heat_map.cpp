@@ -1,7 +1,7 @@
-#include "core/compare/heat_map.h"
+#include "texplorer/compare/heat_map.h"
 
-#include "core/compare/comparable.h"
-#include "core/compare/pixel_difference.h"
+#include "texplorer/compare/comparable.h"
+#include "texplorer/compare/pixel_difference.h"
 
 #include <algorithm>
 #include <cmath>

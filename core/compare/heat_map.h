@@ -2,9 +2,9 @@
 
 // A picture of the differences between two pictures.
 
-#include "core/base/result.h"
-#include "core/compare/difference.h"
-#include "core/image/image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/image/image.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 // The metrics that pictures are compared by.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -1,7 +1,7 @@
-#include "core/compare/picture_pair.h"
+#include "texplorer/compare/picture_pair.h"
 
-#include "core/image/convert.h"
-#include "core/image/linear_light.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/linear_light.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,8 +2,8 @@
 
 // Access of the metrics to the two pictures: tiles of RGBA pixels with a margin.
 
-#include "core/compare/difference.h"
-#include "core/image/image.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/image/image.h"
 
 #include <array>
 #include <cstdint>

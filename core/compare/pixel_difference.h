@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/compare/difference.h"
+#include "texplorer/compare/difference.h"
 
 #include <algorithm>
 #include <cstddef>

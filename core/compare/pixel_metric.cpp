@@ -1,8 +1,8 @@
-#include "core/compare/pixel_metric.h"
+#include "texplorer/compare/pixel_metric.h"
 
-#include "core/compare/absolute.h"
-#include "core/compare/flip.h"
-#include "core/compare/ssim.h"
+#include "texplorer/compare/absolute.h"
+#include "texplorer/compare/flip.h"
+#include "texplorer/compare/ssim.h"
 
 namespace texplorer {
 

@@ -2,8 +2,8 @@
 
 // The interface of metrics: values for the pixels of a tile.
 
-#include "core/compare/criterion.h"
-#include "core/compare/picture_pair.h"
+#include "texplorer/compare/criterion.h"
+#include "texplorer/compare/picture_pair.h"
 
 #include <memory>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/compare/row_filter.h"
+#include "texplorer/compare/row_filter.h"
 
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-#include "core/compare/regions.h"
+#include "texplorer/compare/regions.h"
 
 #include <algorithm>
 #include <bit>

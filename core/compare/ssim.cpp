@@ -1,6 +1,6 @@
-#include "core/compare/ssim.h"
+#include "texplorer/compare/ssim.h"
 
-#include "core/compare/plane.h"
+#include "texplorer/compare/plane.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/compare/pixel_metric.h"
+#include "texplorer/compare/pixel_metric.h"
 
 namespace texplorer {
 

@@ -1,7 +1,7 @@
-#include "core/compare/verdict.h"
+#include "texplorer/compare/verdict.h"
 
-#include "core/base/count.h"
-#include "core/text/percent.h"
+#include "texplorer/base/count.h"
+#include "texplorer/text/percent.h"
 
 #include <fmt/core.h>
 

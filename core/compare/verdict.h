@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/compare/comparison.h"
+#include "texplorer/compare/comparison.h"
 
 #include <string>
 

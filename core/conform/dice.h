@@ -2,7 +2,7 @@
 
 // Pseudorandom numbers that are the same on every machine.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 #include <glm/vec4.hpp>
 

@@ -2,9 +2,9 @@
 
 // The features that are swept: a row for each, with its scenes and the rules that apply.
 
-#include "core/conform/dice.h"
-#include "core/conform/rule.h"
-#include "core/scene/scene.h"
+#include "texplorer/conform/dice.h"
+#include "texplorer/conform/rule.h"
+#include "texplorer/scene/scene.h"
 
 #include <span>
 #include <string_view>

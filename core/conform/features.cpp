@@ -1,5 +1,5 @@
-#include "core/conform/feature.h"
-#include "core/conform/scenes.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/scenes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "core/conform/judge.h"
+#include "texplorer/conform/judge.h"
 
-#include "core/conform/lambda_range.h"
-#include "core/reference/sampling/lod.h"
-#include "core/reference/shading/coordinate_reach.h"
+#include "texplorer/conform/lambda_range.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/reference/shading/coordinate_reach.h"
 
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/compare/difference.h"
-#include "core/conform/pair.h"
-#include "core/conform/renderer.h"
-#include "core/conform/rule.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/conform/renderer.h"
+#include "texplorer/conform/rule.h"
 
 #include <optional>
 #include <vector>

@@ -1,11 +1,11 @@
-#include "core/conform/lambda_range.h"
+#include "texplorer/conform/lambda_range.h"
 
-#include "core/reference/probe.h"
-#include "core/reference/sampling/cube.h"
-#include "core/reference/shading/fragment.h"
-#include "core/reference/shading/stored_color.h"
-#include "core/texture/image_source.h"
-#include "core/texture/level_plan.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/reference/sampling/cube.h"
+#include "texplorer/reference/shading/fragment.h"
+#include "texplorer/reference/shading/stored_color.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/level_plan.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/conform/renderer.h"
-#include "core/reference/draw.h"
+#include "texplorer/conform/renderer.h"
+#include "texplorer/reference/draw.h"
 
 #include <array>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "core/conform/made_files.h"
+#include "texplorer/conform/made_files.h"
 
-#include "core/codec/dds/dds.h"
-#include "core/image/mipmaps.h"
-#include "core/image/patterns/pattern.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <cassert>
 

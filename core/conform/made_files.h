@@ -2,8 +2,8 @@
 
 // The files that the sweep's scenes refer to. They are generated, and written next to a report's scenes.
 
-#include "core/base/bytes.h"
-#include "core/texture/image_source.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/texture/image_source.h"
 
 #include <array>
 #include <string_view>

@@ -2,9 +2,9 @@
 
 // Which renderers are compared, on which driver.
 
-#include "core/diagnosis/diagnosis.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/renderer.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/renderer.h"
 
 #include <array>
 #include <string>

@@ -1,9 +1,9 @@
-#include "core/conform/renderer.h"
+#include "texplorer/conform/renderer.h"
 
-#include "core/conform/feature.h"
-#include "core/conform/lambda_range.h"
-#include "core/conform/made_files.h"
-#include "core/reference/draw.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/lambda_range.h"
+#include "texplorer/conform/made_files.h"
+#include "texplorer/reference/draw.h"
 
 namespace texplorer::conform {
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/conform/pair.h"
-#include "core/reference/draw_request.h"
-#include "core/reference/explain/explanation.h"
-#include "core/scene/frame.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/base/result.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/reference/draw_request.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/scene/frame.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <memory>
 #include <span>

@@ -2,8 +2,8 @@
 
 // A sweep's report as text, as JSON, and as a folder with a page.
 
-#include "core/conform/sweep.h"
-#include "core/report/report_files.h"
+#include "texplorer/conform/sweep.h"
+#include "texplorer/report/report_files.h"
 
 #include <string>
 #include <vector>

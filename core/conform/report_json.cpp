@@ -1,5 +1,5 @@
-#include "core/conform/report.h"
-#include "core/conform/report_words.h"
+#include "texplorer/conform/report.h"
+#include "texplorer/conform/report_words.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -1,13 +1,13 @@
-#include "core/base/count.h"
-#include "core/codec/png/png.h"
-#include "core/compare/heat_map.h"
-#include "core/conform/made_files.h"
-#include "core/conform/report.h"
-#include "core/conform/report_words.h"
-#include "core/files/file_io.h"
-#include "core/image/convert.h"
-#include "core/scene/params/json.h"
-#include "core/text/shell_word.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/conform/made_files.h"
+#include "texplorer/conform/report.h"
+#include "texplorer/conform/report_words.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "core/base/count.h"
-#include "core/conform/report.h"
-#include "core/conform/report_words.h"
+#include "texplorer/base/count.h"
+#include "texplorer/conform/report.h"
+#include "texplorer/conform/report_words.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "core/conform/report_words.h"
+#include "texplorer/conform/report_words.h"
 
-#include "core/base/count.h"
+#include "texplorer/base/count.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 // Phrases that several forms of a report share.
 
-#include "core/conform/sweep.h"
+#include "texplorer/conform/sweep.h"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/conform/sample_limit.h"
+#include "texplorer/conform/sample_limit.h"
 
 #include <algorithm>
 #include <cmath>

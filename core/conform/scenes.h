@@ -2,8 +2,8 @@
 
 // The scenes of each feature, for its row in features.cpp.
 
-#include "core/conform/dice.h"
-#include "core/scene/scene.h"
+#include "texplorer/conform/dice.h"
+#include "texplorer/scene/scene.h"
 
 namespace texplorer::conform::scenes {
 

@@ -1,6 +1,6 @@
-#include "core/conform/made_files.h"
-#include "core/conform/scenes.h"
-#include "core/conform/surfaces.h"
+#include "texplorer/conform/made_files.h"
+#include "texplorer/conform/scenes.h"
+#include "texplorer/conform/surfaces.h"
 
 namespace texplorer::conform::scenes {
 

@@ -1,5 +1,5 @@
-#include "core/conform/scenes.h"
-#include "core/conform/surfaces.h"
+#include "texplorer/conform/scenes.h"
+#include "texplorer/conform/surfaces.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // Models: vertices of their own, quadrics, materials, and where models are.
 
-#include "core/conform/scenes.h"
-#include "core/conform/surfaces.h"
+#include "texplorer/conform/scenes.h"
+#include "texplorer/conform/surfaces.h"
 
 #include <algorithm>
 

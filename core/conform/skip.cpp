@@ -1,11 +1,11 @@
-#include "core/conform/skip.h"
+#include "texplorer/conform/skip.h"
 
-#include "core/conform/made_files.h"
-#include "core/image/power_of_two.h"
-#include "core/reference/raster/triangle.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/drawn_models.h"
-#include "core/texture/level_plan.h"
+#include "texplorer/conform/made_files.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/texture/level_plan.h"
 
 #include <algorithm>
 #include <array>

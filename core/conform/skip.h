@@ -2,8 +2,8 @@
 
 // Comparisons that are skipped: each by a row with its reason, and counted.
 
-#include "core/conform/pair.h"
-#include "core/scene/scene.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/scene/scene.h"
 
 #include <span>
 #include <string_view>

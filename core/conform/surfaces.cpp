@@ -1,6 +1,6 @@
-#include "core/conform/surfaces.h"
+#include "texplorer/conform/surfaces.h"
 
-#include "core/conform/feature.h"
+#include "texplorer/conform/feature.h"
 
 namespace texplorer::conform {
 

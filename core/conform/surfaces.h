@@ -2,8 +2,8 @@
 
 // Building blocks of the sweep's scenes.
 
-#include "core/conform/dice.h"
-#include "core/scene/scene.h"
+#include "texplorer/conform/dice.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 

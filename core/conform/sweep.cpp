@@ -1,8 +1,8 @@
-#include "core/conform/sweep.h"
+#include "texplorer/conform/sweep.h"
 
-#include "core/base/parallel.h"
-#include "core/base/thrown.h"
-#include "core/conform/sample_limit.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/conform/sample_limit.h"
 
 #include <algorithm>
 #include <chrono>

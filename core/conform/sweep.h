@@ -2,10 +2,10 @@
 
 // A sweep: selects scenes, draws them with two or three renderers, and counts the differences.
 
-#include "core/conform/feature.h"
-#include "core/conform/judge.h"
-#include "core/conform/pair.h"
-#include "core/conform/skip.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/conform/skip.h"
 
 #include <functional>
 #include <map>

@@ -1,4 +1,4 @@
-#include "core/diagnosis/applied_texture.h"
+#include "texplorer/diagnosis/applied_texture.h"
 
 #include <algorithm>
 #include <array>

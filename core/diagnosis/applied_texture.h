@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/diagnosis/diagnosis.h"
-#include "core/diagnosis/visited_texels.h"
-#include "core/reference/sampling/completeness.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/scene.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/diagnosis/visited_texels.h"
+#include "texplorer/reference/sampling/completeness.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/scene.h"
 
 #include <optional>
 #include <span>

@@ -1,6 +1,6 @@
-#include "core/diagnosis/color_flow.h"
+#include "texplorer/diagnosis/color_flow.h"
 
-#include "core/gl/combine_arguments.h"
+#include "texplorer/gl/combine_arguments.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // How a colour passes through the texture units: OpenGL 2.1, section 3.8.13, tables 3.20 to 3.24. Included
 // only by diagnosis*.cpp.
 
-#include "core/diagnosis/diagnosis_rules.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
 
 namespace texplorer::diagnosis {
 

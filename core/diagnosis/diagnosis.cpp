@@ -1,8 +1,8 @@
-#include "core/diagnosis/diagnosis.h"
+#include "texplorer/diagnosis/diagnosis.h"
 
-#include "core/diagnosis/applied_texture.h"
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/scene/params/params.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

@@ -3,9 +3,9 @@
 // Reports what is wrong, undefined or without effect in a scene, as sentences. The window, `texshot shot` and
 // `texshot check` use one table of rules (diagnosis_*.cpp).
 
-#include "core/scene/edit/edit.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/scene/edit/edit.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <string>
 #include <string_view>

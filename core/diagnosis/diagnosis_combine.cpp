@@ -1,8 +1,8 @@
 // GL_COMBINE: OpenGL 2.1, section 3.8.13.
 
-#include "core/base/count.h"
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/gl/combine_arguments.h"
+#include "texplorer/base/count.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/gl/combine_arguments.h"
 
 #include <fmt/core.h>
 

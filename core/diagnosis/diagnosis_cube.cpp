@@ -1,7 +1,7 @@
 // Cube maps: what happens at the edges of their faces.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/reference/sampling/lod.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <fmt/core.h>
 

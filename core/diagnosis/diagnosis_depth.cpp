@@ -1,10 +1,10 @@
 // Depth textures, what the light sees, and images that it projects: OpenGL 2.1, section 3.8.14.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>

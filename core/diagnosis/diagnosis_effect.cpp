@@ -1,9 +1,9 @@
 // Which settings of a texture object change nothing at present.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/image/border.h"
-#include "core/image/power_of_two.h"
-#include "core/reference/sampling/lod.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/image/border.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <fmt/core.h>
 

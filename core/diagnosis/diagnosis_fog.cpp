@@ -1,11 +1,11 @@
 // Fog: what hides everything or nothing of what is in view, and which of its settings do nothing.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/reference/shading/fog.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/reference/shading/fog.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

@@ -1,8 +1,8 @@
 // What an internal format does to an image's colours that surprises.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/image/convert.h"
-#include "core/reference/sampling/lod.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 // Light and material: which of their settings reach no pixel.
 
-#include "core/diagnosis/color_flow.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/diagnosis/color_flow.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

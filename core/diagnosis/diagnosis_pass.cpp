@@ -1,8 +1,8 @@
 // Passes and models.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

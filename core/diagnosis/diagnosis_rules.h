@@ -2,10 +2,10 @@
 
 // The rules of the diagnosis: one row each, {name, severity, function}. Included only by diagnosis*.cpp.
 
-#include "core/diagnosis/diagnosis.h"
-#include "core/reference/sampling/completeness.h"
-#include "core/scene/params/keys.h"
-#include "core/texture/level_plan.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/reference/sampling/completeness.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/texture/level_plan.h"
 
 #include <array>
 #include <memory>

@@ -1,9 +1,9 @@
 // GL_LIGHT_MODEL_TWO_SIDE: where it would help, and where there is no back to be seen.
 
-#include "core/diagnosis/color_flow.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/diagnosis/color_flow.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>

@@ -1,12 +1,12 @@
 // What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
 
-#include "core/diagnosis/applied_texture.h"
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/image/power_of_two.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/animation.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

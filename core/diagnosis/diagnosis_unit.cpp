@@ -1,14 +1,14 @@
 // Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
 // collapse, and what changes nothing.
 
-#include "core/base/count.h"
-#include "core/diagnosis/color_flow.h"
-#include "core/gl/combine_arguments.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/base/count.h"
+#include "texplorer/diagnosis/color_flow.h"
+#include "texplorer/gl/combine_arguments.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

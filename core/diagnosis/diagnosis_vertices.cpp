@@ -1,14 +1,14 @@
 // Vertices whose normals or coordinates OpenGL leaves undefined, or that drivers lack the bits for.
 
-#include "core/diagnosis/diagnosis_rules.h"
-#include "core/reference/shading/coordinate_reach.h"
-#include "core/reference/shading/coordinates.h"
-#include "core/reference/shading/tex_gen.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
+#include "texplorer/diagnosis/diagnosis_rules.h"
+#include "texplorer/reference/shading/coordinate_reach.h"
+#include "texplorer/reference/shading/coordinates.h"
+#include "texplorer/reference/shading/tex_gen.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

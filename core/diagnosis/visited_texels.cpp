@@ -1,11 +1,11 @@
-#include "core/diagnosis/visited_texels.h"
+#include "texplorer/diagnosis/visited_texels.h"
 
-#include "core/reference/raster/raster.h"
-#include "core/reference/raster/scene_triangles.h"
-#include "core/reference/sampling/cube.h"
-#include "core/reference/sampling/ellipse.h"
-#include "core/reference/sampling/lod.h"
-#include "core/reference/shading/coordinates.h"
+#include "texplorer/reference/raster/raster.h"
+#include "texplorer/reference/raster/scene_triangles.h"
+#include "texplorer/reference/sampling/cube.h"
+#include "texplorer/reference/sampling/ellipse.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/reference/shading/coordinates.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/reference/sampling/sampled_texture.h"
-#include "core/scene/scene.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstddef>
 

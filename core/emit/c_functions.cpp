@@ -1,7 +1,7 @@
-#include "core/emit/c_functions.h"
+#include "texplorer/emit/c_functions.h"
 
-#include "core/emit/code_writer.h"
-#include "core/emit/piece_files.h"
+#include "texplorer/emit/code_writer.h"
+#include "texplorer/emit/piece_files.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // Functions of C that a program has where it calls them, the same for all scenes: the files of
 // assets/programs.
 
-#include "core/emit/code.h"
+#include "texplorer/emit/code.h"
 
 #include <cstdint>
 #include <set>

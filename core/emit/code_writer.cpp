@@ -1,8 +1,8 @@
-#include "core/emit/code_writer.h"
+#include "texplorer/emit/code_writer.h"
 
-#include "core/gl/argument_names.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/printable.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/emit/code.h"
-#include "core/emit/key_frames.h"
-#include "core/gl/sampling.h"
-#include "core/scene/params/params.h"
+#include "texplorer/emit/code.h"
+#include "texplorer/emit/key_frames.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/scene/params/params.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

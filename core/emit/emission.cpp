@@ -1,7 +1,7 @@
-#include "core/emit/emission.h"
+#include "texplorer/emit/emission.h"
 
-#include "core/files/file_io.h"
-#include "core/scene/drawn_models.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/drawn_models.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/emit/c_functions.h"
-#include "core/emit/code_writer.h"
-#include "core/emit/model_data.h"
-#include "core/emit/program.h"
-#include "core/scene/scene.h"
+#include "texplorer/emit/c_functions.h"
+#include "texplorer/emit/code_writer.h"
+#include "texplorer/emit/model_data.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 #include <memory>

@@ -1,8 +1,8 @@
-#include "core/emit/emission.h"
-#include "core/emit/glsl_emission.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/animation.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/emit/glsl_emission.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,10 +1,10 @@
 // The texels of a texture object: what glTexImage is given.
 
-#include "core/diagnosis/applied_texture.h"
-#include "core/emit/emission.h"
-#include "core/gl/argument_names.h"
-#include "core/gl/core_format.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/gl/core_format.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 // Key frames: tables of keys, and a function that finds out what they say. Numbers come out as
 // core/scene/params/value_mix.cpp has them, to the last bit.
 
-#include "core/emit/emission.h"
-#include "core/emit/piece_files.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/emit/piece_files.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "core/emit/emission.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
-#include "core/emit/emission.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

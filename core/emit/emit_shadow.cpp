@@ -1,9 +1,9 @@
 // Textures that show what the light sees: a framebuffer object without colours, drawn into in every frame.
 
-#include "core/emit/emission.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

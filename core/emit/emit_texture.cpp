@@ -1,11 +1,11 @@
-#include "core/diagnosis/applied_texture.h"
-#include "core/emit/emission.h"
-#include "core/emit/webgl.h"
-#include "core/gl/argument_names.h"
-#include "core/gl/core_format.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/gl/core_format.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

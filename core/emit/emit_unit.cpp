@@ -1,7 +1,7 @@
-#include "core/emit/emission.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/animation.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>

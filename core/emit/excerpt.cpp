@@ -1,4 +1,4 @@
-#include "core/emit/excerpt.h"
+#include "texplorer/emit/excerpt.h"
 
 #include <algorithm>
 #include <optional>

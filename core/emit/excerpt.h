@@ -2,7 +2,7 @@
 
 // A program as somebody reads it who wants to know one thing: which of its lines that is.
 
-#include "core/emit/code.h"
+#include "texplorer/emit/code.h"
 
 #include <set>
 #include <string>

@@ -1,11 +1,11 @@
 // OpenGL 2.1 and C99.
 
-#include "core/emit/emission.h"
-#include "core/emit/program_frame.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/emit/program_frame.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

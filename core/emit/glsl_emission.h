@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/emit/emission.h"
-#include "core/glsl/shader_source.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/glsl/shader_source.h"
 
 #include <array>
 #include <cstdint>

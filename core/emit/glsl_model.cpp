@@ -1,15 +1,15 @@
 // Models in vertex buffers: OpenGL 3.3, core profile.
 
-#include "core/emit/glsl_emission.h"
-#include "core/emit/webgl.h"
-#include "core/gl/argument_names.h"
-#include "core/glsl/vertex_attributes.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/emit/glsl_emission.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

@@ -1,13 +1,13 @@
 // Shaders, uniforms and tests of a pass: OpenGL 3.3, core profile.
 
-#include "core/emit/glsl_emission.h"
-#include "core/gl/argument_names.h"
-#include "core/glsl/vertex_attributes.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/glsl_emission.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

@@ -1,12 +1,12 @@
 // OpenGL 3.3, core profile, and C99.
 
-#include "core/diagnosis/applied_texture.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/emit/glsl_emission.h"
-#include "core/emit/program_frame.h"
-#include "core/emit/webgl.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/emit/glsl_emission.h"
+#include "texplorer/emit/program_frame.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

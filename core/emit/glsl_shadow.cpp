@@ -1,9 +1,9 @@
 // Textures that show what the light sees: a framebuffer object without colours, drawn into in every frame.
 
-#include "core/emit/glsl_emission.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/glsl_emission.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>

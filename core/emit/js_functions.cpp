@@ -1,6 +1,6 @@
-#include "core/emit/js_functions.h"
+#include "texplorer/emit/js_functions.h"
 
-#include "core/emit/piece_files.h"
+#include "texplorer/emit/piece_files.h"
 
 #include <cctype>
 

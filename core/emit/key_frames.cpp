@@ -1,8 +1,8 @@
-#include "core/emit/key_frames.h"
+#include "texplorer/emit/key_frames.h"
 
-#include "core/emit/code_writer.h"
-#include "core/gl/argument_names.h"
-#include "core/scene/params/value_mix.h"
+#include "texplorer/emit/code_writer.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/params/value_mix.h"
 
 #include <fmt/core.h>
 

@@ -3,8 +3,8 @@
 // What of a program moves by key frames: a table of keys for each parameter, and a variable that holds what
 // they say in the present frame.
 
-#include "core/emit/code.h"
-#include "core/scene/params/params.h"
+#include "texplorer/emit/code.h"
+#include "texplorer/scene/params/params.h"
 
 #include <map>
 #include <optional>

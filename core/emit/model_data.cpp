@@ -1,8 +1,8 @@
-#include "core/emit/model_data.h"
+#include "texplorer/emit/model_data.h"
 
-#include "core/emit/program.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh/mesh.h"
-#include "core/scene/scene.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 #include <cstdint>

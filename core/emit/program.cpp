@@ -1,13 +1,13 @@
 // Programs of any flavour, and what of them moves by key frames.
 
-#include "core/emit/program.h"
+#include "texplorer/emit/program.h"
 
-#include "core/emit/emission.h"
-#include "core/emit/model_data.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/key_edits.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/emit/emission.h"
+#include "texplorer/emit/model_data.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

@@ -2,12 +2,12 @@
 
 // A whole program that draws a scene, as a student would write it: in C with GLFW, or as a page.
 
-#include "core/emit/code.h"
-#include "core/emit/flavour.h"
-#include "core/emit/texel_code.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/emit/code.h"
+#include "texplorer/emit/flavour.h"
+#include "texplorer/emit/texel_code.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <filesystem>
 #include <functional>

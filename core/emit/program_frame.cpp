@@ -1,8 +1,8 @@
-#include "core/emit/program_frame.h"
+#include "texplorer/emit/program_frame.h"
 
-#include "core/scene/params/param_text.h"
-#include "core/text/printable.h"
-#include "core/text/shell_word.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

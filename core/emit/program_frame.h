@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/emit/emission.h"
+#include "texplorer/emit/emission.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
-#include "core/emit/program_worker.h"
+#include "texplorer/emit/program_worker.h"
 
-#include "core/scene/params/params.h"
-#include "core/texture/levels_worker.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/texture/levels_worker.h"
 
 #include <algorithm>
 #include <utility>

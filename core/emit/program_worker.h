@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/emit/program.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/emit/program.h"
 
 #include <functional>
 #include <memory>

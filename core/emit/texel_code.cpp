@@ -1,9 +1,9 @@
-#include "core/emit/texel_code.h"
+#include "texplorer/emit/texel_code.h"
 
-#include "core/image/convert.h"
-#include "core/image/mipmaps.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/target_image.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/target_image.h"
 
 #include <algorithm>
 #include <charconv>

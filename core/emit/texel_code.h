@@ -2,11 +2,11 @@
 
 // How a program comes by the texels of a texture: what it computes in a few lines, what it has to be given.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/gl/sampling.h"
-#include "core/reference/sampling/sampled_texture.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <array>
 #include <cstdint>

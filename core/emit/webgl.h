@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/emit/glsl_emission.h"
+#include "texplorer/emit/glsl_emission.h"
 
 namespace texplorer::emit {
 

@@ -1,10 +1,10 @@
 // Borders beyond the edge, which WebGL 2 has not: its shader mixes their colour in.
 
-#include "core/emit/code_writer.h"
-#include "core/emit/piece_files.h"
-#include "core/emit/webgl.h"
-#include "core/reference/sampling/comparison.h"
-#include "core/reference/sampling/lod.h"
+#include "texplorer/emit/code_writer.h"
+#include "texplorer/emit/piece_files.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/reference/sampling/comparison.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <fmt/core.h>
 

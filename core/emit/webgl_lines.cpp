@@ -1,8 +1,8 @@
 // From C and GLSL 3.30 to JavaScript and GLSL ES 3.00.
 
-#include "core/emit/webgl.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

@@ -1,12 +1,12 @@
 // Models in vertex buffers, in JavaScript.
 
-#include "core/emit/webgl.h"
-#include "core/glsl/vertex_attributes.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 // WebGL 2 in a page of HTML that needs no other file.
 
-#include "core/emit/js_functions.h"
-#include "core/emit/piece_files.h"
-#include "core/emit/webgl.h"
-#include "core/gl/fragment.h"
-#include "core/text/html.h"
-#include "core/text/printable.h"
+#include "texplorer/emit/js_functions.h"
+#include "texplorer/emit/piece_files.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/gl/fragment.h"
+#include "texplorer/text/html.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 // What WebGL 2 has no words for.
 
-#include "core/emit/webgl.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

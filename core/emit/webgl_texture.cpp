@@ -1,10 +1,10 @@
 // The texels of a texture object, in JavaScript.
 
-#include "core/emit/webgl.h"
-#include "core/gl/core_format.h"
-#include "core/s3tc/decode.h"
-#include "core/scene/params/keys.h"
-#include "core/text/base64.h"
+#include "texplorer/emit/webgl.h"
+#include "texplorer/gl/core_format.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/text/base64.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
-#include "core/files/draft.h"
+#include "texplorer/files/draft.h"
 
-#include "core/files/directory_listing.h"
-#include "core/files/file_io.h"
-#include "core/files/file_lock.h"
-#include "core/files/file_owner.h"
-#include "core/files/nameless_file.h"
+#include "texplorer/files/directory_listing.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_lock.h"
+#include "texplorer/files/file_owner.h"
+#include "texplorer/files/nameless_file.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/files/descriptor.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/files/descriptor.h"
 
 #include <string>
 #include <sys/stat.h>

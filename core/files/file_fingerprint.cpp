@@ -1,4 +1,4 @@
-#include "core/files/file_fingerprint.h"
+#include "texplorer/files/file_fingerprint.h"
 
 #include <sys/stat.h>
 

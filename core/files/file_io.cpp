@@ -1,6 +1,6 @@
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
-#include "core/files/file_kind.h"
+#include "texplorer/files/file_kind.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "core/files/file_lock.h"
+#include "texplorer/files/file_lock.h"
 
 #include <cerrno>
 

@@ -1,4 +1,4 @@
-#include "core/files/file_owner.h"
+#include "texplorer/files/file_owner.h"
 
 #include <unistd.h>
 

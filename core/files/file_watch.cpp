@@ -1,7 +1,7 @@
-#include "core/files/file_watch.h"
+#include "texplorer/files/file_watch.h"
 
-#include "core/files/file_fingerprint.h"
-#include "core/files/folder_events.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/files/folder_events.h"
 
 #include <algorithm>
 #include <map>

@@ -2,12 +2,12 @@
 // ends; where the file system has no nameless files, it has a temporary name. The writer of a draft locks it:
 // a temporary file without a lock was left by a killed program, on this or another machine.
 
-#include "core/files/draft.h"
-#include "core/files/file_io.h"
-#include "core/files/file_kind.h"
-#include "core/files/folder_lock.h"
-#include "core/files/new_folders.h"
-#include "core/files/open_directory.h"
+#include "texplorer/files/draft.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/files/folder_lock.h"
+#include "texplorer/files/new_folders.h"
+#include "texplorer/files/open_directory.h"
 
 #include <fmt/core.h>
 

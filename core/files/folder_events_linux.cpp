@@ -1,5 +1,5 @@
-#include "core/files/descriptor.h"
-#include "core/files/folder_events.h"
+#include "texplorer/files/descriptor.h"
+#include "texplorer/files/folder_events.h"
 
 #include <array>
 #include <cerrno>

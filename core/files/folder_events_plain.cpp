@@ -1,4 +1,4 @@
-#include "core/files/folder_events.h"
+#include "texplorer/files/folder_events.h"
 
 #include <chrono>
 #include <condition_variable>

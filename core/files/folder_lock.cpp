@@ -1,6 +1,6 @@
-#include "core/files/folder_lock.h"
+#include "texplorer/files/folder_lock.h"
 
-#include "core/files/file_lock.h"
+#include "texplorer/files/file_lock.h"
 
 #include <cerrno>
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/files/descriptor.h"
+#include "texplorer/files/descriptor.h"
 
 #include <chrono>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "core/files/nameless_file.h"
+#include "texplorer/files/nameless_file.h"
 
 #include <cerrno>
 

@@ -1,4 +1,4 @@
-#include "core/files/new_folders.h"
+#include "texplorer/files/new_folders.h"
 
 #include <cerrno>
 #include <sys/stat.h>

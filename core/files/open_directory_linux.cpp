@@ -1,4 +1,4 @@
-#include "core/files/open_directory.h"
+#include "texplorer/files/open_directory.h"
 
 #include <fcntl.h>
 

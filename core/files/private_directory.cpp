@@ -1,7 +1,7 @@
-#include "core/files/private_directory.h"
+#include "texplorer/files/private_directory.h"
 
-#include "core/files/file_kind.h"
-#include "core/files/file_owner.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/files/file_owner.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "core/files/read_stream.h"
+#include "texplorer/files/read_stream.h"
 
-#include "core/files/file_kind.h"
+#include "texplorer/files/file_kind.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
 
 #include <functional>
 #include <string>

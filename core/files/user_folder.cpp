@@ -1,4 +1,4 @@
-#include "core/files/user_folder.h"
+#include "texplorer/files/user_folder.h"
 
 #include <cstdlib>
 

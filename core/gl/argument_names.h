@@ -3,7 +3,7 @@
 // Names of arguments of calls that are not parameter values: they have no label and no help. The numbers are
 // not needed, as only generated C code contains these names.
 
-#include "core/gl/combine.h"
+#include "texplorer/gl/combine.h"
 
 #include <cstddef>
 #include <string_view>

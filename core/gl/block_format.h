@@ -3,7 +3,7 @@
 // Formats that store 4 x 4 texels in a block of 8 or 16 bytes: EXT_texture_compression_s3tc and
 // ARB_texture_compression_rgtc.
 
-#include "core/gl/environment.h"
+#include "texplorer/gl/environment.h"
 
 #include <cstddef>
 

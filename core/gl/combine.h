@@ -2,7 +2,7 @@
 
 // The enumerants and state of GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25 and 6.20.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // GL_COMBINE's state by argument, as it is used; in combine.h it is by parameter.
 
-#include "core/gl/combine.h"
+#include "texplorer/gl/combine.h"
 
 #include <array>
 #include <optional>

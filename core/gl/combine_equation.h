@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/gl/combine.h"
+#include "texplorer/gl/combine.h"
 
 namespace texplorer {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/gl/internal_format.h"
+#include "texplorer/gl/internal_format.h"
 
 #include <algorithm>
 #include <array>

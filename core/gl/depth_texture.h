@@ -2,8 +2,8 @@
 
 // How a depth texture is read: OpenGL 2.1, section 3.8.14.
 
-#include "core/gl/environment.h"
-#include "core/gl/sampling.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/gl/sampling.h"
 
 namespace texplorer {
 

@@ -3,7 +3,7 @@
 // What a texture unit does with the filtered colour: OpenGL 2.1, section 3.8.13, tables 3.21 and 3.22. The
 // parameters of GL_COMBINE are in combine.h.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // The results of glGetError: OpenGL 2.1, section 2.5, table 2.3.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // How fog depends on the distance: OpenGL 2.1, section 3.10.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // Shading and the per-fragment operations: OpenGL 2.1, sections 2.14 and 4.1.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

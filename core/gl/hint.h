@@ -2,7 +2,7 @@
 
 // Hints, which OpenGL may ignore: OpenGL 2.1, section 5.6.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

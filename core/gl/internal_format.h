@@ -3,7 +3,7 @@
 // The internal formats of glTexImage: OpenGL 2.1, section 3.8.1, tables 3.15 and 3.16. They define the
 // components of a texture, their bits, and what the numbers mean.
 
-#include "core/gl/environment.h"
+#include "texplorer/gl/environment.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // Primitives: OpenGL 2.1, section 2.6.1.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // The sampling parameters of a texture object: OpenGL 2.1, section 3.8.4, table 3.18.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

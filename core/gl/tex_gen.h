@@ -2,7 +2,7 @@
 
 // Generated texture coordinates: OpenGL 2.1, section 2.11.4.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

@@ -1,4 +1,4 @@
-#include "core/glsl/shader_pieces.h"
+#include "texplorer/glsl/shader_pieces.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
-#include "core/glsl/shader_source.h"
+#include "texplorer/glsl/shader_source.h"
 
-#include "core/gl/combine_arguments.h"
-#include "core/glsl/vertex_attributes.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/gl/combine_arguments.h"
+#include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

@@ -3,11 +3,11 @@
 // Writes a pass as GLSL 3.30: only what its state uses, and exactly what the shader renderer runs. Makes no
 // GL calls.
 
-#include "core/base/result.h"
-#include "core/glsl/shader_pieces.h"
-#include "core/glsl/stage_source.h"
-#include "core/scene/scene.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/result.h"
+#include "texplorer/glsl/shader_pieces.h"
+#include "texplorer/glsl/stage_source.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <array>
 #include <optional>

@@ -1,10 +1,10 @@
-#include "core/golden/golden.h"
+#include "texplorer/golden/golden.h"
 
-#include "core/base/count.h"
-#include "core/codec/texture_file.h"
-#include "core/compare/comparison.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/texture_file.h"
+#include "texplorer/compare/comparison.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -2,9 +2,9 @@
 
 // Compares a drawn picture with a stored one, the golden.
 
-#include "core/base/result.h"
-#include "core/compare/criterion.h"
-#include "core/image/image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/compare/criterion.h"
+#include "texplorer/image/image.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -37,13 +37,13 @@ struct GoldenCheck {
 };
 
 /// Compares a picture with the golden, a file of any supported format. If the golden is missing or different,
-/// writes NAME-actual.png, NAME-expected.png and NAME-difference.png (the map of core/compare/comparison.h),
-/// as far as these pictures exist, into the folder of failures; NAME is the golden's file name without
-/// extension. Files of these names from an earlier check are removed. A golden is written completely or not
-/// at all, in the format of its extension (core/codec/texture_file.h); its folder is created if needed.
-/// Errors: OutOfRange for a framebuffer without pixels or with a wrong number of bytes, and the errors of
-/// comparePictures; those of loadTexture for the golden and the mask, Unsupported if they have faces or
-/// slices; Unwritable or Unsupported for files that cannot be written.
+/// writes NAME-actual.png, NAME-expected.png and NAME-difference.png (the map of
+/// texplorer/compare/comparison.h), as far as these pictures exist, into the folder of failures; NAME is the
+/// golden's file name without extension. Files of these names from an earlier check are removed. A golden is
+/// written completely or not at all, in the format of its extension (texplorer/codec/texture_file.h); its
+/// folder is created if needed. Errors: OutOfRange for a framebuffer without pixels or with a wrong number of
+/// bytes, and the errors of comparePictures; those of loadTexture for the golden and the mask, Unsupported if
+/// they have faces or slices; Unwritable or Unsupported for files that cannot be written.
 [[nodiscard]] Result<GoldenCheck> checkGolden(const Image& framebuffer, const std::filesystem::path& golden,
                                               const GoldenOptions& options = {});
 

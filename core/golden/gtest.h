@@ -4,7 +4,7 @@
 //
 // With TEXPLORER_UPDATE_GOLDENS=1 in the environment, missing or different goldens are written.
 
-#include "core/golden/golden.h"
+#include "texplorer/golden/golden.h"
 
 #include <gtest/gtest.h>
 

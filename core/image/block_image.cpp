@@ -1,4 +1,4 @@
-#include "core/image/block_image.h"
+#include "texplorer/image/block_image.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/gl/block_format.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/block_format.h"
 
 namespace texplorer {
 

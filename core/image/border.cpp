@@ -1,7 +1,7 @@
-#include "core/image/border.h"
+#include "texplorer/image/border.h"
 
-#include "core/image/power_of_two.h"
-#include "core/image/resample.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/image/resample.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 // `border`, section 3.8.1). `axes` is the number of axes with a border: 1 for a line, 2 for a picture, 3 for
 // a volume. An empty image stays empty.
 
-#include "core/image/mipmaps.h"
+#include "texplorer/image/mipmaps.h"
 
 namespace texplorer {
 

@@ -1,4 +1,4 @@
-#include "core/image/color_scale.h"
+#include "texplorer/image/color_scale.h"
 
 #include <algorithm>
 #include <cmath>

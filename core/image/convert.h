@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/depth_pixels.h"
-#include "core/image/image.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/image.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "core/image/cube_faces.h"
+#include "texplorer/image/cube_faces.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 // (OpenGL 2.1, table 3.19: t grows downwards on the sides). All functions take pictures whose row 0 is the
 // top row.
 
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

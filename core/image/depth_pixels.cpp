@@ -1,4 +1,4 @@
-#include "core/image/depth_pixels.h"
+#include "texplorer/image/depth_pixels.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // Images of depths: one number of 32 bits per pixel, from 0, the nearest, to 2^32 - 1, the farthest.
 
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <cstdint>
 #include <cstring>
@@ -34,7 +34,7 @@ inline void storeDepth(std::uint32_t depth, std::byte* pixel) {
     return static_cast<int>((depth * std::uint64_t{255} + farthestDepth32 / 2) / farthestDepth32);
 }
 
-/// The number of bits in the light's view (core/reference/light_depth.h).
+/// The number of bits in the light's view (texplorer/reference/light_depth.h).
 inline constexpr int lightDepthBits = 24;
 
 /// Returns the image's red, or its depths, as a texture with `bits` bits per depth (16 or 24) stores them:

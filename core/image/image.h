@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/image/pixel_format.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/image/pixel_format.h"
 
 #include <cassert>
 #include <cstddef>

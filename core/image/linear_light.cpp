@@ -1,4 +1,4 @@
-#include "core/image/linear_light.h"
+#include "texplorer/image/linear_light.h"
 
 #include <cmath>
 

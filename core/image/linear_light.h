@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/pixel_format.h"
+#include "texplorer/image/pixel_format.h"
 
 #include <array>
 #include <vector>

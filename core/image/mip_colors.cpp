@@ -1,4 +1,4 @@
-#include "core/image/mip_colors.h"
+#include "texplorer/image/mip_colors.h"
 
 #include <iterator>
 

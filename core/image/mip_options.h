@@ -2,7 +2,7 @@
 
 // How the levels of a mip chain are computed.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 namespace texplorer {
 

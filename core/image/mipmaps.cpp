@@ -1,8 +1,8 @@
-#include "core/image/mipmaps.h"
+#include "texplorer/image/mipmaps.h"
 
-#include "core/image/linear_light.h"
-#include "core/image/mip_colors.h"
-#include "core/image/resample.h"
+#include "texplorer/image/linear_light.h"
+#include "texplorer/image/mip_colors.h"
+#include "texplorer/image/resample.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/gl/enum_row.h"
-#include "core/image/image.h"
-#include "core/image/mip_options.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/image/image.h"
+#include "texplorer/image/mip_options.h"
 
 namespace texplorer {
 

@@ -1,4 +1,4 @@
-#include "core/image/mirror.h"
+#include "texplorer/image/mirror.h"
 
 #include <algorithm>
 

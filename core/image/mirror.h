@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 
-/// Reverses every row in place. For upside down, see flipVertically (core/image/texture_image.h).
+/// Reverses every row in place. For upside down, see flipVertically (texplorer/image/texture_image.h).
 void mirror(Image& image);
 
 } // namespace texplorer

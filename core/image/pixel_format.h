@@ -9,7 +9,7 @@
 namespace texplorer {
 
 /// Eight bits per component, tightly packed, in this order in memory; or one depth of 32 bits, 0 to 1, in the
-/// processor's byte order (core/image/depth_pixels.h), which files cannot store.
+/// processor's byte order (texplorer/image/depth_pixels.h), which files cannot store.
 enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8, Depth32 };
 
 struct PixelFormatRow {

@@ -1,8 +1,8 @@
-#include "core/image/preparation.h"
+#include "texplorer/image/preparation.h"
 
-#include "core/image/convert.h"
-#include "core/image/linear_light.h"
-#include "core/image/resample.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/linear_light.h"
+#include "texplorer/image/resample.h"
 
 #include <algorithm>
 #include <array>

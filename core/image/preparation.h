@@ -2,8 +2,8 @@
 
 // Operations on a picture before it becomes a texture.
 
-#include "core/gl/enum_row.h"
-#include "core/image/image.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/image/image.h"
 
 #include <glm/vec4.hpp>
 

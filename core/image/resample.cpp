@@ -1,6 +1,6 @@
-#include "core/image/resample.h"
+#include "texplorer/image/resample.h"
 
-#include "core/image/linear_light.h"
+#include "texplorer/image/linear_light.h"
 
 // The functions are static here, so that a program may bring its own copy of the library.
 #define STB_IMAGE_RESIZE_IMPLEMENTATION

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/image/mip_options.h"
+#include "texplorer/image/image.h"
+#include "texplorer/image/mip_options.h"
 
 namespace texplorer {
 

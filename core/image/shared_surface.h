@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/texture_image.h"
+#include "texplorer/image/texture_image.h"
 
 #include <concepts>
 #include <memory>

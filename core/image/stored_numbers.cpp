@@ -1,6 +1,6 @@
-#include "core/image/stored_numbers.h"
+#include "texplorer/image/stored_numbers.h"
 
-#include "core/image/convert.h"
+#include "texplorer/image/convert.h"
 
 namespace texplorer {
 

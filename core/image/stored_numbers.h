@@ -2,8 +2,8 @@
 
 // What a texture stores of an image's components if its internal format has few bits.
 
-#include "core/gl/internal_format.h"
-#include "core/image/image.h"
+#include "texplorer/gl/internal_format.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

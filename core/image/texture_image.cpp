@@ -1,4 +1,4 @@
-#include "core/image/texture_image.h"
+#include "texplorer/image/texture_image.h"
 
 #include <algorithm>
 

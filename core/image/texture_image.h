@@ -2,8 +2,8 @@
 
 // The content of an image file for a texture: one picture, or faces and mip levels, compressed or not.
 
-#include "core/image/block_image.h"
-#include "core/image/image.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/image/image.h"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
-#include "core/image/thumbnail.h"
+#include "texplorer/image/thumbnail.h"
 
-#include "core/image/depth_pixels.h"
+#include "texplorer/image/depth_pixels.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 // Ways to make the alpha of a texture: the choices of glpng, the PNG loader of many OpenGL courses (pngBind's
 // `trans`, pngSetStencil), for any image.
 
-#include "core/gl/enum_row.h"
-#include "core/image/image.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

@@ -1,8 +1,8 @@
-#include "core/lesson/example.h"
+#include "texplorer/lesson/example.h"
 
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/nearest_name.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/nearest_name.h"
 
 #include <fmt/core.h>
 

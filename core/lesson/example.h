@@ -2,8 +2,8 @@
 
 // The scenes of assets/scenes, which are embedded in the program.
 
-#include "core/base/result.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/scene.h"
 
 #include <span>
 #include <string_view>

@@ -4,8 +4,8 @@
 // write with a text editor: lesson.json, with scenes, images and a catalogue of texts for each language
 // (zh_CN.po) next to it.
 
-#include "core/base/result.h"
-#include "core/scene/edit/edit.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/edit/edit.h"
 
 #include <array>
 #include <optional>

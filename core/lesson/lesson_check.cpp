@@ -1,14 +1,14 @@
-#include "core/lesson/lesson_check.h"
+#include "texplorer/lesson/lesson_check.h"
 
-#include "core/lesson/lesson_keys.h"
-#include "core/lesson/lesson_place.h"
-#include "core/lesson/mark_check.h"
-#include "core/lesson/match.h"
-#include "core/lesson/numbers.h"
-#include "core/reference/false_colors.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
-#include "core/scene/renderer.h"
+#include "texplorer/lesson/lesson_keys.h"
+#include "texplorer/lesson/lesson_place.h"
+#include "texplorer/lesson/mark_check.h"
+#include "texplorer/lesson/match.h"
+#include "texplorer/lesson/numbers.h"
+#include "texplorer/reference/false_colors.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/renderer.h"
 
 #include <fmt/core.h>
 

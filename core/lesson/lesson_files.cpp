@@ -1,6 +1,6 @@
-#include "core/lesson/lesson_files.h"
+#include "texplorer/lesson/lesson_files.h"
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/lesson/lesson.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/lesson/lesson.h"
 
 #include <array>
 #include <filesystem>

@@ -1,7 +1,7 @@
-#include "core/lesson/lesson.h"
-#include "core/scene/params/json_object.h"
-#include "core/scene/params/json_problem.h"
-#include "core/text/json_end.h"
+#include "texplorer/lesson/lesson.h"
+#include "texplorer/scene/params/json_object.h"
+#include "texplorer/scene/params/json_problem.h"
+#include "texplorer/text/json_end.h"
 
 #include <fmt/core.h>
 

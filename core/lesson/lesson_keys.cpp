@@ -1,8 +1,8 @@
-#include "core/lesson/lesson_keys.h"
+#include "texplorer/lesson/lesson_keys.h"
 
-#include "core/lesson/lesson_scene.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 
 // Applies the keys of a lesson to a scene.
 
-#include "core/lesson/lesson.h"
-#include "core/scene/scene.h"
+#include "texplorer/lesson/lesson.h"
+#include "texplorer/scene/scene.h"
 
 #include <vector>
 

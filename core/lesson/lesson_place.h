@@ -2,7 +2,7 @@
 
 // The position of an error in a lesson.json.
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <fmt/core.h>
 

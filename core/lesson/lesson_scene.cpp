@@ -1,11 +1,11 @@
-#include "core/lesson/lesson_scene.h"
+#include "texplorer/lesson/lesson_scene.h"
 
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
-#include "core/lesson/example.h"
-#include "core/lesson/lesson_place.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/example.h"
+#include "texplorer/lesson/lesson_place.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

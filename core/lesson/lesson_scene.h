@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/lesson/lesson.h"
-#include "core/lesson/lesson_files.h"
-#include "core/texture/image_source.h"
+#include "texplorer/lesson/lesson.h"
+#include "texplorer/lesson/lesson_files.h"
+#include "texplorer/texture/image_source.h"
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
-#include "core/lesson/mark_check.h"
+#include "texplorer/lesson/mark_check.h"
 
-#include "core/lesson/lesson_place.h"
-#include "core/lesson/match.h"
-#include "core/lesson/numbers.h"
-#include "core/reference/draw.h"
+#include "texplorer/lesson/lesson_place.h"
+#include "texplorer/lesson/match.h"
+#include "texplorer/lesson/numbers.h"
+#include "texplorer/reference/draw.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lesson/lesson_scene.h"
+#include "texplorer/lesson/lesson_scene.h"
 
 #include <string>
 #include <vector>

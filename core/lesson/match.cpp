@@ -1,7 +1,7 @@
-#include "core/lesson/match.h"
+#include "texplorer/lesson/match.h"
 
-#include "core/compare/difference.h"
-#include "core/reference/draw.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/reference/draw.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/lesson/lesson_scene.h"
-#include "core/scene/params/scene_diff.h"
+#include "texplorer/image/image.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/scene/params/scene_diff.h"
 
 #include <optional>
 #include <stop_token>

@@ -1,8 +1,8 @@
-#include "core/lesson/numbers.h"
+#include "texplorer/lesson/numbers.h"
 
-#include "core/reference/explain/sampling_steps.h"
-#include "core/reference/probe.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/reference/explain/sampling_steps.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

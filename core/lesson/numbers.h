@@ -3,8 +3,8 @@
 // Numbers in a step's texts: "{lambda}" is replaced by the value at a pixel of the shown picture, for any
 // size of the picture.
 
-#include "core/lesson/lesson_scene.h"
-#include "core/reference/explain/explanation.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/reference/explain/explanation.h"
 
 #include <stop_token>
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/mesh/shapes.h"
+#include "texplorer/mesh/shapes.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include "core/mesh/mesh_data.h"
+#include "texplorer/mesh/mesh_data.h"
 
-#include "core/mesh/shapes.h"
+#include "texplorer/mesh/shapes.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/gl/primitive.h"
-#include "core/mesh/mesh.h"
+#include "texplorer/gl/primitive.h"
+#include "texplorer/mesh/mesh.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

@@ -2,7 +2,7 @@
 
 // One function per shape, each in its own file; called only by makeMesh.
 
-#include "core/mesh/mesh.h"
+#include "texplorer/mesh/mesh.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,6 +1,6 @@
-#include "core/preset/preset.h"
+#include "texplorer/preset/preset.h"
 
-#include "core/preset/preset_rows.h"
+#include "texplorer/preset/preset_rows.h"
 
 #include <fmt/core.h>
 

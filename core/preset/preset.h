@@ -2,8 +2,8 @@
 
 // Presets: settings of textbook examples, as one edit each. After it, the effect is visible in any scene.
 
-#include "core/base/result.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/scene.h"
 
 #include <span>
 #include <string_view>

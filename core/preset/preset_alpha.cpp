@@ -1,7 +1,7 @@
 // Alpha test and blending.
 
-#include "core/preset/preset_rows.h"
-#include "core/scene/show_shapes.h"
+#include "texplorer/preset/preset_rows.h"
+#include "texplorer/scene/show_shapes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Coordinates that move, by the texture matrix, and those that OpenGL generates.
 
-#include "core/preset/preset_rows.h"
-#include "core/scene/light_projection.h"
-#include "core/scene/show_shapes.h"
+#include "texplorer/preset/preset_rows.h"
+#include "texplorer/scene/light_projection.h"
+#include "texplorer/scene/show_shapes.h"
 
 #include <algorithm>
 #include <array>

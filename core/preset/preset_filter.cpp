@@ -1,7 +1,7 @@
 // Filters, wrap modes and levels: each trouble, and its cure.
 
-#include "core/preset/preset_rows.h"
-#include "core/scene/show_shapes.h"
+#include "texplorer/preset/preset_rows.h"
+#include "texplorer/scene/show_shapes.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 
 // The presets by group, and functions that they share.
 
-#include "core/preset/preset.h"
+#include "texplorer/preset/preset.h"
 
 namespace texplorer::preset {
 

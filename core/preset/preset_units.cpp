@@ -1,7 +1,7 @@
 // Environments, and several units one after the other.
 
-#include "core/preset/preset_rows.h"
-#include "core/scene/show_shapes.h"
+#include "texplorer/preset/preset_rows.h"
+#include "texplorer/scene/show_shapes.h"
 
 #include <algorithm>
 #include <array>

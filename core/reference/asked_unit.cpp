@@ -1,4 +1,4 @@
-#include "core/reference/asked_unit.h"
+#include "texplorer/reference/asked_unit.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/base/result.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <span>
 #include <string>

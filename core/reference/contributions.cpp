@@ -1,8 +1,8 @@
-#include "core/reference/contributions.h"
+#include "texplorer/reference/contributions.h"
 
-#include "core/reference/asked_unit.h"
-#include "core/reference/fragment_walk.h"
-#include "core/reference/raster/scene_triangles.h"
+#include "texplorer/reference/asked_unit.h"
+#include "texplorer/reference/fragment_walk.h"
+#include "texplorer/reference/raster/scene_triangles.h"
 
 #include <fmt/core.h>
 

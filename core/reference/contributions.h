@@ -2,10 +2,10 @@
 
 // The inverse of a probe: the pixels that a texel contributes to.
 
-#include "core/reference/draw.h"
-#include "core/reference/raster/triangle.h"
-#include "core/reference/sampling/sampler.h"
-#include "core/reference/sampling/texture_store.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/sampling/sampler.h"
+#include "texplorer/reference/sampling/texture_store.h"
 
 #include <vector>
 

@@ -1,15 +1,15 @@
-#include "core/reference/draw.h"
+#include "texplorer/reference/draw.h"
 
-#include "core/base/parallel.h"
-#include "core/reference/contributions.h"
-#include "core/reference/level_map.h"
-#include "core/reference/light_depth.h"
-#include "core/reference/probe.h"
-#include "core/reference/raster/kernel.h"
-#include "core/reference/raster/raster.h"
-#include "core/reference/raster/scene_triangles.h"
-#include "core/reference/shading/pass_state.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/reference/contributions.h"
+#include "texplorer/reference/level_map.h"
+#include "texplorer/reference/light_depth.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/reference/raster/raster.h"
+#include "texplorer/reference/raster/scene_triangles.h"
+#include "texplorer/reference/shading/pass_state.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/reference/draw_request.h"
-#include "core/scene/frame.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/result.h"
+#include "texplorer/reference/draw_request.h"
+#include "texplorer/scene/frame.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <memory>
 #include <stop_token>

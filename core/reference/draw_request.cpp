@@ -1,6 +1,6 @@
-#include "core/reference/draw_request.h"
+#include "texplorer/reference/draw_request.h"
 
-#include "core/texture/texture_levels.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/reference/sampling/lod.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 namespace texplorer::reference {
 

@@ -1,4 +1,4 @@
-#include "core/reference/draw_worker.h"
+#include "texplorer/reference/draw_worker.h"
 
 #include <algorithm>
 #include <chrono>

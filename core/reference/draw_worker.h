@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/reference/draw.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/reference/draw.h"
 
 #include <functional>
 #include <memory>

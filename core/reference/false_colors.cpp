@@ -1,6 +1,6 @@
-#include "core/reference/false_colors.h"
+#include "texplorer/reference/false_colors.h"
 
-#include "core/image/color_scale.h"
+#include "texplorer/image/color_scale.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/gl/enum_row.h"
-#include "core/image/image.h"
-#include "core/reference/level_map.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/image/image.h"
+#include "texplorer/reference/level_map.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/reference/raster/raster.h"
-#include "core/reference/raster/shade.h"
-#include "core/reference/shading/fragment.h"
+#include "texplorer/reference/raster/raster.h"
+#include "texplorer/reference/raster/shade.h"
+#include "texplorer/reference/shading/fragment.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,9 +1,9 @@
-#include "core/reference/level_map.h"
+#include "texplorer/reference/level_map.h"
 
-#include "core/reference/asked_unit.h"
-#include "core/reference/fragment_walk.h"
-#include "core/reference/raster/scene_triangles.h"
-#include "core/reference/sampling/cube.h"
+#include "texplorer/reference/asked_unit.h"
+#include "texplorer/reference/fragment_walk.h"
+#include "texplorer/reference/raster/scene_triangles.h"
+#include "texplorer/reference/sampling/cube.h"
 
 #include <fmt/core.h>
 

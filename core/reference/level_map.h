@@ -2,9 +2,9 @@
 
 // The levels of a texture that the pixels of a picture read, and the shapes of their footprints.
 
-#include "core/reference/draw.h"
-#include "core/reference/sampling/texture_store.h"
-#include "core/scene/sampler_state.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/sampling/texture_store.h"
+#include "texplorer/scene/sampler_state.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,6 +1,6 @@
-#include "core/reference/level_map_worker.h"
+#include "texplorer/reference/level_map_worker.h"
 
-#include "core/reference/renderer_worker.h"
+#include "texplorer/reference/renderer_worker.h"
 
 #include <utility>
 

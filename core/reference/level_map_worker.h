@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/reference/false_colors.h"
-#include "core/reference/level_map.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/reference/false_colors.h"
+#include "texplorer/reference/level_map.h"
 
 #include <functional>
 #include <memory>

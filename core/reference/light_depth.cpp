@@ -1,12 +1,12 @@
-#include "core/reference/light_depth.h"
+#include "texplorer/reference/light_depth.h"
 
-#include "core/image/depth_pixels.h"
-#include "core/reference/raster/assembly.h"
-#include "core/reference/raster/raster.h"
-#include "core/reference/raster/shade.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/reference/raster/assembly.h"
+#include "texplorer/reference/raster/raster.h"
+#include "texplorer/reference/raster/shade.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <algorithm>
 #include <set>

@@ -2,8 +2,8 @@
 
 // Depth textures of a scene from the light's view.
 
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <map>
 #include <memory>
@@ -13,9 +13,9 @@
 
 namespace texplorer::reference {
 
-/// Draws the depths from lightView() (core/scene/animation.h): Depth32, `size` x `size`, row 0 at the bottom,
-/// 24 bits each. All models that a pass draws are drawn, also those attached to the eye, with a depth test of
-/// GL_LESS over the largest depth. Incomplete after a stop request.
+/// Draws the depths from lightView() (texplorer/scene/animation.h): Depth32, `size` x `size`, row 0 at the
+/// bottom, 24 bits each. All models that a pass draws are drawn, also those attached to the eye, with a depth
+/// test of GL_LESS over the largest depth. Incomplete after a stop request.
 [[nodiscard]] Image drawLightDepths(const Scene& scene, double time, int size,
                                     const std::stop_token& stop = {});
 

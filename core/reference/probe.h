@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/reference/draw.h"
-#include "core/reference/explain/explanation.h"
-#include "core/reference/raster/triangle.h"
-#include "core/reference/sampling/texture_store.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/sampling/texture_store.h"
 
 namespace texplorer::reference {
 

@@ -1,7 +1,7 @@
-#include "core/reference/probe_worker.h"
+#include "texplorer/reference/probe_worker.h"
 
-#include "core/reference/probe.h"
-#include "core/reference/renderer_worker.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/reference/renderer_worker.h"
 
 #include <utility>
 

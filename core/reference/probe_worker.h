@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/reference/contributions.h"
-#include "core/reference/draw_worker.h"
-#include "core/reference/explain/explanation.h"
+#include "texplorer/reference/contributions.h"
+#include "texplorer/reference/draw_worker.h"
+#include "texplorer/reference/explain/explanation.h"
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
-#include "core/reference/texture_calls.h"
+#include "texplorer/reference/texture_calls.h"
 
-#include "core/gl/argument_names.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/reference/texture_names.h"
-#include "core/scene/params/params.h"
+#include "texplorer/reference/texture_names.h"
+#include "texplorer/scene/params/params.h"
 
 #include <string>
 #include <variant>

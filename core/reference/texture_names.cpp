@@ -1,7 +1,7 @@
-#include "core/reference/texture_names.h"
+#include "texplorer/reference/texture_names.h"
 
-#include "core/reference/sampling/lod.h"
-#include "core/reference/shading/environment.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/reference/shading/environment.h"
 
 namespace texplorer::objects {
 

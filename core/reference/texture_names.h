@@ -3,7 +3,7 @@
 // Names, texture objects and texture units as a value, to show what each of a dozen calls changes. OpenGL
 // 2.1, sections 3.8.12 (texture objects) and 3.8.13 (environments), for GL_TEXTURE_2D only.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 #include <cstddef>

@@ -3,8 +3,8 @@
 // The content of a report, from which report_files.h makes a folder. Texts may contain anything: the page
 // makes them printable, and never takes them for HTML.
 
-#include "core/base/bytes.h"
-#include "core/report/state.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/report/state.h"
 
 #include <array>
 #include <cstdint>

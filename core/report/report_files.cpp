@@ -1,9 +1,9 @@
-#include "core/report/report_files.h"
+#include "texplorer/report/report_files.h"
 
-#include "core/report/page_assets.h"
-#include "core/text/base64.h"
-#include "core/text/printable.h"
-#include "core/text/utf8.h"
+#include "texplorer/report/page_assets.h"
+#include "texplorer/text/base64.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 
 // Writes a report's page as files of one folder, which works in a browser with file: URLs.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/report/page.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/report/page.h"
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 
 // The results of cases, as a report shows them.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include "core/s3tc/block_encoders.h"
+#include "texplorer/s3tc/block_encoders.h"
 
-#include "core/s3tc/decode.h"
+#include "texplorer/s3tc/decode.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 // Encoders of single blocks, for core/s3tc/encode.h.
 
-#include "core/s3tc/encode.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "core/s3tc/block_flip.h"
+#include "texplorer/s3tc/block_flip.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 
 // Flips single blocks, for core/s3tc/flip.h.
 
-#include "core/gl/block_format.h"
+#include "texplorer/gl/block_format.h"
 
 #include <array>
 #include <cstddef>

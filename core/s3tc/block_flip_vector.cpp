@@ -1,7 +1,7 @@
 // 64 bytes of blocks at a time (AVX2). Where AVX-512VL is, the compiler makes one instruction of each two
 // logical ones.
 
-#include "core/s3tc/block_flip.h"
+#include "texplorer/s3tc/block_flip.h"
 
 #if defined(__x86_64__)
 

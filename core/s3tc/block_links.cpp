@@ -1,6 +1,6 @@
 // What of a block goes together.
 
-#include "core/s3tc/block_parts.h"
+#include "texplorer/s3tc/block_parts.h"
 
 namespace texplorer {
 namespace {

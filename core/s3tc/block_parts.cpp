@@ -1,6 +1,6 @@
-#include "core/s3tc/block_parts.h"
+#include "texplorer/s3tc/block_parts.h"
 
-#include "core/s3tc/decode.h"
+#include "texplorer/s3tc/decode.h"
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 // little-endian number, whose bit 0 is the lowest of its first byte; texels are numbered row by row from the
 // one that is stored first.
 
-#include "core/base/result.h"
-#include "core/gl/block_format.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/block_format.h"
 
 #include <array>
 #include <bitset>

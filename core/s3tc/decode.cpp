@@ -1,6 +1,6 @@
-#include "core/s3tc/decode.h"
+#include "texplorer/s3tc/decode.h"
 
-#include "core/s3tc/decode_rows.h"
+#include "texplorer/s3tc/decode_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/block_image.h"
-#include "core/image/image.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/image/image.h"
 
 #include <span>
 

@@ -2,7 +2,7 @@
 
 // The inner loop of decodeBlocks.
 
-#include "core/gl/block_format.h"
+#include "texplorer/gl/block_format.h"
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 // A block's palette fits into one register, and a byte shuffle looks up four texels at once.
 
-#include "core/s3tc/decode_rows.h"
+#include "texplorer/s3tc/decode_rows.h"
 
 #if defined(__x86_64__)
 

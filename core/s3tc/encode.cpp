@@ -1,7 +1,7 @@
-#include "core/s3tc/encode.h"
+#include "texplorer/s3tc/encode.h"
 
-#include "core/base/parallel.h"
-#include "core/s3tc/block_encoders.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/s3tc/block_encoders.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/image/block_image.h"
-#include "core/image/image.h"
-#include "core/s3tc/encode_quality.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/image/image.h"
+#include "texplorer/s3tc/encode_quality.h"
 
 #include <functional>
 #include <stop_token>

@@ -1,6 +1,6 @@
-#include "core/s3tc/flip.h"
+#include "texplorer/s3tc/flip.h"
 
-#include "core/s3tc/block_flip.h"
+#include "texplorer/s3tc/block_flip.h"
 
 #include <fmt/core.h>
 

@@ -5,9 +5,9 @@
 // A row of texels in a block is a bit field of the same width in every block, so a flip moves fields and
 // never changes colours: flipping twice restores every byte.
 
-#include "core/base/result.h"
-#include "core/image/block_image.h"
-#include "core/s3tc/encode.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
-#include "core/s3tc/flip_steps.h"
+#include "texplorer/s3tc/flip_steps.h"
 
-#include "core/s3tc/block_flip.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/s3tc/block_flip.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <utility>
 

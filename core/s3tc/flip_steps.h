@@ -2,9 +2,9 @@
 
 // The steps of flipVertically() of core/s3tc/flip.h, to show them.
 
-#include "core/base/result.h"
-#include "core/image/block_image.h"
-#include "core/s3tc/encode_quality.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/s3tc/encode_quality.h"
 
 #include <cstdint>
 #include <vector>

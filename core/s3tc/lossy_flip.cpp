@@ -1,7 +1,7 @@
-#include "core/image/mirror.h"
-#include "core/image/texture_image.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/image/mirror.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
 
 namespace texplorer {
 

@@ -1,6 +1,6 @@
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
-#include "core/s3tc/decode.h"
+#include "texplorer/s3tc/decode.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
-#include "core/s3tc/texture_flip.h"
+#include "texplorer/s3tc/texture_flip.h"
 
-#include "core/image/mirror.h"
+#include "texplorer/image/mirror.h"
 
 #include <fmt/core.h>
 

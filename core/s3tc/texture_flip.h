@@ -2,8 +2,8 @@
 
 // Flips a whole texture: every level, face and slice.
 
-#include "core/image/texture_image.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <stop_token>
 

@@ -1,8 +1,8 @@
-#include "core/s3tc/texture_mips.h"
+#include "texplorer/s3tc/texture_mips.h"
 
-#include "core/image/mipmaps.h"
-#include "core/s3tc/encode.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

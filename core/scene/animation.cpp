@@ -1,6 +1,6 @@
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
-#include "core/scene/drawn_models.h"
+#include "texplorer/scene/drawn_models.h"
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>

@@ -1,4 +1,4 @@
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 namespace texplorer {
 

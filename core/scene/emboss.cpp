@@ -1,7 +1,7 @@
-#include "core/scene/emboss.h"
+#include "texplorer/scene/emboss.h"
 
-#include "core/scene/animation.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -3,7 +3,7 @@
 // Coordinates that are moved towards the light: NeHe's lesson 22, after J. Blinn, "Simulation of Wrinkled
 // Surfaces" (1978). The numbers are the same for every renderer.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <vector>
 

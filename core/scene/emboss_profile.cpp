@@ -1,6 +1,6 @@
-#include "core/scene/emboss_profile.h"
+#include "texplorer/scene/emboss_profile.h"
 
-#include "core/scene/emboss.h"
+#include "texplorer/scene/emboss.h"
 
 #include <glm/common.hpp>
 

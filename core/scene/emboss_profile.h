@@ -3,7 +3,7 @@
 // Embossing along one line: heights, a directional light, and the results of the passes of NeHe's lesson 22.
 // The offset is that of embossOffset.
 
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,4 +1,4 @@
-#include "core/scene/history.h"
+#include "texplorer/scene/history.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/scene/scene.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/scene.h"
 
 #include <memory>
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/scene/initial_like.h"
+#include "texplorer/scene/initial_like.h"
 
 namespace texplorer {
 

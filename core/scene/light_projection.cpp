@@ -1,4 +1,4 @@
-#include "core/scene/light_projection.h"
+#include "texplorer/scene/light_projection.h"
 
 #include <utility>
 

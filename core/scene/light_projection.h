@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 namespace texplorer {
 

@@ -1,6 +1,6 @@
-#include "core/scene/mesh_edits.h"
+#include "texplorer/scene/mesh_edits.h"
 
-#include "core/scene/model_mesh.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "core/scene/model_mesh.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "core/scene/picking.h"
+#include "texplorer/scene/picking.h"
 
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -1,4 +1,4 @@
-#include "core/scene/projections.h"
+#include "texplorer/scene/projections.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>

@@ -2,7 +2,7 @@
 
 // Texture coordinates computed from positions, by the projections of modelling programs.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-#include "core/scene/references.h"
+#include "texplorer/scene/references.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

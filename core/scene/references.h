@@ -3,7 +3,7 @@
 // What names elements of lists by their index: units their texture, passes their models, key frames their
 // parameters.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/gl/depth_texture.h"
-#include "core/gl/fragment.h"
-#include "core/gl/sampling.h"
+#include "texplorer/gl/depth_texture.h"
+#include "texplorer/gl/fragment.h"
+#include "texplorer/gl/sampling.h"
 
 #include <glm/vec4.hpp>
 

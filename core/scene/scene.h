@@ -4,22 +4,22 @@
 // initial values where GL has one (OpenGL 2.1, chapter 6.2, state tables). State of texture objects and of
 // texture units is separate, as in GL.
 
-#include "core/gl/combine.h"
-#include "core/gl/environment.h"
-#include "core/gl/fog.h"
-#include "core/gl/fragment.h"
-#include "core/gl/hint.h"
-#include "core/gl/internal_format.h"
-#include "core/gl/sampling.h"
-#include "core/gl/tex_gen.h"
-#include "core/image/mipmaps.h"
-#include "core/image/patterns/pattern.h"
-#include "core/image/preparation.h"
-#include "core/image/transparency.h"
-#include "core/mesh/mesh_data.h"
-#include "core/scene/sampler_state.h"
-#include "core/scene/texture_options.h"
-#include "core/scene/timeline.h"
+#include "texplorer/gl/combine.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/gl/fog.h"
+#include "texplorer/gl/fragment.h"
+#include "texplorer/gl/hint.h"
+#include "texplorer/gl/internal_format.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/gl/tex_gen.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/image/preparation.h"
+#include "texplorer/image/transparency.h"
+#include "texplorer/mesh/mesh_data.h"
+#include "texplorer/scene/sampler_state.h"
+#include "texplorer/scene/texture_options.h"
+#include "texplorer/scene/timeline.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -165,7 +165,7 @@ struct Texture : SamplerState {
     Transparency transparency = Transparency::File;
     glm::vec4 stencilColor{0, 0, 0, 1};                   ///< for Transparency::Stencil; its alpha is ignored
     InternalFormat internalFormat = InternalFormat::Rgba; ///< for a texture without compression
-    int border = 0; ///< 0 or 1: that of glTexImage; see core/image/border.h
+    int border = 0; ///< 0 or 1: that of glTexImage; see texplorer/image/border.h
     Compression compression = Compression::FromFile;
     CompressedFormat compressedFormat = CompressedFormat::Dxt1;
     EncodeQuality compressionQuality = EncodeQuality::Normal; ///< for Compression::Cached

@@ -1,7 +1,7 @@
-#include "core/scene/show_shapes.h"
+#include "texplorer/scene/show_shapes.h"
 
-#include "core/scene/drawn_models.h"
-#include "core/scene/references.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/references.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 // Options for uploading a texture's image: flip and compression.
 
-#include "core/gl/block_format.h"
-#include "core/s3tc/encode_quality.h"
+#include "texplorer/gl/block_format.h"
+#include "texplorer/s3tc/encode_quality.h"
 
 namespace texplorer {
 

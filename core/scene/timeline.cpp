@@ -1,4 +1,4 @@
-#include "core/scene/timeline.h"
+#include "texplorer/scene/timeline.h"
 
 #include <fmt/core.h>
 

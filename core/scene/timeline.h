@@ -1,9 +1,9 @@
 #pragma once
 
-// Key frames: which parameters of a scene move, and how. sceneAt (core/scene/params/scene_at.h) evaluates
-// them.
+// Key frames: which parameters of a scene move, and how. sceneAt (texplorer/scene/params/scene_at.h)
+// evaluates them.
 
-#include "core/gl/enum_row.h"
+#include "texplorer/gl/enum_row.h"
 
 #include <array>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/gl/enum_row.h"
-#include "core/scene/params/sweep_axis.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/scene/params/sweep_axis.h"
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
-#include "core/sheet/changes.h"
+#include "texplorer/sheet/changes.h"
 
-#include "core/compare/heat_map.h"
+#include "texplorer/compare/heat_map.h"
 
 #include <utility>
 

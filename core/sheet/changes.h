@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/image/image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
 
 #include <cstddef>
 
@@ -9,7 +9,7 @@ namespace texplorer::sheet {
 
 /// The difference of a picture to another one.
 struct PictureChanges {
-    Image map; ///< each pixel's difference as a colour of core/compare/heat_map.h: black is equal
+    Image map; ///< each pixel's difference as a colour of texplorer/compare/heat_map.h: black is equal
     std::size_t pixels = 0; ///< number of different pixels
 
     [[nodiscard]] bool any() const { return pixels > 0; }

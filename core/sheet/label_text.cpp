@@ -1,6 +1,6 @@
-#include "core/sheet/label_text.h"
+#include "texplorer/sheet/label_text.h"
 
-#include "core/text/utf8.h"
+#include "texplorer/text/utf8.h"
 
 #include <algorithm>
 

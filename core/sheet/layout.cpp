@@ -1,6 +1,6 @@
-#include "core/sheet/layout.h"
+#include "texplorer/sheet/layout.h"
 
-#include "core/sheet/label_text.h"
+#include "texplorer/sheet/label_text.h"
 
 #include <fmt/core.h>
 

@@ -2,10 +2,10 @@
 
 // The layout of a sheet in numbers. All positions are in pixels from the sheet's upper left.
 
-#include "core/base/result.h"
-#include "core/compare/comparison.h"
-#include "core/sheet/axis_labels.h"
-#include "core/sheet/lettering.h"
+#include "texplorer/base/result.h"
+#include "texplorer/compare/comparison.h"
+#include "texplorer/sheet/axis_labels.h"
+#include "texplorer/sheet/lettering.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,6 +1,6 @@
-#include "core/sheet/sheet_picture.h"
+#include "texplorer/sheet/sheet_picture.h"
 
-#include "core/sheet/label_text.h"
+#include "texplorer/sheet/label_text.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/sheet/layout.h"
-#include "core/sheet/lettering.h"
+#include "texplorer/image/image.h"
+#include "texplorer/sheet/layout.h"
+#include "texplorer/sheet/lettering.h"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "core/suite/accept_list.h"
+#include "texplorer/suite/accept_list.h"
 
-#include "core/scene/params/param_text.h"
-#include "core/text/nearest_name.h"
-#include "core/text/printable.h"
-#include "core/text/utf8.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/nearest_name.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "core/suite/case_command.h"
+#include "texplorer/suite/case_command.h"
 
-#include "core/text/printable.h"
-#include "core/text/shell_word.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/shell_word.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "core/suite/case_name.h"
+#include "texplorer/suite/case_name.h"
 
-#include "core/suite/hash.h"
+#include "texplorer/suite/hash.h"
 
 #include <algorithm>
 #include <vector>

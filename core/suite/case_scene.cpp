@@ -1,13 +1,13 @@
-#include "core/suite/case_scene.h"
+#include "texplorer/suite/case_scene.h"
 
-#include "core/files/file_fingerprint.h"
-#include "core/files/file_io.h"
-#include "core/lesson/example.h"
-#include "core/lesson/lesson_scene.h"
-#include "core/scene/params/json.h"
-#include "core/suite/case_name.h"
-#include "core/suite/hash.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/example.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/suite/case_name.h"
+#include "texplorer/suite/hash.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/suite/plan.h"
-#include "core/texture/image_source.h"
+#include "texplorer/suite/plan.h"
+#include "texplorer/texture/image_source.h"
 
 #include <map>
 #include <memory>

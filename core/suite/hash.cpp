@@ -1,6 +1,6 @@
-#include "core/suite/hash.h"
+#include "texplorer/suite/hash.h"
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #define XXH_INLINE_ALL // the header is all of it: no library to link
 #include <fmt/core.h>

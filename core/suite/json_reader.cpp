@@ -1,8 +1,8 @@
-#include "core/suite/json_reader.h"
+#include "texplorer/suite/json_reader.h"
 
-#include "core/scene/params/json_problem.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/json_end.h"
+#include "texplorer/scene/params/json_problem.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/json_end.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/params/json_object.h"
+#include "texplorer/scene/params/json_object.h"
 
 namespace texplorer::suite {
 

@@ -2,10 +2,10 @@
 
 // Judges the picture of a case.
 
-#include "core/conform/pair.h"
-#include "core/reference/sampling/lod.h"
-#include "core/suite/case_scene.h"
-#include "core/suite/record.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/suite/case_scene.h"
+#include "texplorer/suite/record.h"
 
 namespace texplorer::suite {
 

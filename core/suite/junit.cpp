@@ -1,7 +1,7 @@
-#include "core/suite/junit.h"
+#include "texplorer/suite/junit.h"
 
-#include "core/text/html.h"
-#include "core/text/utf8.h"
+#include "texplorer/text/html.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "core/suite/merge.h"
+#include "texplorer/suite/merge.h"
 
-#include "core/base/count.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

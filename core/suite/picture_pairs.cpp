@@ -1,8 +1,8 @@
-#include "core/suite/picture_pairs.h"
+#include "texplorer/suite/picture_pairs.h"
 
-#include "core/files/file_kind.h"
-#include "core/suite/png_size.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/suite/png_size.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 

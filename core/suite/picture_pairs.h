@@ -2,7 +2,7 @@
 
 // Pairs of PNG files of any program, in two folders.
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <filesystem>
 #include <string>

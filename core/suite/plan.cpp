@@ -1,11 +1,11 @@
-#include "core/suite/plan.h"
+#include "texplorer/suite/plan.h"
 
-#include "core/lesson/lesson_scene.h"
-#include "core/scene/params/param_text.h"
-#include "core/suite/case_name.h"
-#include "core/suite/case_scene.h"
-#include "core/suite/hash.h"
-#include "core/text/printable.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/suite/case_name.h"
+#include "texplorer/suite/case_scene.h"
+#include "texplorer/suite/hash.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

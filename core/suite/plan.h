@@ -2,8 +2,8 @@
 
 // The cases of suites: one picture each.
 
-#include "core/scene/params/sweep_axis.h"
-#include "core/suite/suite.h"
+#include "texplorer/scene/params/sweep_axis.h"
+#include "texplorer/suite/suite.h"
 
 namespace texplorer::suite {
 

@@ -1,6 +1,6 @@
-#include "core/suite/png_size.h"
+#include "texplorer/suite/png_size.h"
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/suite/suite.h"
+#include "texplorer/suite/suite.h"
 
 #include <filesystem>
 #include <optional>

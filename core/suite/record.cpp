@@ -1,8 +1,8 @@
-#include "core/suite/record.h"
+#include "texplorer/suite/record.h"
 
-#include "core/base/count.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

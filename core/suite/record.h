@@ -2,8 +2,8 @@
 
 // The results of cases, as values.
 
-#include "core/base/result.h"
-#include "core/gl/enum_row.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/enum_row.h"
 
 #include <array>
 #include <optional>

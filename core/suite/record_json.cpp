@@ -1,8 +1,8 @@
-#include "core/suite/record_json.h"
+#include "texplorer/suite/record_json.h"
 
-#include "core/report/report_files.h"
-#include "core/suite/json_reader.h"
-#include "core/text/printable.h"
+#include "texplorer/report/report_files.h"
+#include "texplorer/suite/json_reader.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
-#include "core/suite/rule_choice.h"
+#include "texplorer/suite/rule_choice.h"
 
-#include "core/conform/report_words.h"
-#include "core/conform/rule.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/drawn_models.h"
+#include "texplorer/conform/report_words.h"
+#include "texplorer/conform/rule.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/drawn_models.h"
 
 #include <fmt/format.h>
 

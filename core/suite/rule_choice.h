@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/conform/rule.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/conform/rule.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace texplorer::suite {
 
-/// The values of a suite's "rule": "auto", "none" and the names of core/conform/rule.h.
+/// The values of a suite's "rule": "auto", "none" and the names of texplorer/conform/rule.h.
 [[nodiscard]] std::span<const std::string_view> ruleNames();
 
 /// Returns nullptr for an unknown name, "auto" and "none".

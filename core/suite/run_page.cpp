@@ -1,10 +1,10 @@
-#include "core/suite/run_page.h"
+#include "texplorer/suite/run_page.h"
 
-#include "core/compare/comparison.h"
-#include "core/compare/metric.h"
-#include "core/suite/case_command.h"
-#include "core/text/percent.h"
-#include "core/text/shell_word.h"
+#include "texplorer/compare/comparison.h"
+#include "texplorer/compare/metric.h"
+#include "texplorer/suite/case_command.h"
+#include "texplorer/text/percent.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/report/page.h"
-#include "core/suite/record.h"
+#include "texplorer/report/page.h"
+#include "texplorer/suite/record.h"
 
 namespace texplorer::suite {
 

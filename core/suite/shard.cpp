@@ -1,7 +1,7 @@
-#include "core/suite/shard.h"
+#include "texplorer/suite/shard.h"
 
-#include "core/scene/params/param_text.h"
-#include "core/suite/json_reader.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/suite/json_reader.h"
 
 #include <fmt/core.h>
 

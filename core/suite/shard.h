@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/suite/plan.h"
-#include "core/suite/record.h"
+#include "texplorer/suite/plan.h"
+#include "texplorer/suite/record.h"
 
 #include <map>
 #include <span>

@@ -1,7 +1,7 @@
-#include "core/suite/stored_picture.h"
+#include "texplorer/suite/stored_picture.h"
 
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
 
 #include <algorithm>
 

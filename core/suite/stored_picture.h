@@ -2,9 +2,9 @@
 
 // Goldens, masks and pictures of other programs, in files.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/image/image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
 
 #include <filesystem>
 

@@ -3,10 +3,10 @@
 // A suite: pictures of scenes, each with its golden. It is a text file, NAME.suite.json; the files that it
 // refers to are in its folder.
 
-#include "core/base/result.h"
-#include "core/compare/criterion.h"
-#include "core/lesson/lesson.h"
-#include "core/scene/renderer.h"
+#include "texplorer/base/result.h"
+#include "texplorer/compare/criterion.h"
+#include "texplorer/lesson/lesson.h"
+#include "texplorer/scene/renderer.h"
 
 #include <array>
 #include <filesystem>
@@ -75,7 +75,7 @@ struct GoldenFiles {
     std::vector<ForDriver> drivers;
     bool operator==(const GoldenFiles&) const = default;
 };
-/// The reference's picture, compared by a rule (core/conform/rule.h).
+/// The reference's picture, compared by a rule (texplorer/conform/rule.h).
 struct GoldenReference {
     /// ruleNames: "auto" is ruleFor's, "none" uses the criterion, as for a stored picture.
     std::string rule = "auto";

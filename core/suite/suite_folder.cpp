@@ -1,11 +1,11 @@
-#include "core/suite/suite_folder.h"
+#include "texplorer/suite/suite_folder.h"
 
-#include "core/files/file_io.h"
-#include "core/files/file_kind.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_text.h"
-#include "core/suite/png_size.h"
-#include "core/text/printable.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/suite/png_size.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
-#include "core/files/file_io.h"
-#include "core/lesson/example.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_text.h"
-#include "core/suite/json_reader.h"
-#include "core/suite/rule_choice.h"
-#include "core/suite/suite.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/example.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/suite/json_reader.h"
+#include "texplorer/suite/rule_choice.h"
+#include "texplorer/suite/suite.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "core/scene/renderer.h"
-#include "core/suite/json_reader.h"
-#include "core/suite/rule_choice.h"
-#include "core/suite/suite.h"
+#include "texplorer/scene/renderer.h"
+#include "texplorer/suite/json_reader.h"
+#include "texplorer/suite/rule_choice.h"
+#include "texplorer/suite/suite.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "core/text/base64.h"
+#include "texplorer/text/base64.h"
 
 #include <string_view>
 

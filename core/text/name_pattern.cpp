@@ -1,7 +1,7 @@
-#include "core/text/name_pattern.h"
+#include "texplorer/text/name_pattern.h"
 
-#include "core/text/printable.h"
-#include "core/text/utf8.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 // Patterns for the names of several files: "{scene}-{minFilter}.png".
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <functional>
 #include <string>

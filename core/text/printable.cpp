@@ -1,6 +1,6 @@
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
-#include "core/text/utf8.h"
+#include "texplorer/text/utf8.h"
 
 #include <algorithm>
 #include <array>

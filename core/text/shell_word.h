@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <string>
 #include <string_view>

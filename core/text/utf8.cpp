@@ -1,4 +1,4 @@
-#include "core/text/utf8.h"
+#include "texplorer/text/utf8.h"
 
 #include <array>
 #include <cstdint>

@@ -1,11 +1,11 @@
-#include "core/texture/block_cache.h"
+#include "texplorer/texture/block_cache.h"
 
-#include "core/codec/dds/dds.h"
-#include "core/files/directory_listing.h"
-#include "core/files/file_io.h"
-#include "core/files/private_directory.h"
-#include "core/files/user_folder.h"
-#include "core/s3tc/encode.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/files/directory_listing.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/private_directory.h"
+#include "texplorer/files/user_folder.h"
+#include "texplorer/s3tc/encode.h"
 
 #define XXH_INLINE_ALL // the header is all of it: no library to link
 #include <fmt/core.h>

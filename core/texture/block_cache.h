@@ -2,10 +2,10 @@
 
 // Caches compressed levels between runs, as DDS files in a directory.
 
-#include "core/base/result.h"
-#include "core/image/block_image.h"
-#include "core/image/image.h"
-#include "core/s3tc/encode_quality.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/image/image.h"
+#include "texplorer/s3tc/encode_quality.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -49,7 +49,7 @@ public:
 
     /// Writes an entry atomically, replacing any file of its name (links are not followed), and removes
     /// others if needed. Errors: there is no directory; it cannot be created or written; it is not private
-    /// (core/files/private_directory.h); the levels alone exceed the limit.
+    /// (texplorer/files/private_directory.h); the levels alone exceed the limit.
     [[nodiscard]] Result<void> keep(const std::filesystem::path& file, std::vector<BlockImage> levels) const;
 
 private:

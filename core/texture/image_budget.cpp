@@ -1,6 +1,6 @@
-#include "core/texture/image_budget.h"
+#include "texplorer/texture/image_budget.h"
 
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
 #include <fmt/core.h>
 

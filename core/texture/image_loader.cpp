@@ -1,11 +1,11 @@
-#include "core/texture/image_loader.h"
+#include "texplorer/texture/image_loader.h"
 
-#include "core/base/worker.h"
-#include "core/codec/image_file.h"
-#include "core/codec/registry.h"
-#include "core/image/thumbnail.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/image_budget.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/codec/image_file.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/image/thumbnail.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/image_budget.h"
 
 #include <algorithm>
 #include <utility>

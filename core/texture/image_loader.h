@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/codec/common/anatomy.h"
-#include "core/image/image.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/anatomy.h"
+#include "texplorer/image/image.h"
+#include "texplorer/image/texture_image.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,8 +1,8 @@
-#include "core/texture/image_source.h"
+#include "texplorer/texture/image_source.h"
 
-#include "core/codec/image_file.h"
-#include "core/files/file_fingerprint.h"
-#include "core/image/patterns/pattern.h"
+#include "texplorer/codec/image_file.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/image/texture_image.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_budget.h"
-#include "core/texture/texture_pictures.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_budget.h"
+#include "texplorer/texture/texture_pictures.h"
 
 #include <filesystem>
 #include <functional>
@@ -62,7 +62,7 @@ public:
     }
 
     /// Sets the light's view, `size` texels per side, for textures with SourceKind::LightDepth; called by the
-    /// program that draws the scene (core/reference/light_depth.h).
+    /// program that draws the scene (texplorer/reference/light_depth.h).
     void putLightDepth(int size, std::shared_ptr<const TextureImage> image) {
         lightDepths_[size] = std::move(image);
     }

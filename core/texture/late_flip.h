@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/texture/texture_levels.h"
+#include "texplorer/texture/texture_levels.h"
 
 namespace texplorer {
 

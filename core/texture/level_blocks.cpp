@@ -1,11 +1,11 @@
 // Levels in blocks: which are kept as the file has them, and which are compressed.
 
-#include "core/image/depth_pixels.h"
-#include "core/image/power_of_two.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
-#include "core/texture/level_maker.h"
-#include "core/texture/target_image.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
+#include "texplorer/texture/level_maker.h"
+#include "texplorer/texture/target_image.h"
 
 #include <fmt/core.h>
 

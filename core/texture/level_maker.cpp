@@ -1,15 +1,15 @@
-#include "core/texture/level_maker.h"
+#include "texplorer/texture/level_maker.h"
 
-#include "core/image/border.h"
-#include "core/image/depth_pixels.h"
-#include "core/image/power_of_two.h"
-#include "core/image/preparation.h"
-#include "core/image/resample.h"
-#include "core/image/stored_numbers.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/image_budget.h"
-#include "core/texture/late_flip.h"
-#include "core/texture/target_image.h"
+#include "texplorer/image/border.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/image/preparation.h"
+#include "texplorer/image/resample.h"
+#include "texplorer/image/stored_numbers.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/image_budget.h"
+#include "texplorer/texture/late_flip.h"
+#include "texplorer/texture/target_image.h"
 
 #include <fmt/core.h>
 

@@ -4,11 +4,11 @@
 // in level_maker.cpp (levels from pictures), level_blocks.cpp (compressed levels) and level_plan.cpp (extents
 // only).
 
-#include "core/base/result.h"
-#include "core/gl/sampling.h"
-#include "core/image/cube_faces.h"
-#include "core/texture/level_plan.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/image/cube_faces.h"
+#include "texplorer/texture/level_plan.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <functional>
 #include <span>
@@ -68,7 +68,7 @@ private:
     [[nodiscard]] bool turns(const LevelPicture& picture) const {
         return picture.image->topFirst != isTopFirst(picture);
     }
-    /// In that case, the top row of a picture is at t = 0 (core/image/cube_faces.h).
+    /// In that case, the top row of a picture is at t = 0 (texplorer/image/cube_faces.h).
     [[nodiscard]] bool isCube() const { return target_ == Target::CubeMap; }
     /// Whether the faces of a cube map are parts of one picture.
     [[nodiscard]] bool cutsFaces(const TextureImage& image) const {

@@ -1,11 +1,11 @@
 // Which levels there will be, and how large they are.
 
-#include "core/texture/level_plan.h"
+#include "texplorer/texture/level_plan.h"
 
-#include "core/image/border.h"
-#include "core/image/power_of_two.h"
-#include "core/image/resample.h"
-#include "core/texture/level_maker.h"
+#include "texplorer/image/border.h"
+#include "texplorer/image/power_of_two.h"
+#include "texplorer/image/resample.h"
+#include "texplorer/texture/level_maker.h"
 
 #include <algorithm>
 

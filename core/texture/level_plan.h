@@ -2,7 +2,7 @@
 
 // The levels that a texture will have, without making them: enough to check completeness and size limits.
 
-#include "core/texture/texture_pictures.h"
+#include "texplorer/texture/texture_pictures.h"
 
 #include <optional>
 #include <vector>

@@ -2,8 +2,8 @@
 
 // Where a renderer gets a texture's levels. Without a source, it makes them itself and blocks.
 
-#include "core/texture/image_source.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <memory>
 

@@ -1,9 +1,9 @@
-#include "core/texture/levels_worker.h"
+#include "texplorer/texture/levels_worker.h"
 
-#include "core/image/convert.h"
-#include "core/image/thumbnail.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/target_image.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/thumbnail.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/target_image.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/image/image.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/image/image.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/gl/sampling.h"
-#include "core/image/image.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

@@ -1,7 +1,7 @@
-#include "core/texture/texture_levels.h"
+#include "texplorer/texture/texture_levels.h"
 
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/level_maker.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/level_maker.h"
 
 #include <fmt/core.h>
 

@@ -3,14 +3,14 @@
 // Converts the content of a file to the levels to upload: here, flip, compression and mipmaps of a Texture
 // are applied. Every renderer starts from the result.
 
-#include "core/base/result.h"
-#include "core/image/mipmaps.h"
-#include "core/image/shared_surface.h"
-#include "core/image/texture_image.h"
-#include "core/s3tc/encode.h"
-#include "core/scene/scene.h"
-#include "core/texture/block_cache.h"
-#include "core/texture/texture_pictures.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/image/shared_surface.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/block_cache.h"
+#include "texplorer/texture/texture_pictures.h"
 
 #include <functional>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/texture_image.h"
-#include "core/scene/scene.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstddef>
 #include <memory>

@@ -1,9 +1,9 @@
 // The numbers of TextureReport: what a texture costs, and what its compression lost.
 
-#include "core/image/convert.h"
-#include "core/image/linear_light.h"
-#include "core/s3tc/decode.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/linear_light.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <fmt/core.h>
 

@@ -9,7 +9,8 @@ import pathlib
 import re
 import sys
 
-INCLUDE = re.compile(r'^\s*#\s*include\s+"((?:core|app)/[^"]+)"', re.MULTILINE)
+# Of core they are "texplorer/…": the build's link to the folder, and what is installed.
+INCLUDE = re.compile(r'^\s*#\s*include\s+"((?:texplorer|app)/[^"]+)"', re.MULTILINE)
 # Others' headers that are for one folder: CLI11 takes seconds to compile, GLFW is for what has a display, Dear ImGui's
 # backends for what has OpenGL.
 ALONE = {"CLI": "app/command_line", "GLFW": "app/explorer", "backends": "app/opengl"}
@@ -97,6 +98,7 @@ def wrong_includes(layers, files):
             continue
         may = reach(layers, above) | {above}
         for included in INCLUDE.findall(text):
+            included = re.sub(r"^texplorer/", "core/", included)
             below = layer_of(layers, included)
             if below not in may:
                 found.append(f"{path} includes {included}, but {above} does not link {below or 'it'}")

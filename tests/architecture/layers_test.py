@@ -20,21 +20,21 @@ def wrong(**files):
 
 class Includes(unittest.TestCase):
     def test_what_is_linked_may_be_included(self):
-        self.assertEqual(wrong(core__image__a='#include "core/base/b.h"\n#include "core/image/c.h"\n'), [])
+        self.assertEqual(wrong(core__image__a='#include "texplorer/base/b.h"\n#include "texplorer/image/c.h"\n'), [])
 
     def test_an_include_that_points_up_is_named(self):
         self.assertEqual(
-            wrong(core__base__a='#include <vector>\n#include "core/image/b.h"\n'),
+            wrong(core__base__a='#include <vector>\n#include "texplorer/image/b.h"\n'),
             ["core/base/a.cpp includes core/image/b.h, but core/base does not link core/image"])
 
     def test_what_a_layer_links_for_itself_alone_is_not_passed_on(self):
-        self.assertEqual(wrong(core__image__png__a='#include "core/image/b.h"\n'), [])
+        self.assertEqual(wrong(core__image__png__a='#include "texplorer/image/b.h"\n'), [])
         self.assertEqual(
-            wrong(core__top__a='#include "core/image/b.h"\n'),
+            wrong(core__top__a='#include "texplorer/image/b.h"\n'),
             ["core/top/a.cpp includes core/image/b.h, but core/top does not link core/image"])
 
     def test_a_folder_belongs_to_the_nearest_library_above(self):
-        self.assertEqual(wrong(app__ui__details__a='#include "core/top/b.h"\n#include "app/ui/c.h"\n'), [])
+        self.assertEqual(wrong(app__ui__details__a='#include "texplorer/top/b.h"\n#include "app/ui/c.h"\n'), [])
         self.assertEqual(wrong(core__top__a='#include "app/ui/c.h"\n'),
                          ["core/top/a.cpp includes app/ui/c.h, but core/top does not link app/ui"])
 

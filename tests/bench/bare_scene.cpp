@@ -1,10 +1,10 @@
 #include "tests/bench/bare_scene.h"
 
-#include "core/image/mipmaps.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/scene/animation.h"
-#include "core/scene/model_mesh.h"
-#include "core/texture/image_source.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/texture/image_source.h"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/trigonometric.hpp>

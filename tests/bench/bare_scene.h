@@ -3,8 +3,8 @@
 // The default scene in plain calls of OpenGL, as a program for this scene alone makes them: state set once,
 // then nothing but the clear, the matrices and the draw calls in every frame.
 
-#include "core/image/image.h"
-#include "core/scene/scene.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/scene.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // The peer of many shots in one call: the same 36 pictures drawn and read back in one OSMesa context by plain
 // OpenGL, nothing encoded and nothing written. With a folder, what was read is left there, NUMBER.rgba.
 
-#include "core/files/file_io.h"
 #include "tests/bench/bare_scene.h"
 #include "tests/bench/shot_states.h"
+#include "texplorer/files/file_io.h"
 
 #include <GL/osmesa.h>
 

@@ -1,10 +1,10 @@
 // Animations against their parts: what it costs to draw the pictures into files that aren't packed, and what
 // the library's own way costs to encode those, one after the other.
 
-#include "core/animation/opaque_frame.h"
-#include "core/codec/bmp/bmp.h"
-#include "core/files/file_io.h"
 #include "tests/bench/caller.h"
+#include "texplorer/animation/opaque_frame.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/files/file_io.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // Decoding 24-bit BMP files from memory, against stb_image and against copying the decoded pixels.
 
-#include "core/codec/bmp/bmp.h"
+#include "texplorer/codec/bmp/bmp.h"
 
 #include <benchmark/benchmark.h>
 

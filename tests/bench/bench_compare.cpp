@@ -2,8 +2,8 @@
 // against scikit-image, the same formula by numpy and scipy; its process and its reading of the files don't
 // count.
 
-#include "core/compare/comparison.h"
-#include "core/files/file_io.h"
+#include "texplorer/compare/comparison.h"
+#include "texplorer/files/file_io.h"
 
 #include <benchmark/benchmark.h>
 

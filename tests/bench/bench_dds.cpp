@@ -1,6 +1,6 @@
 // Reading DDS files from memory, against copying the same bytes: nothing needs to be computed.
 
-#include "core/codec/dds/dds.h"
+#include "texplorer/codec/dds/dds.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // A scene as a program: the start scene and one with the bricks, whose texels are packed; and once more, as
 // the Commands tab writes it while one drags a value.
 
-#include "core/emit/program.h"
+#include "texplorer/emit/program.h"
 
 #include <benchmark/benchmark.h>
 

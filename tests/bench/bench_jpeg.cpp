@@ -1,6 +1,6 @@
 // Decoding JPEG files from memory, against libjpeg-turbo called by hand and against stb_image.
 
-#include "core/codec/jpeg/jpeg.h"
+#include "texplorer/codec/jpeg/jpeg.h"
 
 #include <benchmark/benchmark.h>
 

@@ -8,7 +8,7 @@
 #include "app/ui/editor/received_files.h"
 #include "app/ui/files/lessons.h"
 #include "app/ui/files/loads.h"
-#include "core/lesson/lesson_files.h"
+#include "texplorer/lesson/lesson_files.h"
 
 #include <GL/glew.h>
 #include <benchmark/benchmark.h>

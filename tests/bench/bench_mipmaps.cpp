@@ -1,6 +1,6 @@
 // The whole mip chain of a 2048 x 2048 RGBA image, against stb_image_resize's box filter.
 
-#include "core/image/mipmaps.h"
+#include "texplorer/image/mipmaps.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 
 #include "app/offscreen/context.h"
 #include "app/render/capabilities.h"
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <GL/glew.h>
 #include <GL/glu.h>

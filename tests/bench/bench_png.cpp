@@ -1,8 +1,8 @@
 // Writing a rendered picture of 1280 x 720 pixels as PNG and reading it again, against libpng in a bare loop
 // with its own defaults.
 
-#include "core/codec/png/png.h"
-#include "core/image/patterns/pattern.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // Why a pixel has its colour, for a mouse that moves over the picture: the textures are ready, every probe is
 // at another place.
 
-#include "core/reference/probe.h"
+#include "texplorer/reference/probe.h"
 
 #include <benchmark/benchmark.h>
 

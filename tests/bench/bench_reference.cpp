@@ -2,10 +2,10 @@
 // drivers. Each driver runs in a process of its own, because it is chosen once for a whole process, and draws
 // its frames between ours.
 
-#include "core/reference/draw.h"
 #include "tests/bench/child.h"
 #include "tests/bench/comparisons.h"
 #include "tests/bench/frame_scenes.h"
+#include "texplorer/reference/draw.h"
 
 #include <benchmark/benchmark.h>
 

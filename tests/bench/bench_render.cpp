@@ -4,8 +4,8 @@
 #include "app/offscreen/context.h"
 #include "app/render/fixed_renderer.h"
 #include "app/render/shader_renderer.h"
-#include "core/texture/image_source.h"
 #include "tests/bench/bare_scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <GL/glew.h>
 #include <benchmark/benchmark.h>

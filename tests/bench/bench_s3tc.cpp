@@ -1,9 +1,9 @@
 // S3TC on one thread: decoding against libsquish, flipping against copying the same bytes, encoding against
 // stb_dxt and libsquish.
 
-#include "core/s3tc/decode.h"
-#include "core/s3tc/encode.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <benchmark/benchmark.h>
 

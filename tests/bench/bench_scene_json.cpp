@@ -1,9 +1,9 @@
 // A scene file of a moved cube and a sphere whose 561 coordinates were all edited, read and written, against
 // nlohmann-json's own parse and dump of the same text into its document (which checks nothing of a scene).
 
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/json.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>

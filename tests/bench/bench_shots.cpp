@@ -2,12 +2,12 @@
 // nothing in Mesa's cache and with everything. A cold cache is a folder of its own for each process. The same
 // of a sheet of many pictures.
 
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/image/convert.h"
 #include "tests/bench/caller.h"
 #include "tests/bench/once.h"
 #include "tests/bench/shot_states.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/convert.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // Decoding TGA files from memory against stb_image: raw, and run-length coded pictures of two kinds. A
 // drawing has runs of 1 to 60 pixels, a third of them single ones; a photograph is all raw packets.
 
-#include "core/codec/tga/tga.h"
+#include "texplorer/codec/tga/tga.h"
 
 #include <benchmark/benchmark.h>
 

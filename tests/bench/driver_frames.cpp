@@ -4,8 +4,8 @@
 
 #include "app/offscreen/context.h"
 #include "app/render/fixed_renderer.h"
-#include "core/texture/image_source.h"
 #include "tests/bench/frame_scenes.h"
+#include "texplorer/texture/image_source.h"
 
 #include <GL/glew.h>
 

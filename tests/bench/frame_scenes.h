@@ -3,11 +3,11 @@
 // The scenes whose frames are compared: what texplorer shows first, and a floor that runs to the horizon,
 // each with every way of filtering; lines; and an embossed cube, which three passes draw.
 
-#include "core/conform/dice.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/scene.h"
 #include "tests/support/floor_scene.h"
+#include "texplorer/conform/dice.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 #include <optional>

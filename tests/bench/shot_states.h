@@ -3,9 +3,9 @@
 // The 36 states that many shots in one call are measured with: every minification filter with every
 // environment mode, of the scene that Texplorer starts with.
 
-#include "core/gl/enum_row.h"
-#include "core/gl/environment.h"
-#include "core/gl/sampling.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/gl/sampling.h"
 
 namespace texplorer::bench {
 

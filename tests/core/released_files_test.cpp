@@ -2,17 +2,17 @@
 // and are drawn as they were. The pictures and most lists of values come from the program of that version.
 // They prove only that nothing has changed since, and that is their purpose: other tests prove what is right.
 
-#include "core/files/file_io.h"
-#include "core/golden/golden.h"
-#include "core/lesson/lesson_files.h"
-#include "core/lesson/lesson_scene.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/param_listing.h"
-#include "core/scene/storage/scene_file.h"
-#include "core/scene/storage/scene_link.h"
-#include "core/scene/storage/unsaved_scene.h"
-#include "core/suite/case_scene.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/golden/golden.h"
+#include "texplorer/lesson/lesson_files.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/param_listing.h"
+#include "texplorer/scene/storage/scene_file.h"
+#include "texplorer/scene/storage/scene_link.h"
+#include "texplorer/scene/storage/unsaved_scene.h"
+#include "texplorer/suite/case_scene.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Flips of compressed blocks. An input is |format|flip|width|height|depth|blocks, repeated until there are
 // enough|.
 
-#include "core/image/texture_image.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
 #include "tests/fuzz/broken.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <algorithm>
 #include <cstring>

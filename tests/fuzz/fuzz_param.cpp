@@ -1,8 +1,8 @@
 // setParam: an input is lines of "path=text", each set in the scene that those before it left.
 
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
 #include "tests/fuzz/broken.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
 
 using namespace texplorer;
 

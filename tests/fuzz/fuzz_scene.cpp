@@ -1,7 +1,7 @@
 // Scene files: what is accepted is written and read again without a difference.
 
-#include "core/scene/params/json.h"
 #include "tests/fuzz/broken.h"
+#include "texplorer/scene/params/json.h"
 
 using namespace texplorer;
 

@@ -1,10 +1,10 @@
 // Suites, journals and reports of runs: what is refused is refused in one line, and what is read is written
 // as it was.
 
-#include "core/suite/plan.h"
-#include "core/suite/record_json.h"
-#include "core/suite/shard.h"
 #include "tests/fuzz/broken.h"
+#include "texplorer/suite/plan.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/suite/shard.h"
 
 using namespace texplorer;
 

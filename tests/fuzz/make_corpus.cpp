@@ -1,13 +1,13 @@
 // make_corpus FOLDER: the start corpus of the fuzzers, written by our own writers if there are any. One
 // subfolder per fuzzer; those of the decoders have the names of their rows, so that a new row adds its own.
 
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
-#include "core/suite/record_json.h"
-#include "core/suite/shard.h"
 #include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/suite/shard.h"
 
 #include <cstdio>
 #include <filesystem>

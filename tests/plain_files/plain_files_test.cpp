@@ -1,10 +1,10 @@
 // The plain versions of core/files/*_linux.cpp where they promise less.
 
-#include "core/files/file_io.h"
-#include "core/files/file_lock.h"
-#include "core/files/private_directory.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_lock.h"
+#include "texplorer/files/private_directory.h"
 
 #include <gmock/gmock.h>
 

@@ -2,10 +2,10 @@
 
 #include "app/ui/model/playback.h"
 #include "app/ui/widgets/keys.h"
-#include "core/scene/params/json.h"
 #include "tests/random/random_scene.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/window_sizes.h"
+#include "texplorer/scene/params/json.h"
 
 #include <array>
 

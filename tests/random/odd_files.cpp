@@ -1,9 +1,9 @@
 #include "tests/random/odd_files.h"
 
-#include "core/image/convert.h"
-#include "core/image/patterns/pattern.h"
 #include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <random>
 

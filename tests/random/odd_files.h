@@ -3,7 +3,7 @@
 // Image files that no artist would make: tiny, of odd sizes, cubes, volumes, compressed, without some levels,
 // cut, changed.
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <string>
 #include <vector>

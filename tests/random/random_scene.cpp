@@ -1,12 +1,12 @@
 #include "tests/random/random_scene.h"
 
-#include "core/conform/dice.h"
-#include "core/gl/combine_arguments.h"
-#include "core/reference/raster/triangle.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/params.h"
 #include "tests/random/random_skip.h"
+#include "texplorer/conform/dice.h"
+#include "texplorer/gl/combine_arguments.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/params.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 // A random scene: a pseudo-random value for every row of the parameter tables.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstdint>
 #include <span>

@@ -1,8 +1,8 @@
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
-#include "core/texture/image_source.h"
 #include "tests/random/random_scene.h"
 #include "tests/random/random_skip.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/texture/image_source.h"
 
 #include <glm/matrix.hpp>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "tests/random/random_skip.h"
 
-#include "core/conform/skip.h"
-#include "core/reference/raster/triangle.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/conform/skip.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>

@@ -3,9 +3,9 @@
 // Which random scenes can't be held to a rule, by a row with its reason: what core/conform/skip.h says of any
 // scene, and what only chance puts together.
 
-#include "core/conform/pair.h"
-#include "core/diagnosis/diagnosis.h"
 #include "tests/random/random_scene.h"
+#include "texplorer/conform/pair.h"
+#include "texplorer/diagnosis/diagnosis.h"
 
 #include <span>
 #include <string_view>

@@ -1,12 +1,12 @@
 #include "tests/random/scene_soak.h"
 
-#include "core/emit/program.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/keys.h"
 #include "tests/random/odd_files.h"
 #include "tests/random/random_scene.h"
 #include "tests/random/trial.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <stdexcept>
 

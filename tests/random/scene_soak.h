@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
 #include "tests/random/soak.h"
+#include "texplorer/base/result.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #include "tests/random/soak.h"
 
-#include "core/base/parallel.h"
 #include "tests/random/random_skip.h"
+#include "texplorer/base/parallel.h"
 
 #include <set>
 

@@ -4,14 +4,14 @@
 #include "app/render/scene_renderer.h"
 #include "app/render/shader_renderer.h"
 #include "app/view/driver_facts.h"
-#include "core/conform/feature.h"
-#include "core/conform/judge.h"
-#include "core/reference/contributions.h"
-#include "core/reference/probe.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/scene_at.h"
-#include "core/scene/renderer.h"
 #include "tests/random/random_skip.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/reference/contributions.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/scene_at.h"
+#include "texplorer/scene/renderer.h"
 
 #include <algorithm>
 #include <array>

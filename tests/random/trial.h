@@ -2,9 +2,9 @@
 
 // What is done to a random scene, and what must come of it.
 
-#include "core/base/result.h"
 #include "tests/random/batches.h"
 #include "tests/random/random_scene.h"
+#include "texplorer/base/result.h"
 
 #include <filesystem>
 #include <memory>

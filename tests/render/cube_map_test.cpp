@@ -1,8 +1,8 @@
 // Cube maps: OpenGL 2.1, section 3.8.6, table 3.19, worked out by hand.
 
-#include "core/reference/draw.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/reference/draw.h"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // Depth textures on the driver: section 3.8.14 of the OpenGL 2.1 specification, and pictures of what the
 // light sees held against the reference.
 
-#include "core/image/depth_pixels.h"
-#include "core/reference/draw.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/reference/draw.h"
 
 #include <gmock/gmock.h>
 

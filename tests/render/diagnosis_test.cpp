@@ -2,10 +2,10 @@
 // says has no effect changes no pixel when it is set to something else.
 
 #include "app/view/driver_facts.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/params/params.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "app/render/gl_functions.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/params.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gtest/gtest.h>
 

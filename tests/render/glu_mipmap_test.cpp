@@ -1,8 +1,8 @@
 // gluBuild2DMipmaps, the function that many courses teach, as an oracle for NpotPolicy::PowerOfTwo.
 
 #include "app/render/gl_handle.h"
-#include "core/image/mipmaps.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/image/mipmaps.h"
 
 #include <GL/glu.h>
 #include <gmock/gmock.h>

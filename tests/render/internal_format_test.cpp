@@ -1,9 +1,9 @@
 // What OpenGL makes of each internal format, against numbers from the specification: a texture of four texels
 // that fills the picture, with each of OpenGL's renderers.
 
-#include "core/reference/draw.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/reference/draw.h"
 
 #include <gmock/gmock.h>
 

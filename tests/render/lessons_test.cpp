@@ -3,10 +3,10 @@
 // skips leave out, each with its reason.
 
 #include "app/view/driver_facts.h"
-#include "core/conform/judge.h"
-#include "core/conform/skip.h"
-#include "core/lesson/lesson_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/conform/skip.h"
+#include "texplorer/lesson/lesson_scene.h"
 
 #include <GL/glew.h>
 #include <fmt/core.h>

@@ -1,10 +1,10 @@
 // The level that the reference finds for each pixel against the one that OpenGL reads there: its coloured
 // levels say which it was.
 
-#include "core/image/mip_colors.h"
-#include "core/reference/level_map.h"
 #include "tests/support/floor_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/image/mip_colors.h"
+#include "texplorer/reference/level_map.h"
 
 #include <cmath>
 #include <optional>

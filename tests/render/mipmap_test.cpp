@@ -2,11 +2,11 @@
 // specification. The texture has 64 x 64 texels and the coloured mip set, so that the colour says the level.
 
 #include "app/render/gl_handle.h"
-#include "core/image/mip_colors.h"
-#include "core/image/mipmaps.h"
-#include "core/image/patterns/pattern.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/image/mip_colors.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <glm/common.hpp>
 #include <gmock/gmock.h>

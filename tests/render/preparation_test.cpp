@@ -1,8 +1,8 @@
 // What is done to a picture before it is uploaded, against what the driver does while it is uploaded.
 
-#include "core/image/preparation.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/image/preparation.h"
 
 #include <GL/glew.h>
 

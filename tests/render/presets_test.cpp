@@ -1,10 +1,10 @@
 // What a preset makes of the start scene, drawn by OpenGL's renderers and by the reference: they agree on it
 // as conform asks of a scene of its sweeps.
 
-#include "core/conform/feature.h"
-#include "core/conform/judge.h"
-#include "core/preset/preset.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/preset/preset.h"
 
 #include <gmock/gmock.h>
 

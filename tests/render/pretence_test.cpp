@@ -3,9 +3,9 @@
 #include "app/render/shader_renderer.h"
 #include "app/view/driver_facts.h"
 #include "app/view/pretence.h"
-#include "core/compare/difference.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/compare/difference.h"
 
 #include <gmock/gmock.h>
 

@@ -2,12 +2,12 @@
 // on one side, assets/scenes on the other, pixel by pixel.
 
 #include "app/render/render_target.h"
-#include "core/files/file_io.h"
-#include "core/image/patterns/pattern.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/json.h"
 #include "tests/programs/programs.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

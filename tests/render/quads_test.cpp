@@ -4,9 +4,9 @@
 
 #include "app/render/gl_handle.h"
 #include "app/render/render_target.h"
-#include "core/scene/animation.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/scene/animation.h"
 
 #include <GL/glu.h>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,11 +1,11 @@
 // The reference renderer against OpenGL: two implementations of one specification without common code. The
 // tolerances allow for precision: a driver may round coordinates, filter weights and lambda.
 
-#include "core/reference/draw.h"
-#include "core/scene/params/param_text.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/floor_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 // The driver decompresses the same blocks.
 
 #include "app/render/gl_handle.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <GL/glew.h>
 

@@ -4,9 +4,9 @@
 
 #include "app/offscreen/context.h"
 #include "app/render/shader_renderer.h"
-#include "core/gl/sampling.h"
-#include "core/texture/image_source.h"
 #include "tests/support/flat_scene.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/texture/image_source.h"
 
 #include <algorithm>
 #include <array>

@@ -2,14 +2,14 @@
 
 #include "app/render/fixed_renderer.h"
 #include "app/render/shader_renderer.h"
-#include "core/files/file_io.h"
-#include "core/glsl/shader_pieces.h"
-#include "core/mesh/mesh.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/json.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/glsl/shader_pieces.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

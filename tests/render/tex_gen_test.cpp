@@ -1,11 +1,11 @@
 // Generated coordinates against section 2.11.4 of the OpenGL 2.1 specification: a scene that generates them
 // looks like one whose vertices have the results of the formulas.
 
-#include "core/reference/draw.h"
-#include "core/scene/animation.h"
-#include "core/scene/model_mesh.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <GL/glew.h>
 #include <glm/geometric.hpp>

@@ -1,10 +1,10 @@
 // The three ways to a compressed texture, as the driver has it afterwards: read back level by level.
 
 #include "app/render/texture_cache.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/encode.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // One DDS texture, whose first row is the top one, drawn with every way to get it upright, and with none.
 
-#include "core/s3tc/decode.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/s3tc/decode.h"
 
 #include <gmock/gmock.h>
 

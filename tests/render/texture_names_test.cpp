@@ -1,8 +1,8 @@
 // Random sequences of calls in core/reference/texture_calls and in OpenGL: names, bindings, parameters,
 // environments and the colour that is drawn are the same after each.
 
-#include "core/reference/texture_calls.h"
 #include "tests/support/render_fixture.h"
+#include "texplorer/reference/texture_calls.h"
 
 #include <GL/glew.h>
 

@@ -1,6 +1,6 @@
 #include "tests/stage/bare_host.h"
 
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
 #include <gtest/gtest.h>
 

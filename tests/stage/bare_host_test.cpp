@@ -3,13 +3,13 @@
 #include "app/ui/files/asking.h"
 #include "app/ui/files/lessons.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/files/file_io.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/json.h"
 #include "tests/stage/bare_host.h"
 #include "tests/stage/no_files.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/small_bmp.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

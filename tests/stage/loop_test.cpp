@@ -4,12 +4,12 @@
 #include "app/ui/files/sheet_file.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
 #include "tests/stage/numbers_for_pictures.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

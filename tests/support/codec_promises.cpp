@@ -1,9 +1,9 @@
 #include "tests/support/codec_promises.h"
 
-#include "core/s3tc/surface_pixels.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/utf8.h"
 #include "tests/support/watched_heap.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/utf8.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 // The promises of every row of codecRows() for any bytes. The tests and the fuzzers use the same checks.
 
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
 namespace texplorer::test {
 

@@ -6,7 +6,7 @@
 //   texel        Ct = (0.6, 0.2, 0.8)   At = 0.4   Lt = It = its red, 0.6 (table 3.15)
 //   environment  Cc = (0.4, 0.8, 0.2)   Ac = 0.6
 
-#include "core/gl/environment.h"
+#include "texplorer/gl/environment.h"
 
 #include <glm/vec4.hpp>
 

@@ -3,8 +3,8 @@
 // Scenes in which every pixel can be worked out by hand: a square that covers a square viewport exactly, seen
 // straight on, without perspective.
 
-#include "core/image/image.h"
-#include "core/scene/scene.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/scene.h"
 
 #include <array>
 #include <initializer_list>

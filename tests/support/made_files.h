@@ -2,10 +2,10 @@
 
 // Files that a Python script makes in every variant of a format, and what a decoder owes to damaged ones.
 
-#include "core/codec/registry.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

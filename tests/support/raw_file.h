@@ -2,7 +2,7 @@
 
 // Plain file access for tests, independent of core/files/file_io.
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <filesystem>
 #include <fstream>

@@ -2,10 +2,10 @@
 
 #include "app/offscreen/context.h"
 #include "app/render/scene_renderer.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/renderer.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/renderer.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "tests/support/sample_textures.h"
 
-#include "core/image/mipmaps.h"
+#include "texplorer/image/mipmaps.h"
 
 #include <algorithm>
 #include <random>

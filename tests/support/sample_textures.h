@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
 namespace texplorer::test {
 

@@ -7,9 +7,9 @@
 #include "app/ui/services/settings_file.h"
 #include "app/ui/services/settings_json.h"
 #include "app/ui/state/lesson_records.h"
-#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/files/file_io.h"
 
 #include <nlohmann/json.hpp>
 

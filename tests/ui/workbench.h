@@ -6,7 +6,7 @@
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/layout.h"
 #include "app/ui/window/workbench.h"
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/command_line/command_line.h"
-#include "core/scene/params/sweep_axis.h"
+#include "texplorer/scene/params/sweep_axis.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/command_line/command_line.h"
-#include "core/compare/criterion.h"
+#include "texplorer/compare/criterion.h"
 
 #include <string>
 

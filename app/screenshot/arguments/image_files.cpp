@@ -8,12 +8,12 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
-#include "core/base/count.h"
-#include "core/codec/image_file.h"
-#include "core/codec/losses.h"
-#include "core/files/file_io.h"
-#include "core/image/mipmaps.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/image_file.h"
+#include "texplorer/codec/losses.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "app/command_line/command_line.h"
 #include "app/screenshot/output/answer.h"
-#include "core/codec/registry.h"
-#include "core/image/texture_image.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <functional>
 #include <optional>

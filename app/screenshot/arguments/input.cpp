@@ -1,11 +1,11 @@
 #include "app/screenshot/arguments/input.h"
 
 #include "app/screenshot/output/messages.h"
-#include "core/base/count.h"
-#include "core/codec/image_file.h"
-#include "core/codec/registry.h"
-#include "core/files/descriptor.h"
-#include "core/files/file_kind.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/image_file.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/descriptor.h"
+#include "texplorer/files/file_kind.h"
 
 #include <fmt/core.h>
 

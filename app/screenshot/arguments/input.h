@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/files/file_io.h"
-#include "core/files/read_stream.h"
+#include "texplorer/base/result.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/read_stream.h"
 
 #include <span>
 #include <string>

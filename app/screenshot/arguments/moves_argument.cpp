@@ -1,8 +1,8 @@
 #include "app/screenshot/arguments/moves_argument.h"
 
-#include "core/base/count.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/value_mix.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/value_mix.h"
 
 #include <fmt/core.h>
 

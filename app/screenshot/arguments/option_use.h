@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/screenshot/output/messages.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/output/output.h"
-#include "core/files/file_fingerprint.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

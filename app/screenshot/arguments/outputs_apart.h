@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "app/command_line/command_line.h"
 #include "app/view/frame.h"
-#include "core/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <span>
 #include <vector>

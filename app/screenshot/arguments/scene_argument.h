@@ -2,9 +2,9 @@
 
 #include "app/command_line/command_line.h"
 #include "app/screenshot/output/answer.h"
-#include "core/lesson/lesson_files.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/lesson/lesson_files.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <filesystem>
 #include <string>

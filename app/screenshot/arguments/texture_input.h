@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/codec/registry.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/image/texture_image.h"
 
 #include <string>
 

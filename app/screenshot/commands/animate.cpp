@@ -9,10 +9,10 @@
 #include "app/screenshot/shots/animation_run.h"
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
-#include "core/animation/frame_times.h"
-#include "core/scene/animation.h"
-#include "core/scene/params/timeline_check.h"
-#include "core/text/name_pattern.h"
+#include "texplorer/animation/frame_times.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/params/timeline_check.h"
+#include "texplorer/text/name_pattern.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/initial_like.h"
-#include "core/scene/params/params.h"
-#include "core/text/printable.h"
-#include "core/text/shell_word.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/initial_like.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -8,11 +8,11 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/output.h"
-#include "core/base/count.h"
-#include "core/compare/comparison.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/compare/comparison.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

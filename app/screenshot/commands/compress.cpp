@@ -5,13 +5,13 @@
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/long_work.h"
-#include "core/base/count.h"
-#include "core/codec/losses.h"
-#include "core/image/cube_faces.h"
-#include "core/image/mipmaps.h"
-#include "core/s3tc/encode.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/losses.h"
+#include "texplorer/image/cube_faces.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <fmt/format.h>
 

@@ -7,11 +7,11 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
-#include "core/conform/made_files.h"
-#include "core/conform/report.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/shell_word.h"
+#include "texplorer/conform/made_files.h"
+#include "texplorer/conform/report.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/commands/all_commands.h"
-#include "core/image/mipmaps.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/scene/params/scene_diff.h"
-#include "core/text/printable.h"
+#include "texplorer/scene/params/scene_diff.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

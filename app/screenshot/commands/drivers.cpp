@@ -1,8 +1,8 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/printable.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

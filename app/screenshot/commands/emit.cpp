@@ -7,7 +7,7 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/reports/program_text.h"
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

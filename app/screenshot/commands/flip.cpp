@@ -3,7 +3,7 @@
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/long_work.h"
-#include "core/s3tc/texture_flip.h"
+#include "texplorer/s3tc/texture_flip.h"
 
 #include <fmt/core.h>
 

@@ -2,10 +2,10 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/columns.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/codec/registry.h"
-#include "core/image/mipmaps.h"
-#include "core/text/printable.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -7,11 +7,11 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
-#include "core/files/file_io.h"
-#include "core/lesson/lesson_check.h"
-#include "core/lesson/numbers.h"
-#include "core/scene/params/param_text.h"
-#include "core/text/printable.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/lesson_check.h"
+#include "texplorer/lesson/numbers.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "core/suite/merge.h"
+#include "texplorer/suite/merge.h"
 
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/outputs_apart.h"
@@ -6,10 +6,10 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/run_folder.h"
-#include "core/files/file_io.h"
-#include "core/suite/junit.h"
-#include "core/suite/record_json.h"
-#include "core/suite/shard.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/suite/junit.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/suite/shard.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 // The parameters of a scene, all of them or those that somebody looks for.
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include "app/screenshot/commands/all_commands.h"
 #include "app/ui/model/param_match.h"
-#include "core/scene/params/param_listing.h"
+#include "texplorer/scene/params/param_listing.h"
 
 #include <fmt/core.h>
 

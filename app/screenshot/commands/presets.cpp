@@ -1,6 +1,6 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/preset/preset.h"
+#include "texplorer/preset/preset.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

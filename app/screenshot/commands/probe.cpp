@@ -1,4 +1,4 @@
-#include "core/reference/probe.h"
+#include "texplorer/reference/probe.h"
 
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"

@@ -9,10 +9,10 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_diff.h"
-#include "core/text/shell_word.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_diff.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

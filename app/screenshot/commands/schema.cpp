@@ -1,8 +1,8 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/output.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/scene_schema.h"
-#include "core/suite/suite.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/scene_schema.h"
+#include "texplorer/suite/suite.h"
 
 namespace texplorer::screenshot {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
 #include "app/view/picture_texts.h"
-#include "core/sheet/axis_labels.h"
-#include "core/sheet/layout.h"
-#include "core/text/printable.h"
+#include "texplorer/sheet/axis_labels.h"
+#include "texplorer/sheet/layout.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/format.h>
 

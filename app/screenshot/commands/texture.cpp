@@ -6,11 +6,11 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/output.h"
-#include "core/base/count.h"
-#include "core/image/depth_pixels.h"
-#include "core/reference/light_depth.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/count.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/reference/light_depth.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <fmt/core.h>
 

@@ -3,11 +3,11 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
-#include "core/codec/registry.h"
-#include "core/scene/params/json.h"
-#include "core/suite/plan.h"
-#include "core/suite/record_json.h"
-#include "core/text/printable.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/suite/plan.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

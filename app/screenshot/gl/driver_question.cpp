@@ -3,7 +3,7 @@
 #include "app/screenshot/workers/pool.h"
 #include "app/screenshot/workers/signal_text.h"
 #include "app/screenshot/workers/work_loop.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

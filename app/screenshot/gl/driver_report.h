@@ -4,7 +4,7 @@
 // end or hold that process, so whoever only wants to know asks in another one (driver_question.h).
 
 #include "app/view/context_choice.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <string>
 #include <vector>

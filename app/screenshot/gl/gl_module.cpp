@@ -15,8 +15,8 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/window/layout.h"
 #include "app/view/driver_facts.h"
-#include "core/scene/params/keys.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <GL/glew.h>
 #include <fmt/core.h>

@@ -4,8 +4,8 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
-#include "core/base/bytes.h"
-#include "core/text/printable.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/text/printable.h"
 
 namespace texplorer::screenshot {
 namespace {

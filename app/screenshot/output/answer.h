@@ -2,7 +2,7 @@
 
 // What a call ends with: its answer, or why there is none, and its exit status.
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #include "app/screenshot/output/messages.h"
 
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <cstdio>
 

@@ -3,7 +3,7 @@
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
-#include "core/base/count.h"
+#include "texplorer/base/count.h"
 
 #include <fmt/core.h>
 

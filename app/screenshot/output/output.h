@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/screenshot/output/answer.h"
-#include "core/codec/registry.h"
-#include "core/files/descriptor.h"
-#include "core/files/new_folders.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/descriptor.h"
+#include "texplorer/files/new_folders.h"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,8 @@
 #include "app/screenshot/output/picture_writer.h"
 
 #include "app/screenshot/output/interrupts.h"
-#include "core/files/file_io.h"
-#include "core/image/convert.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/convert.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/view/picture_texts.h"
-#include "core/base/worker.h"
-#include "core/codec/registry.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/codec/registry.h"
 
 #include <condition_variable>
 #include <cstddef>

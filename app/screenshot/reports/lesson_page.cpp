@@ -3,9 +3,9 @@
 #include "app/screenshot/reports/handout_style.h"
 #include "app/screenshot/reports/lesson_step.h"
 #include "app/ui/language/lesson_catalogue.h"
-#include "core/base/parallel.h"
-#include "core/base/tried.h"
-#include "core/files/file_io.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/base/tried.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/language/language.h"
-#include "core/base/bytes.h"
-#include "core/lesson/lesson_files.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/lesson/lesson_files.h"
 
 #include <filesystem>
 #include <functional>

@@ -2,12 +2,12 @@
 
 #include "app/screenshot/reports/step_programs.h"
 #include "app/ui/state/figures.h"
-#include "core/codec/png/png.h"
-#include "core/image/convert.h"
-#include "core/lesson/match.h"
-#include "core/lesson/numbers.h"
-#include "core/reference/draw.h"
-#include "core/reference/false_colors.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/lesson/match.h"
+#include "texplorer/lesson/numbers.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/false_colors.h"
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/screenshot/reports/page_words.h"
-#include "core/lesson/lesson.h"
+#include "texplorer/lesson/lesson.h"
 
 #include <stop_token>
 

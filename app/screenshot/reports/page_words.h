@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/language/catalogue.h"
-#include "core/text/html.h"
-#include "core/text/printable.h"
+#include "texplorer/text/html.h"
+#include "texplorer/text/printable.h"
 
 #include <memory>
 #include <string>

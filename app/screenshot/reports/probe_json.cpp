@@ -1,8 +1,8 @@
 #include "app/screenshot/reports/probe_report.h"
-#include "core/reference/explain/explanation_steps.h"
-#include "core/reference/explain/sampling_steps.h"
-#include "core/reference/explain/stored_texel.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/sampling_steps.h"
+#include "texplorer/reference/explain/stored_texel.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -2,10 +2,10 @@
 
 // What `texshot probe` says, as text and as JSON. Pixels are counted from the top left, as in the PNG.
 
-#include "core/base/result.h"
-#include "core/reference/contributions.h"
-#include "core/reference/explain/explanation.h"
-#include "core/scene/renderer.h"
+#include "texplorer/base/result.h"
+#include "texplorer/reference/contributions.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/scene/renderer.h"
 
 #include <functional>
 #include <string>

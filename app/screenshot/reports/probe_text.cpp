@@ -1,6 +1,6 @@
 #include "app/screenshot/output/columns.h"
 #include "app/screenshot/reports/probe_report.h"
-#include "core/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/explanation_steps.h"
 
 #include <fmt/core.h>
 

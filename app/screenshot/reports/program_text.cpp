@@ -1,10 +1,10 @@
 #include "app/screenshot/reports/program_text.h"
 
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
-#include "core/lesson/lesson.h"
-#include "core/scene/params/keys.h"
-#include "core/suite/hash.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/lesson.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/suite/hash.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/screenshot/arguments/scene_argument.h"
-#include "core/emit/program.h"
-#include "core/lesson/lesson_scene.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/lesson/lesson_scene.h"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "app/screenshot/reports/step_programs.h"
 
 #include "app/screenshot/reports/program_text.h"
-#include "core/emit/excerpt.h"
-#include "core/emit/flavour.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/emit/excerpt.h"
+#include "texplorer/emit/flavour.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

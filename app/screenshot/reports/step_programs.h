@@ -3,7 +3,7 @@
 // The programs of a lesson's step, on the page of lessons.
 
 #include "app/screenshot/reports/lesson_step.h"
-#include "core/lesson/lesson_scene.h"
+#include "texplorer/lesson/lesson_scene.h"
 
 namespace texplorer::screenshot {
 

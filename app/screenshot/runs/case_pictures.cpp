@@ -1,9 +1,9 @@
 #include "app/screenshot/runs/case_pictures.h"
 
-#include "core/codec/png/png.h"
-#include "core/files/directory_listing.h"
-#include "core/files/file_io.h"
-#include "core/report/report_files.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/directory_listing.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/report/report_files.h"
 
 #include <fmt/core.h>
 

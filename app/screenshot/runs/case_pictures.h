@@ -2,10 +2,10 @@
 
 // The pictures of a case in the folder of a report.
 
-#include "core/base/result.h"
-#include "core/codec/common/write_options.h"
-#include "core/image/image.h"
-#include "core/suite/record.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/image/image.h"
+#include "texplorer/suite/record.h"
 
 #include <filesystem>
 #include <optional>

@@ -6,11 +6,11 @@
 #include "app/screenshot/runs/golden_file.h"
 #include "app/screenshot/runs/pair_worker.h"
 #include "app/screenshot/runs/run_plan.h"
-#include "core/base/tried.h"
-#include "core/image/convert.h"
-#include "core/reference/probe.h"
-#include "core/suite/judge_case.h"
-#include "core/texture/block_cache.h"
+#include "texplorer/base/tried.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/suite/judge_case.h"
+#include "texplorer/texture/block_cache.h"
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/runs/work_order.h"
-#include "core/suite/case_scene.h"
-#include "core/suite/plan.h"
+#include "texplorer/suite/case_scene.h"
+#include "texplorer/suite/plan.h"
 
 #include <memory>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "app/screenshot/runs/golden_file.h"
 
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/image/convert.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 // Goldens that a run writes.
 
 #include "app/screenshot/runs/work_order.h"
-#include "core/suite/judge_case.h"
+#include "texplorer/suite/judge_case.h"
 
 #include <filesystem>
 

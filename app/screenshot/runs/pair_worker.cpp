@@ -2,10 +2,10 @@
 
 #include "app/screenshot/runs/case_pictures.h"
 #include "app/screenshot/runs/golden_file.h"
-#include "core/suite/case_name.h"
-#include "core/suite/judge_case.h"
-#include "core/suite/stored_picture.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/suite/case_name.h"
+#include "texplorer/suite/judge_case.h"
+#include "texplorer/suite/stored_picture.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 

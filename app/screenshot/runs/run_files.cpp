@@ -2,8 +2,8 @@
 
 #include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/arguments/scene_argument.h"
-#include "core/suite/case_scene.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/suite/case_scene.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,12 +2,12 @@
 
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/runs/case_pictures.h"
-#include "core/files/file_io.h"
-#include "core/files/file_kind.h"
-#include "core/files/file_lock.h"
-#include "core/report/report_files.h"
-#include "core/suite/record_json.h"
-#include "core/suite/run_page.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/files/file_lock.h"
+#include "texplorer/report/report_files.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/suite/run_page.h"
 
 #include <fmt/core.h>
 

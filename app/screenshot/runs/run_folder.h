@@ -3,9 +3,9 @@
 // The folder of a run: its journal while it lasts, its report in the end.
 
 #include "app/screenshot/arguments/outputs_apart.h"
-#include "core/base/result.h"
-#include "core/files/descriptor.h"
-#include "core/suite/record.h"
+#include "texplorer/base/result.h"
+#include "texplorer/files/descriptor.h"
+#include "texplorer/suite/record.h"
 
 #include <filesystem>
 #include <map>

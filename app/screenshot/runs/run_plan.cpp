@@ -1,11 +1,11 @@
 #include "app/screenshot/runs/run_plan.h"
 
-#include "core/files/file_io.h"
-#include "core/suite/accept_list.h"
-#include "core/suite/case_name.h"
-#include "core/suite/hash.h"
-#include "core/suite/picture_pairs.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/suite/accept_list.h"
+#include "texplorer/suite/case_name.h"
+#include "texplorer/suite/hash.h"
+#include "texplorer/suite/picture_pairs.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/screenshot/runs/test_run.h"
-#include "core/suite/shard.h"
+#include "texplorer/suite/shard.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #include "app/screenshot/runs/run_progress.h"
 
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -4,10 +4,10 @@
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/workers/pool.h"
-#include "core/base/count.h"
-#include "core/suite/judge_case.h"
-#include "core/text/printable.h"
-#include "core/text/shell_word.h"
+#include "texplorer/base/count.h"
+#include "texplorer/suite/judge_case.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

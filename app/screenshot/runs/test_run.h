@@ -4,7 +4,7 @@
 
 #include "app/screenshot/runs/run_progress.h"
 #include "app/screenshot/runs/work_order.h"
-#include "core/suite/plan.h"
+#include "texplorer/suite/plan.h"
 
 #include <stop_token>
 

@@ -1,6 +1,6 @@
 #include "app/screenshot/runs/work_order.h"
 
-#include "core/suite/record_json.h"
+#include "texplorer/suite/record_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,9 +3,9 @@
 // What `texshot test` tells its worker processes, and what they answer. Bytes pass as they are: a file's name
 // may be no UTF-8.
 
-#include "core/compare/criterion.h"
-#include "core/scene/renderer.h"
-#include "core/suite/record.h"
+#include "texplorer/compare/criterion.h"
+#include "texplorer/scene/renderer.h"
+#include "texplorer/suite/record.h"
 
 #include <optional>
 #include <string>

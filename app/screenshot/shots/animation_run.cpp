@@ -6,7 +6,7 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/drawing.h"
-#include "core/base/tried.h"
+#include "texplorer/base/tried.h"
 
 #include <fmt/core.h>
 

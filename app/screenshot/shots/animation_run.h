@@ -4,8 +4,8 @@
 #include "app/screenshot/output/answer.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/shot_list.h"
-#include "core/animation/encoder.h"
-#include "core/animation/format.h"
+#include "texplorer/animation/encoder.h"
+#include "texplorer/animation/format.h"
 
 #include <string>
 #include <vector>

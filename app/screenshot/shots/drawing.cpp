@@ -2,11 +2,11 @@
 
 #include "app/screenshot/output/answer.h"
 #include "app/screenshot/shots/shot_drawer.h"
-#include "core/base/count.h"
-#include "core/base/parallel.h"
-#include "core/base/tried.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/base/count.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/base/tried.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

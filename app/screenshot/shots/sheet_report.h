@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/screenshot/gl/picture_texts.h"
-#include "core/compare/comparison.h"
+#include "texplorer/compare/comparison.h"
 
 #include <glm/vec2.hpp>
 

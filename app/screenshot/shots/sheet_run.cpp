@@ -5,11 +5,11 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/drawing.h"
-#include "core/base/count.h"
-#include "core/base/tried.h"
-#include "core/sheet/changes.h"
-#include "core/sheet/sheet_picture.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/base/tried.h"
+#include "texplorer/sheet/changes.h"
+#include "texplorer/sheet/sheet_picture.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <fmt/format.h>

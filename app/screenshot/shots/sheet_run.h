@@ -5,8 +5,8 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/shots/sheet_report.h"
 #include "app/screenshot/shots/shot_list.h"
-#include "core/sheet/layout.h"
-#include "core/sheet/lettering.h"
+#include "texplorer/sheet/layout.h"
+#include "texplorer/sheet/lettering.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "app/screenshot/shots/shot_drawer.h"
 
-#include "core/reference/draw.h"
+#include "texplorer/reference/draw.h"
 
 #include <utility>
 

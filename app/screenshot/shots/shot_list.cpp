@@ -1,7 +1,7 @@
 #include "app/screenshot/shots/shot_list.h"
 
-#include "core/scene/params/key_edits.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

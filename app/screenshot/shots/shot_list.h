@@ -2,9 +2,9 @@
 
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/view/size.h"
-#include "core/scene/params/sweep_axis.h"
-#include "core/scene/renderer.h"
-#include "core/text/name_pattern.h"
+#include "texplorer/scene/params/sweep_axis.h"
+#include "texplorer/scene/renderer.h"
+#include "texplorer/text/name_pattern.h"
 
 #include <cstddef>
 #include <string>

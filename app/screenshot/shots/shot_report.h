@@ -2,7 +2,7 @@
 
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/shots/shot_list.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <map>
 #include <mutex>

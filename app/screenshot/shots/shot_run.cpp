@@ -7,9 +7,9 @@
 #include "app/screenshot/output/picture_writer.h"
 #include "app/screenshot/shots/drawing.h"
 #include "app/screenshot/shots/shot_drawer.h"
-#include "core/base/count.h"
-#include "core/base/parallel.h"
-#include "core/image/convert.h"
+#include "texplorer/base/count.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/image/convert.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "app/screenshot/workers/pool.h"
 
 #include "app/screenshot/workers/signal_text.h"
-#include "core/base/count.h"
+#include "texplorer/base/count.h"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 // Jobs that may end the process which does them, done by processes of their own.
 
 #include "app/screenshot/workers/process.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <chrono>
 #include <cstdint>

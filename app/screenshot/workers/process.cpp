@@ -1,7 +1,7 @@
 #include "app/screenshot/workers/process.h"
 
 #include "app/screenshot/workers/work_loop.h"
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <array>
 #include <cerrno>

@@ -3,8 +3,8 @@
 // A worker process, as its program sees it.
 
 #include "app/screenshot/workers/message.h"
-#include "core/base/result.h"
-#include "core/files/descriptor.h"
+#include "texplorer/base/result.h"
+#include "texplorer/files/descriptor.h"
 
 #include <span>
 #include <string>

@@ -1,8 +1,8 @@
 #include "app/ui/details/changed_paths.h"
 
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/state/document.h"
-#include "core/emit/code.h"
+#include "texplorer/emit/code.h"
 
 #include <functional>
 #include <set>

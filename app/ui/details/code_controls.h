@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/emit/code.h"
+#include "texplorer/emit/code.h"
 
 #include <imgui.h>
 

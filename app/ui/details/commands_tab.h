@@ -2,7 +2,7 @@
 
 #include "app/ui/details/changed_paths.h"
 #include "app/ui/model/session.h"
-#include "core/emit/program.h"
+#include "texplorer/emit/program.h"
 
 #include <optional>
 #include <string>

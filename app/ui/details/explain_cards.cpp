@@ -1,7 +1,7 @@
 #include "app/ui/details/explain_cards.h"
 
-#include "core/reference/explain/sampling_steps.h"
-#include "core/text/word.h"
+#include "texplorer/reference/explain/sampling_steps.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

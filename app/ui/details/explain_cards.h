@@ -2,7 +2,7 @@
 
 // The stages of a fragment as a few cards from left to right: each stands for one or more steps.
 
-#include "core/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/explanation_steps.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/explanation_steps.h"
 
 #include <string>
 #include <vector>

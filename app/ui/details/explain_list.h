@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/explanation_steps.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/theme.h"
-#include "core/text/word.h"
+#include "texplorer/text/word.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -6,8 +6,8 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/base/count.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -9,7 +9,7 @@
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/base/count.h"
+#include "texplorer/base/count.h"
 
 #include <fmt/core.h>
 

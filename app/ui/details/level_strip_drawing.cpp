@@ -6,7 +6,7 @@
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/image/mip_colors.h"
+#include "texplorer/image/mip_colors.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/texture/levels_worker.h"
+#include "texplorer/texture/levels_worker.h"
 
 #include <optional>
 #include <string>

@@ -9,8 +9,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
-#include "core/image/cube_faces.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/image/cube_faces.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -11,8 +11,8 @@
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

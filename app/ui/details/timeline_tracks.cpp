@@ -9,9 +9,9 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/value_mix.h"
-#include "core/text/printable.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/value_mix.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // whether the focus rectangle is shown

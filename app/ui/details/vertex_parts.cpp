@@ -1,9 +1,9 @@
 #include "app/ui/details/vertex_parts.h"
 
 #include "app/ui/model/tex_coord_edits.h"
-#include "core/scene/mesh_edits.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/mesh_edits.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -8,10 +8,10 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/mesh_edits.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/mesh_edits.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 #include <glm/glm.hpp>

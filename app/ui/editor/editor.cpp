@@ -6,7 +6,7 @@
 #include "app/ui/model/requests.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
 #include <algorithm>
 #include <utility>

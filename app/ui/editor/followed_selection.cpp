@@ -1,7 +1,7 @@
 #include "app/ui/editor/followed_selection.h"
 
-#include "core/scene/params/keys.h"
-#include "core/scene/references.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/references.h"
 
 namespace texplorer::ui {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/state/selection.h"
-#include "core/scene/edit/edit.h"
+#include "texplorer/scene/edit/edit.h"
 
 namespace texplorer::ui {
 

@@ -7,7 +7,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -4,9 +4,9 @@
 // of the block, and its source.
 
 #include "app/ui/model/session.h"
-#include "core/s3tc/block_parts.h"
-#include "core/s3tc/encode_quality.h"
-#include "core/texture/levels_source.h"
+#include "texplorer/s3tc/block_parts.h"
+#include "texplorer/s3tc/encode_quality.h"
+#include "texplorer/texture/levels_source.h"
 
 #include <array>
 #include <memory>

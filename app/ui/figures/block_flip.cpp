@@ -8,7 +8,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <fmt/core.h>
 

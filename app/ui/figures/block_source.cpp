@@ -5,8 +5,8 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
-#include "core/image/convert.h"
-#include "core/s3tc/encode.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 // Draws texels and the colours of a block.
 
-#include "core/s3tc/block_parts.h"
+#include "texplorer/s3tc/block_parts.h"
 
 #include <imgui.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/figures/plot.h"
 #include "app/ui/widgets/theme.h"
-#include "core/reference/sampling/row_weights.h"
+#include "texplorer/reference/sampling/row_weights.h"
 
 #include <glm/vec4.hpp>
 

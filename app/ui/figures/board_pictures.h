@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/reference/texture_names.h"
+#include "texplorer/reference/texture_names.h"
 
 #include <glm/vec3.hpp>
 #include <imgui.h>

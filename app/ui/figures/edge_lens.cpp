@@ -9,8 +9,8 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "core/reference/sampling/row_weights.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/reference/sampling/row_weights.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

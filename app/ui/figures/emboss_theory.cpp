@@ -6,9 +6,9 @@
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "core/image/patterns/pattern.h"
-#include "core/reference/shading/lighting.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/reference/shading/lighting.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <glm/trigonometric.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/scene/emboss_profile.h"
+#include "texplorer/scene/emboss_profile.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/widgets/pictures.h"
-#include "core/reference/shading/environment_table.h"
+#include "texplorer/reference/shading/environment_table.h"
 
 #include <glm/vec4.hpp>
 #include <imgui.h>

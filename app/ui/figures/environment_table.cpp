@@ -11,8 +11,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "core/reference/shading/equation_text.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/reference/shading/equation_text.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "app/ui/figures/flip_words.h"
 
-#include "core/image/texture_image.h"
-#include "core/s3tc/block_parts.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/s3tc/block_parts.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/s3tc/flip_steps.h"
+#include "texplorer/s3tc/flip_steps.h"
 
 #include <span>
 #include <string>

@@ -11,7 +11,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

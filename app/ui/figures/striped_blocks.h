@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/block_image.h"
-#include "core/s3tc/block_parts.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/s3tc/block_parts.h"
 
 namespace texplorer::ui {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/reference/texture_calls.h"
+#include "texplorer/reference/texture_calls.h"
 
 #include <vector>
 

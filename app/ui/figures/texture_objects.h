@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/reference/texture_calls.h"
+#include "texplorer/reference/texture_calls.h"
 
 #include <vector>
 

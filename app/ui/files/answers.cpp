@@ -1,8 +1,8 @@
 #include "app/ui/files/answers.h"
 
 #include "app/ui/services/free_name.h"
-#include "core/files/file_io.h"
-#include "core/lesson/lesson_files.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/lesson_files.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/ui/state/settings.h"
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/files/file_fingerprint.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/files/file_fingerprint.h"
 
 #include <filesystem>
 #include <optional>

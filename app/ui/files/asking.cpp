@@ -4,7 +4,7 @@
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/scene_saving.h"
 #include "app/ui/model/notice.h"
-#include "core/scene/storage/scene_file.h"
+#include "texplorer/scene/storage/scene_file.h"
 
 #include <algorithm>
 #include <utility>

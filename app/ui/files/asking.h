@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/files/file_fingerprint.h"
+#include "texplorer/files/file_fingerprint.h"
 
 #include <filesystem>
 #include <optional>

@@ -7,7 +7,7 @@
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/state/lesson_records.h"
-#include "core/reference/false_colors.h"
+#include "texplorer/reference/false_colors.h"
 
 #include <fmt/core.h>
 

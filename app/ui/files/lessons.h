@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/lesson/lesson_files.h"
-#include "core/lesson/numbers.h"
+#include "texplorer/lesson/lesson_files.h"
+#include "texplorer/lesson/numbers.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "app/ui/files/loads.h"
 
 #include "app/ui/model/session.h"
-#include "core/files/file_fingerprint.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <algorithm>
 #include <set>

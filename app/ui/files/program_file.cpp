@@ -1,7 +1,7 @@
 #include "app/ui/files/program_file.h"
 
-#include "core/emit/program.h"
-#include "core/files/file_io.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/base/result.h"
-#include "core/emit/program_worker.h"
+#include "texplorer/base/result.h"
+#include "texplorer/emit/program_worker.h"
 
 #include <filesystem>
 #include <optional>

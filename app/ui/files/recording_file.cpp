@@ -3,7 +3,7 @@
 #include "app/animation/make_encoder.h"
 #include "app/ui/model/session.h"
 #include "app/view/picture_texts.h"
-#include "core/animation/frame_times.h"
+#include "texplorer/animation/frame_times.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/services/file_writing.h"
-#include "core/animation/format.h"
-#include "core/reference/draw.h"
+#include "texplorer/animation/format.h"
+#include "texplorer/reference/draw.h"
 
 #include <filesystem>
 #include <optional>

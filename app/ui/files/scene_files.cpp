@@ -6,13 +6,13 @@
 #include "app/ui/files/scene_saving.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/timeline_edits.h"
-#include "core/codec/image_file.h"
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
-#include "core/lesson/example.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
-#include "core/scene/storage/scene_link.h"
+#include "texplorer/codec/image_file.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/example.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
+#include "texplorer/scene/storage/scene_link.h"
 
 #include <fmt/core.h>
 

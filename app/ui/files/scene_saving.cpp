@@ -4,10 +4,10 @@
 #include "app/ui/files/scene_paths.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/services/settings_file.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
-#include "core/suite/hash.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
+#include "texplorer/suite/hash.h"
 
 #include <fmt/core.h>
 

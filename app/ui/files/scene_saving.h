@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/files/file_fingerprint.h"
-#include "core/scene/params/scene_diff.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/scene/params/scene_diff.h"
 
 #include <optional>
 #include <vector>

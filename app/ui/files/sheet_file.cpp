@@ -5,10 +5,10 @@
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/state/sheet_choice.h"
 #include "app/view/picture_texts.h"
-#include "core/base/count.h"
-#include "core/codec/png/png.h"
-#include "core/sheet/sheet_picture.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/sheet/sheet_picture.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/ui/services/file_writing.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/sweep_axis.h"
-#include "core/sheet/layout.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/sweep_axis.h"
+#include "texplorer/sheet/layout.h"
 
 #include <filesystem>
 #include <string>

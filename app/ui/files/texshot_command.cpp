@@ -4,9 +4,9 @@
 #include "app/ui/files/sheet_file.h"
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/state/sheet_choice.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/params.h"
-#include "core/text/shell_word.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/text/shell_word.h"
 
 #include <fmt/core.h>
 

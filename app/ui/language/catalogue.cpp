@@ -1,6 +1,6 @@
 #include "app/ui/language/catalogue.h"
 
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/language/language.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <memory>
 #include <optional>

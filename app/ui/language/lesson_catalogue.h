@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/language/catalogue.h"
-#include "core/lesson/lesson_files.h"
+#include "texplorer/lesson/lesson_files.h"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,8 @@
 #include "app/ui/model/consequence.h"
 
 #include "app/ui/model/explaining.h"
-#include "core/reference/explain/explanation_steps.h"
-#include "core/reference/sampling/comparison.h"
+#include "texplorer/reference/explain/explanation_steps.h"
+#include "texplorer/reference/sampling/comparison.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "app/ui/model/coord_text.h"
 
 #include "app/ui/model/tex_coord_edits.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

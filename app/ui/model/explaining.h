@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/view/size.h"
-#include "core/reference/probe_worker.h"
+#include "texplorer/reference/probe_worker.h"
 
 namespace texplorer::ui {
 

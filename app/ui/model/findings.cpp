@@ -1,6 +1,6 @@
 #include "app/ui/model/findings.h"
 
-#include "core/scene/params/scene_at.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

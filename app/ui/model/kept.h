@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/state/selection.h"
-#include "core/scene/params/scene_diff.h"
-#include "core/scene/scene.h"
+#include "texplorer/scene/params/scene_diff.h"
+#include "texplorer/scene/scene.h"
 
 #include <vector>
 

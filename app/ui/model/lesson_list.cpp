@@ -1,7 +1,7 @@
 #include "app/ui/model/lesson_list.h"
 
 #include "app/ui/language/lesson_catalogue.h"
-#include "core/lesson/lesson_files.h"
+#include "texplorer/lesson/lesson_files.h"
 
 #include <array>
 #include <memory>

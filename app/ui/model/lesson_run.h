@@ -4,8 +4,8 @@
 #include "app/ui/services/lesson_work.h"
 #include "app/ui/state/lesson_records.h"
 #include "app/ui/state/view_settings.h"
-#include "core/lesson/lesson_keys.h"
-#include "core/lesson/lesson_scene.h"
+#include "texplorer/lesson/lesson_keys.h"
+#include "texplorer/lesson/lesson_scene.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "app/ui/model/level_edits.h"
 
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

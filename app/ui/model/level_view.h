@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/view/size.h"
-#include "core/reference/explain/explanation.h"
-#include "core/reference/level_map_worker.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/reference/level_map_worker.h"
 
 #include <optional>
 

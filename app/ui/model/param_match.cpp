@@ -1,7 +1,7 @@
 #include "app/ui/model/param_match.h"
 
 #include "app/ui/language/translate.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 #include "app/ui/model/playback.h"
 
 #include "app/ui/model/preview.h"
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/preset/preset.h"
+#include "texplorer/preset/preset.h"
 
 namespace texplorer::ui {
 

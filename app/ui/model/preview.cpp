@@ -3,7 +3,7 @@
 #include "app/ui/model/kept.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
-#include "core/scene/params/key_edits.h"
+#include "texplorer/scene/params/key_edits.h"
 
 #include <algorithm>
 #include <optional>

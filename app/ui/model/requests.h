@@ -2,7 +2,7 @@
 
 #include "app/ui/state/sections.h"
 #include "app/ui/state/selection.h"
-#include "core/scene/edit/edit.h"
+#include "texplorer/scene/edit/edit.h"
 
 #include <cstddef>
 #include <functional>

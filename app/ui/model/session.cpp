@@ -1,9 +1,9 @@
 #include "app/ui/model/session.h"
 
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/model/kept.h"
 #include "app/ui/state/camera.h"
-#include "core/lesson/numbers.h"
+#include "texplorer/lesson/numbers.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #include "app/ui/model/sheet_choice.h"
 
 #include "app/ui/model/session.h"
-#include "core/reference/shading/environment_table.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/reference/shading/environment_table.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/state/sheet_choice.h"
-#include "core/scene/params/sweep_axis.h"
-#include "core/sheet/axis_labels.h"
+#include "texplorer/scene/params/sweep_axis.h"
+#include "texplorer/sheet/axis_labels.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "app/ui/model/shown_passes.h"
 
 #include "app/ui/model/preview.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "app/ui/model/table_colors.h"
 
-#include "core/image/mean_color.h"
-#include "core/reference/probe.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/image/mean_color.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <glm/common.hpp>
 

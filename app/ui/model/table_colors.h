@@ -2,7 +2,7 @@
 
 #include "app/ui/model/session.h"
 #include "app/view/size.h"
-#include "core/reference/shading/environment_table.h"
+#include "texplorer/reference/shading/environment_table.h"
 
 #include <memory>
 #include <optional>

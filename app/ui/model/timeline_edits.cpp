@@ -2,10 +2,10 @@
 
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "core/scene/params/key_edits.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/scene_at.h"
+#include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
 

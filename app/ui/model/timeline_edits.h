@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/timeline.h"
+#include "texplorer/scene/timeline.h"
 
 #include <cstddef>
 #include <string_view>

@@ -4,8 +4,8 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/wrapped_text.h"
-#include "core/gl/combine_equation.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/gl/combine_equation.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -5,8 +5,8 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/light_projection.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/light_projection.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

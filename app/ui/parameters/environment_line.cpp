@@ -6,11 +6,11 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/image/mean_color.h"
-#include "core/reference/sampling/sampled_texture.h"
-#include "core/reference/shading/combine.h"
-#include "core/reference/shading/equation_text.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/image/mean_color.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/shading/combine.h"
+#include "texplorer/reference/shading/equation_text.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
 

@@ -7,10 +7,10 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
-#include "core/base/count.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

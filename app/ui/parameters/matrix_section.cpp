@@ -5,8 +5,8 @@
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
-#include "core/preset/preset.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/preset/preset.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

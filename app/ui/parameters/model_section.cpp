@@ -3,7 +3,7 @@
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

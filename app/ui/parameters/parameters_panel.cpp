@@ -13,8 +13,8 @@
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
-#include "core/base/count.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

@@ -4,7 +4,7 @@
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/parameters/texture_lists.h"
 #include "app/ui/parameters/unit_bar.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

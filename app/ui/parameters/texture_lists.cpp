@@ -9,8 +9,8 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/problem_sign.h"
-#include "core/scene/params/keys.h"
-#include "core/texture/level_plan.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/texture/level_plan.h"
 
 #include <fmt/core.h>
 

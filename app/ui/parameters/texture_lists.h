@@ -5,7 +5,7 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <string>
 

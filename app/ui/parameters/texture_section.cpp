@@ -9,7 +9,7 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

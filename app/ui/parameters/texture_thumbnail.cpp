@@ -1,8 +1,8 @@
 #include "app/ui/parameters/texture_thumbnail.h"
 
 #include "app/ui/language/translate.h"
-#include "core/text/printable.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <filesystem>
 

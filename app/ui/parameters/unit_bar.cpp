@@ -6,7 +6,7 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/overlap.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 

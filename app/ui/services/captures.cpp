@@ -1,10 +1,10 @@
 #include "app/ui/services/captures.h"
 
 #include "app/ui/services/free_name.h"
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/files/user_folder.h"
-#include "core/image/convert.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/user_folder.h"
+#include "texplorer/image/convert.h"
 
 #include <fmt/core.h>
 

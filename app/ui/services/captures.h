@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/image/image.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/image/image.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "app/ui/services/environment_pictures.h"
 
-#include "core/image/thumbnail.h"
-#include "core/reference/shading/environment_table.h"
+#include "texplorer/image/thumbnail.h"
+#include "texplorer/reference/shading/environment_table.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 #include "app/ui/services/file_writing.h"
 
 #include "app/ui/services/free_name.h"
-#include "core/base/background_thread.h"
-#include "core/base/parallel.h"
-#include "core/text/printable.h"
+#include "texplorer/base/background_thread.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/base/worker.h"
-#include "core/files/file_fingerprint.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/files/file_fingerprint.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <cstddef>
 #include <filesystem>

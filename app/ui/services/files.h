@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/services/thumbnails.h"
-#include "core/files/file_watch.h"
-#include "core/texture/image_loader.h"
+#include "texplorer/files/file_watch.h"
+#include "texplorer/texture/image_loader.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "app/ui/services/free_name.h"
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/lesson/lesson_scene.h"
-#include "core/lesson/match.h"
-#include "core/lesson/numbers.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/lesson/match.h"
+#include "texplorer/lesson/numbers.h"
 
 #include <functional>
 #include <memory>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/image/image.h"
-#include "core/reference/sampling/level_picture.h"
-#include "core/texture/levels_worker.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/image/image.h"
+#include "texplorer/reference/sampling/level_picture.h"
+#include "texplorer/texture/levels_worker.h"
 
 #include <functional>
 #include <memory>

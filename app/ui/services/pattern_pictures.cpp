@@ -1,9 +1,9 @@
 #include "app/ui/services/pattern_pictures.h"
 
-#include "core/image/thumbnail.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/image_source.h"
-#include "core/texture/levels_worker.h"
+#include "texplorer/image/thumbnail.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/levels_worker.h"
 
 #include <mutex>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/image/image.h"
-#include "core/image/patterns/pattern.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/image/image.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <array>
 #include <functional>

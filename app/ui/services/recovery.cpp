@@ -1,7 +1,7 @@
 #include "app/ui/services/recovery.h"
 
-#include "core/image/convert.h"
-#include "core/reference/draw.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/reference/draw.h"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/image/image.h"
-#include "core/scene/storage/unsaved_folder.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/storage/unsaved_folder.h"
 
 #include <functional>
 #include <memory>

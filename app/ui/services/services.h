@@ -10,11 +10,11 @@
 #include "app/ui/services/settings_file.h"
 #include "app/ui/services/sheet_pictures.h"
 #include "app/ui/services/unsaved_work.h"
-#include "core/emit/program_worker.h"
-#include "core/reference/draw_worker.h"
-#include "core/reference/level_map_worker.h"
-#include "core/reference/probe_worker.h"
-#include "core/texture/levels_worker.h"
+#include "texplorer/emit/program_worker.h"
+#include "texplorer/reference/draw_worker.h"
+#include "texplorer/reference/level_map_worker.h"
+#include "texplorer/reference/probe_worker.h"
+#include "texplorer/texture/levels_worker.h"
 
 #include <functional>
 

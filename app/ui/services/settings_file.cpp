@@ -2,9 +2,9 @@
 
 #include "app/ui/services/settings_json.h"
 #include "app/ui/services/settings_merge.h"
-#include "core/files/file_io.h"
-#include "core/files/folder_lock.h"
-#include "core/files/user_folder.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/folder_lock.h"
+#include "texplorer/files/user_folder.h"
 
 #include <fmt/format.h>
 

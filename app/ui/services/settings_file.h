@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/ui/state/settings.h"
-#include "core/base/clock.h"
-#include "core/base/result.h"
-#include "core/base/worker.h"
+#include "texplorer/base/clock.h"
+#include "texplorer/base/result.h"
+#include "texplorer/base/worker.h"
 
 #include <chrono>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "app/ui/services/settings_json.h"
 
-#include "core/text/json_end.h"
+#include "texplorer/text/json_end.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

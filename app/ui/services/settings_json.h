@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/state/settings.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <filesystem>
 #include <string>

@@ -1,8 +1,8 @@
 #include "app/ui/services/sheet_pictures.h"
 
-#include "core/base/background_thread.h"
-#include "core/base/parallel.h"
-#include "core/scene/params/key_edits.h"
+#include "texplorer/base/background_thread.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/scene/params/key_edits.h"
 
 #include <algorithm>
 #include <utility>

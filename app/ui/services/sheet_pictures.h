@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/worker.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/sweep_axis.h"
+#include "texplorer/base/worker.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/sweep_axis.h"
 
 #include <cstdint>
 #include <functional>

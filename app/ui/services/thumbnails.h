@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/texture/image_loader.h"
+#include "texplorer/texture/image_loader.h"
 
 #include <map>
 

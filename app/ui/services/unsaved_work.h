@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/services/recovery.h"
-#include "core/scene/storage/autosave.h"
+#include "texplorer/scene/storage/autosave.h"
 
 namespace texplorer::ui {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/state/load.h"
-#include "core/base/result.h"
-#include "core/emit/flavour.h"
+#include "texplorer/base/result.h"
+#include "texplorer/emit/flavour.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,9 +1,9 @@
 #include "app/ui/state/camera.h"
 
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 #include "app/ui/state/document.h"
 
 #include "app/ui/language/translate.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <utility>
 

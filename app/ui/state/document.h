@@ -2,10 +2,10 @@
 
 #include "app/ui/state/kept.h"
 #include "app/ui/state/load.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/history.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/history.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "app/ui/state/document_names.h"
 
-#include "core/texture/image_source.h"
+#include "texplorer/texture/image_source.h"
 
 namespace texplorer::ui {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/image/texture_image.h"
-#include "core/reference/probe_worker.h"
+#include "texplorer/image/image.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/reference/probe_worker.h"
 
 #include <memory>
 #include <optional>

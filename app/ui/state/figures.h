@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lesson/lesson.h"
+#include "texplorer/lesson/lesson.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/texture/image_loader.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/texture/image_loader.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/state/selection.h"
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <memory>
 #include <optional>

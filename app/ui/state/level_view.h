@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/reference/explain/explanation.h"
-#include "core/reference/level_map_worker.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/reference/level_map_worker.h"
 
 #include <memory>
 #include <optional>

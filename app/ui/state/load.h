@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_loader.h"
-#include "core/texture/image_source.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_loader.h"
+#include "texplorer/texture/image_source.h"
 
 #include <filesystem>
 #include <map>

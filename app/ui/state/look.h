@@ -5,8 +5,8 @@
 #include "app/ui/state/level_view.h"
 #include "app/ui/state/preview.h"
 #include "app/ui/state/selection.h"
-#include "core/reference/explain/explanation.h"
-#include "core/scene/picking.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/scene/picking.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "app/ui/state/pinned.h"
 
-#include "core/scene/params/keys.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/animation/format.h"
+#include "texplorer/animation/format.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sheet/axis_labels.h"
+#include "texplorer/sheet/axis_labels.h"
 
 #include <array>
 #include <cstddef>

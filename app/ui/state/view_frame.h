@@ -2,10 +2,10 @@
 
 #include "app/view/frame.h"
 #include "app/view/side.h"
-#include "core/compare/difference.h"
-#include "core/compare/heat_map.h"
-#include "core/image/image.h"
-#include "core/scene/renderer.h"
+#include "texplorer/compare/difference.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/renderer.h"
 
 #include <memory>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/view/offered_renderers.h"
-#include "core/reference/false_colors.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/renderer.h"
+#include "texplorer/reference/false_colors.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/scene/renderer.h"
 
 #include <glm/vec2.hpp>
 

@@ -3,7 +3,7 @@
 #include "app/ui/language/language.h"
 #include "app/ui/state/details_tabs.h"
 #include "app/ui/state/figures.h"
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/state/details_tabs.h"
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <array>
 #include <optional>

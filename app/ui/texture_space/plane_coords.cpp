@@ -1,10 +1,10 @@
 #include "app/ui/texture_space/plane_coords.h"
 
-#include "core/reference/shading/coordinates.h"
-#include "core/scene/animation.h"
-#include "core/scene/emboss.h"
-#include "core/scene/tex_coords.h"
-#include "core/texture/late_flip.h"
+#include "texplorer/reference/shading/coordinates.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/tex_coords.h"
+#include "texplorer/texture/late_flip.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/base/result.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/result.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -3,7 +3,7 @@
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/tiling.h"
-#include "core/image/cube_faces.h"
+#include "texplorer/image/cube_faces.h"
 
 #include <glm/glm.hpp>
 

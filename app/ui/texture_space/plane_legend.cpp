@@ -5,7 +5,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/image/cube_faces.h"
+#include "texplorer/image/cube_faces.h"
 
 #include <fmt/core.h>
 

@@ -9,7 +9,7 @@
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/projections.h"
+#include "texplorer/scene/projections.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/texture_space/plane_drawing.h"
 #include "app/ui/widgets/inset_placement.h"
-#include "core/reference/explain/explanation.h"
+#include "texplorer/reference/explain/explanation.h"
 
 #include <array>
 #include <string>

@@ -6,7 +6,7 @@
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
-#include "core/reference/sampling/ellipse.h"
+#include "texplorer/reference/sampling/ellipse.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #include "app/ui/view/framing.h"
 
 #include "app/ui/state/camera.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/show_shapes.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/show_shapes.h"
 
 #include <fmt/core.h>
 

@@ -17,8 +17,8 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/picking.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/picking.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 

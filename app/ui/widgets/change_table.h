@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/params/scene_diff.h"
+#include "texplorer/scene/params/scene_diff.h"
 
 #include <imgui.h>
 

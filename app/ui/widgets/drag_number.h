@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <string>
 

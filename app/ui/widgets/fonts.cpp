@@ -2,7 +2,7 @@
 
 #include "app/ui/widgets/font_file.h"
 #include "app/view/font_folders.h"
-#include "core/lesson/lesson_files.h"
+#include "texplorer/lesson/lesson_files.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "app/ui/widgets/line_breaks.h"
 
-#include "core/text/utf8.h"
+#include "texplorer/text/utf8.h"
 
 #include <algorithm>
 #include <cstddef>

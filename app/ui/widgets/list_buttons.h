@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/edit/edit.h"
+#include "texplorer/scene/edit/edit.h"
 
 #include <cstddef>
 #include <optional>

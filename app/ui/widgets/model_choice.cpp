@@ -4,7 +4,7 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/drawn_models.h"
+#include "texplorer/scene/drawn_models.h"
 
 #include <fmt/core.h>
 

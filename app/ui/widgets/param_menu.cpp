@@ -9,7 +9,7 @@
 #include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/widgets/wrapped_text.h"
-#include "core/scene/params/key_edits.h"
+#include "texplorer/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 
@@ -78,7 +78,7 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
                  : pinned ? "Removes it from Essentials"
                           : "Shows it at the end of Essentials, for the selected texture, unit or model",
                  !isThere))
-        act(session, [path](Session& changed) { togglePin(changed.settings, path); });
+        act(session, [path](Session& s) { togglePin(s.settings, path); });
     keyItems(session, path);
     if (canSweep(row)) {
         ImGui::Separator();

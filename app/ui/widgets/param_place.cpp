@@ -1,9 +1,9 @@
 #include "app/ui/widgets/param_place.h"
 
 #include "app/ui/model/tex_coord_edits.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <algorithm>
 #include <charconv>

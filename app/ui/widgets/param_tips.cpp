@@ -5,7 +5,7 @@
 #include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/tip.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

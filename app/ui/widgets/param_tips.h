@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/ui/widgets/wrapped_text.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/params/params.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/params/params.h"
 
 namespace texplorer::ui {
 

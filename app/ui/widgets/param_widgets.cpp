@@ -13,8 +13,8 @@
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/vector_controls.h"
-#include "core/scene/params/key_edits.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // the indentation of lines, also in a table

@@ -2,7 +2,7 @@
 
 #include "app/ui/state/view_frame.h"
 #include "app/view/pass_shader.h"
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 #include <imgui.h>
 

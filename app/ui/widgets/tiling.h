@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/gl/sampling.h"
+#include "texplorer/gl/sampling.h"
 
 #include <optional>
 

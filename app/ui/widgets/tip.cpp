@@ -5,7 +5,7 @@
 #include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/wrapped_text.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <imgui_internal.h> // the positions of windows
 

@@ -8,7 +8,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 
@@ -60,7 +60,7 @@ void drawDifferences(const std::vector<SceneChange>& changes, float width) {
 void drawChangedFile(const Session& session) {
     const std::shared_ptr<const ChangedFile> changed = session.document.changedFile;
     if (!changed) // another document is shown
-        return act(session, [](Session& changed) { changed.asking.dialog = Dialog::None; });
+        return act(session, [](Session& s) { s.asking.dialog = Dialog::None; });
     if (!beginModal("The file has changed"))
         return;
     const float em = ImGui::GetFontSize();

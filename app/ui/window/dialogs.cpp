@@ -12,11 +12,11 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
-#include "core/codec/registry.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
-#include "core/suite/suite.h"
-#include "core/text/printable.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
+#include "texplorer/suite/suite.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

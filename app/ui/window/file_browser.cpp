@@ -8,8 +8,8 @@
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
-#include "core/scene/params/json.h"
-#include "core/text/printable.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 
 #include "app/ui/services/files.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/files/file_fingerprint.h"
+#include "texplorer/files/file_fingerprint.h"
 
 #include <filesystem>
 #include <optional>

@@ -25,10 +25,10 @@
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/text_size.h"
 #include "app/ui/window/window_parts.h"
-#include "core/base/count.h"
-#include "core/lesson/example.h"
-#include "core/scene/storage/scene_link.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/lesson/example.h"
+#include "texplorer/scene/storage/scene_link.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
 #include <fmt/core.h>
 

@@ -7,8 +7,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
-#include "core/base/count.h"
-#include "core/scene/animation.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/animation.h"
 
 #include <fmt/core.h>
 

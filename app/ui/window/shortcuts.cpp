@@ -13,7 +13,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/window/notes.h"
 #include "app/ui/window/text_size.h"
-#include "core/scene/storage/scene_link.h"
+#include "texplorer/scene/storage/scene_link.h"
 
 #include <imgui.h>
 

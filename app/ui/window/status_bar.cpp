@@ -10,8 +10,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/window_parts.h"
-#include "core/base/count.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

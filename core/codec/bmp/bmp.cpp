@@ -1,11 +1,11 @@
-#include "core/codec/bmp/bmp.h"
+#include "texplorer/codec/bmp/bmp.h"
 
-#include "core/base/count.h"
-#include "core/codec/bmp/bmp_bitfields.h"
-#include "core/codec/bmp/bmp_header.h"
-#include "core/codec/bmp/bmp_palette.h"
-#include "core/codec/bmp/bmp_rle.h"
-#include "core/codec/common/swizzle.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/bmp/bmp_bitfields.h"
+#include "texplorer/codec/bmp/bmp_header.h"
+#include "texplorer/codec/bmp/bmp_palette.h"
+#include "texplorer/codec/bmp/bmp_rle.h"
+#include "texplorer/codec/common/swizzle.h"
 
 #include <fmt/core.h>
 

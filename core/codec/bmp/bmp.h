@@ -22,11 +22,11 @@
 // - A run-length coded file of n bytes is refused if it states more than 255 n pixels and more than 1024 x
 //   1024: its codes cannot fill that.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/codec/common/anatomy.h"
-#include "core/codec/common/decode_limits.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/anatomy.h"
+#include "texplorer/codec/common/decode_limits.h"
+#include "texplorer/image/texture_image.h"
 
 namespace texplorer {
 

@@ -1,9 +1,9 @@
-#include "core/base/byte_reader.h"
-#include "core/base/count.h"
-#include "core/codec/bmp/bmp.h"
-#include "core/codec/bmp/bmp_fields.h"
-#include "core/codec/bmp/bmp_header.h"
-#include "core/codec/bmp/bmp_rle.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/codec/bmp/bmp_fields.h"
+#include "texplorer/codec/bmp/bmp_header.h"
+#include "texplorer/codec/bmp/bmp_rle.h"
 
 #include <fmt/core.h>
 

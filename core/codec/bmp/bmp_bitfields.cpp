@@ -1,6 +1,6 @@
-#include "core/codec/bmp/bmp_bitfields.h"
+#include "texplorer/codec/bmp/bmp_bitfields.h"
 
-#include "core/codec/common/reorder.h"
+#include "texplorer/codec/common/reorder.h"
 
 #include <bit>
 

@@ -2,7 +2,7 @@
 
 // Pixels of 16 or 32 bits with components at the bits of masks. Private to the BMP codec.
 
-#include "core/codec/bmp/bmp_header.h"
+#include "texplorer/codec/bmp/bmp_header.h"
 
 #include <cstddef>
 #include <vector>

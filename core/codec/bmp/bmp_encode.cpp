@@ -1,9 +1,9 @@
-#include "core/codec/bmp/bmp.h"
-#include "core/codec/bmp/bmp_header.h"
-#include "core/codec/common/reorder.h"
-#include "core/codec/common/swizzle.h"
-#include "core/codec/common/write_options.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/codec/bmp/bmp_header.h"
+#include "texplorer/codec/common/reorder.h"
+#include "texplorer/codec/common/swizzle.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
-#include "core/codec/bmp/bmp_fields.h"
+#include "texplorer/codec/bmp/bmp_fields.h"
 
-#include "core/base/byte_reader.h"
-#include "core/base/count.h"
-#include "core/codec/bmp/bmp_bitfields.h"
-#include "core/text/word.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/bmp/bmp_bitfields.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

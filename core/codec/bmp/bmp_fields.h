@@ -2,7 +2,7 @@
 
 // The fields of BMP headers as tables, for the anatomy. Private to the BMP codec.
 
-#include "core/codec/bmp/bmp_header.h"
+#include "texplorer/codec/bmp/bmp_header.h"
 
 #include <cstddef>
 #include <span>

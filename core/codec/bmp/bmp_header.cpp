@@ -1,7 +1,7 @@
-#include "core/codec/bmp/bmp_header.h"
+#include "texplorer/codec/bmp/bmp_header.h"
 
-#include "core/base/byte_reader.h"
-#include "core/base/count.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/base/count.h"
 
 #include <fmt/core.h>
 

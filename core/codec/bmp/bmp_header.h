@@ -3,9 +3,9 @@
 // The parts of a BMP before its pixels: the file header, the info header in all sizes, the masks and the
 // position of the palette. Private to the BMP codec.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/codec/common/decode_limits.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/decode_limits.h"
 
 #include <array>
 #include <cstdint>

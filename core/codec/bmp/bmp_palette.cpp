@@ -1,4 +1,4 @@
-#include "core/codec/bmp/bmp_palette.h"
+#include "texplorer/codec/bmp/bmp_palette.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,8 +2,8 @@
 
 // The palette of a BMP of up to eight bits per pixel. Private to the BMP codec.
 
-#include "core/codec/bmp/bmp_header.h"
-#include "core/image/pixel_format.h"
+#include "texplorer/codec/bmp/bmp_header.h"
+#include "texplorer/image/pixel_format.h"
 
 namespace texplorer::bmp {
 

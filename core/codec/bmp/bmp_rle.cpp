@@ -1,6 +1,6 @@
-#include "core/codec/bmp/bmp_rle.h"
+#include "texplorer/codec/bmp/bmp_rle.h"
 
-#include "core/base/byte_reader.h"
+#include "texplorer/base/byte_reader.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 //   0 2 x y    go x pixels to the right and y rows on
 //   0 n …      n >= 3: n literal indices, padded to a multiple of two bytes
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <cstdint>
 #include <span>

@@ -3,7 +3,7 @@
 // The structure of a file: offset, size, name, raw bytes, value and meaning of each field. It is used to
 // examine broken files, so it continues up to the damage and reports what looks wrong.
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/codec/common/swizzle.h"
+#include "texplorer/codec/common/swizzle.h"
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <tmmintrin.h>

@@ -1,7 +1,7 @@
-#include "core/codec/dds/dds.h"
+#include "texplorer/codec/dds/dds.h"
 
-#include "core/codec/dds/dds_layout.h"
-#include "core/codec/dds/dds_pixels.h"
+#include "texplorer/codec/dds/dds_layout.h"
+#include "texplorer/codec/dds/dds_pixels.h"
 
 #include <fmt/core.h>
 

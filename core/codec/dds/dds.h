@@ -41,10 +41,10 @@
 // except grey alone, which is R8. BC4, BC5 and Alpha8 have no sRGB variant and are written without it. The
 // old header has no field for unknown or missing alpha; both are written as straight alpha.
 
-#include "core/codec/common/anatomy.h"
-#include "core/codec/common/decode_limits.h"
-#include "core/codec/common/write_options.h"
-#include "core/image/texture_image.h"
+#include "texplorer/codec/common/anatomy.h"
+#include "texplorer/codec/common/decode_limits.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/image/texture_image.h"
 
 namespace texplorer {
 

@@ -1,7 +1,7 @@
-#include "core/base/byte_reader.h"
-#include "core/codec/dds/dds.h"
-#include "core/codec/dds/dds_layout.h"
-#include "core/text/word.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/codec/dds/dds_layout.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
-#include "core/base/count.h"
-#include "core/codec/common/swizzle.h"
-#include "core/codec/dds/dds.h"
-#include "core/codec/dds/dds_pixels.h"
-#include "core/image/mipmaps.h"
-#include "core/s3tc/flip.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/common/swizzle.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/codec/dds/dds_pixels.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "core/codec/dds/dds_format.h"
+#include "texplorer/codec/dds/dds_format.h"
 
-#include "core/text/word.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

@@ -2,9 +2,9 @@
 
 // The pixels that a DDS header describes: a block format, or channels in each pixel.
 
-#include "core/base/result.h"
-#include "core/codec/dds/dds_header.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/dds/dds_header.h"
+#include "texplorer/image/texture_image.h"
 
 #include <variant>
 

@@ -1,6 +1,6 @@
-#include "core/codec/dds/dds_header.h"
+#include "texplorer/codec/dds/dds_header.h"
 
-#include "core/base/byte_reader.h"
+#include "texplorer/base/byte_reader.h"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,7 @@
 // The header of a DDS file, and the names of its bits. dds_format.h and dds_layout.h interpret it. Source:
 // Microsoft's "Programming Guide for DDS".
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <array>
 #include <cstdint>

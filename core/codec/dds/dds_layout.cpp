@@ -1,7 +1,7 @@
-#include "core/codec/dds/dds_layout.h"
+#include "texplorer/codec/dds/dds_layout.h"
 
-#include "core/base/count.h"
-#include "core/image/mipmaps.h"
+#include "texplorer/base/count.h"
+#include "texplorer/image/mipmaps.h"
 
 #include <fmt/core.h>
 

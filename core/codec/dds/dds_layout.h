@@ -2,8 +2,8 @@
 
 // The positions of the surfaces of a DDS file, computed from its header alone.
 
-#include "core/codec/common/decode_limits.h"
-#include "core/codec/dds/dds_format.h"
+#include "texplorer/codec/common/decode_limits.h"
+#include "texplorer/codec/dds/dds_format.h"
 
 namespace texplorer::dds {
 

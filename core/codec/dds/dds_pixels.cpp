@@ -1,6 +1,6 @@
-#include "core/codec/dds/dds_pixels.h"
+#include "texplorer/codec/dds/dds_pixels.h"
 
-#include "core/codec/common/swizzle.h"
+#include "texplorer/codec/common/swizzle.h"
 
 #include <algorithm>
 #include <bit>

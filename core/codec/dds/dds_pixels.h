@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/codec/dds/dds_format.h"
+#include "texplorer/codec/dds/dds_format.h"
 
 namespace texplorer::dds {
 

@@ -1,7 +1,7 @@
-#include "core/codec/jpeg/jpeg.h"
+#include "texplorer/codec/jpeg/jpeg.h"
 
-#include "core/codec/jpeg/jpeg_markers.h"
-#include "core/codec/jpeg/jpeg_reader.h"
+#include "texplorer/codec/jpeg/jpeg_markers.h"
+#include "texplorer/codec/jpeg/jpeg_reader.h"
 
 #include <fmt/core.h>
 

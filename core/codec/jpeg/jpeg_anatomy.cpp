@@ -1,6 +1,6 @@
-#include "core/codec/jpeg/jpeg.h"
-#include "core/codec/jpeg/jpeg_markers.h"
-#include "core/text/word.h"
+#include "texplorer/codec/jpeg/jpeg.h"
+#include "texplorer/codec/jpeg/jpeg_markers.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

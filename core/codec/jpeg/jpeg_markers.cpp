@@ -1,4 +1,4 @@
-#include "core/codec/jpeg/jpeg_markers.h"
+#include "texplorer/codec/jpeg/jpeg_markers.h"
 
 #include <fmt/core.h>
 

@@ -8,7 +8,7 @@
 // SOI, EOI and RSTn have no length. The payload of SOS is followed by the entropy-coded data, in which FF is
 // followed by 00 or RSTn.
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <cstdint>
 #include <optional>

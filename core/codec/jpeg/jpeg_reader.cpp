@@ -1,4 +1,4 @@
-#include "core/codec/jpeg/jpeg_reader.h"
+#include "texplorer/codec/jpeg/jpeg_reader.h"
 
 #include <fmt/core.h>
 

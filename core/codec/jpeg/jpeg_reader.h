@@ -2,9 +2,9 @@
 
 // Wraps libjpeg-turbo, which reports errors by longjmp, as functions that return errors.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/image/image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/image.h"
 
 #include <csetjmp>
 #include <cstddef>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/codec/common/anatomy.h"
-#include "core/codec/common/decode_limits.h"
-#include "core/codec/common/write_options.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/anatomy.h"
+#include "texplorer/codec/common/decode_limits.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/image/texture_image.h"
 
 namespace texplorer {
 

@@ -1,8 +1,8 @@
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_chunks.h"
-#include "core/codec/png/png_text.h"
-#include "core/text/printable.h"
-#include "core/text/word.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_chunks.h"
+#include "texplorer/codec/png/png_text.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "core/codec/png/png_chunks.h"
+#include "texplorer/codec/png/png_chunks.h"
 
 #include <libdeflate.h>
 

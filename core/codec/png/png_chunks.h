@@ -7,7 +7,7 @@
 //
 // All numbers are big-endian.
 
-#include "core/base/bytes.h"
+#include "texplorer/base/bytes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "core/base/count.h"
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_chunks.h"
-#include "core/text/printable.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_chunks.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

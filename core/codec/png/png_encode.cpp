@@ -1,7 +1,7 @@
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_chunks.h"
-#include "core/codec/png/png_text.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_chunks.h"
+#include "texplorer/codec/png/png_text.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

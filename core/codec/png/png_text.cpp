@@ -1,6 +1,6 @@
-#include "core/codec/png/png_text.h"
+#include "texplorer/codec/png/png_text.h"
 
-#include "core/files/file_io.h"
+#include "texplorer/files/file_io.h"
 
 #include <fmt/core.h>
 

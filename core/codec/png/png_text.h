@@ -6,10 +6,10 @@
 //   zTXt   keyword  0  method (0)  zlib stream of text in Latin-1
 //   iTXt   keyword  0  compressed (0, 1)  method (0)  language  0  translated keyword  0  UTF-8 or zlib of it
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/codec/common/write_options.h"
-#include "core/codec/png/png_chunks.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/codec/common/write_options.h"
+#include "texplorer/codec/png/png_chunks.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
-#include "core/codec/tga/tga.h"
+#include "texplorer/codec/tga/tga.h"
 
-#include "core/base/byte_reader.h"
-#include "core/base/count.h"
-#include "core/codec/tga/tga_format.h"
-#include "core/codec/tga/tga_pixels.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/tga/tga_format.h"
+#include "texplorer/codec/tga/tga_pixels.h"
 
 #include <fmt/core.h>
 

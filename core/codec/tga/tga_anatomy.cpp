@@ -1,8 +1,8 @@
-#include "core/base/byte_reader.h"
-#include "core/base/count.h"
-#include "core/codec/tga/tga.h"
-#include "core/codec/tga/tga_format.h"
-#include "core/text/word.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/tga/tga.h"
+#include "texplorer/codec/tga/tga_format.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

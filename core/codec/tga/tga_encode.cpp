@@ -1,9 +1,9 @@
-#include "core/base/count.h"
-#include "core/codec/common/swizzle.h"
-#include "core/codec/tga/tga.h"
-#include "core/codec/tga/tga_format.h"
-#include "core/image/convert.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/common/swizzle.h"
+#include "texplorer/codec/tga/tga.h"
+#include "texplorer/codec/tga/tga_format.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "core/codec/tga/tga_format.h"
+#include "texplorer/codec/tga/tga_format.h"
 
-#include "core/base/byte_reader.h"
-#include "core/text/word.h"
+#include "texplorer/base/byte_reader.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 

@@ -2,9 +2,9 @@
 
 // The parts of a TGA file other than its pixels, for decodeTga and dissectTga.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/image/texture_image.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
+#include "texplorer/image/texture_image.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
-#include "core/codec/tga/tga_pixels.h"
+#include "texplorer/codec/tga/tga_pixels.h"
 
-#include "core/base/count.h"
-#include "core/codec/common/swizzle.h"
+#include "texplorer/base/count.h"
+#include "texplorer/codec/common/swizzle.h"
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 
 // Converts the pixels of a TGA file to those of an Image, in the file's order.
 
-#include "core/codec/tga/tga_format.h"
-#include "core/image/texture_image.h"
+#include "texplorer/codec/tga/tga_format.h"
+#include "texplorer/image/texture_image.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "core/image/patterns/canvas.h"
+#include "texplorer/image/patterns/canvas.h"
 
 #include <algorithm>
 

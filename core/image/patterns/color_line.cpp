@@ -1,5 +1,5 @@
-#include "core/image/patterns/canvas.h"
-#include "core/image/patterns/patterns.h"
+#include "texplorer/image/patterns/canvas.h"
+#include "texplorer/image/patterns/patterns.h"
 
 namespace texplorer {
 

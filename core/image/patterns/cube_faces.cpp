@@ -1,8 +1,8 @@
-#include "core/image/cube_faces.h"
+#include "texplorer/image/cube_faces.h"
 
-#include "core/image/patterns/canvas.h"
-#include "core/image/patterns/patterns.h"
-#include "core/image/patterns/pixel_font.h"
+#include "texplorer/image/patterns/canvas.h"
+#include "texplorer/image/patterns/patterns.h"
+#include "texplorer/image/patterns/pixel_font.h"
 
 #include <array>
 

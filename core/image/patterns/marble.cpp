@@ -1,6 +1,6 @@
-#include "core/image/patterns/canvas.h"
-#include "core/image/patterns/noise.h"
-#include "core/image/patterns/patterns.h"
+#include "texplorer/image/patterns/canvas.h"
+#include "texplorer/image/patterns/noise.h"
+#include "texplorer/image/patterns/patterns.h"
 
 #include <cmath>
 

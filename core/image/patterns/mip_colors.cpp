@@ -1,7 +1,7 @@
-#include "core/image/mip_colors.h"
+#include "texplorer/image/mip_colors.h"
 
-#include "core/image/patterns/canvas.h"
-#include "core/image/patterns/patterns.h"
+#include "texplorer/image/patterns/canvas.h"
+#include "texplorer/image/patterns/patterns.h"
 
 namespace texplorer {
 

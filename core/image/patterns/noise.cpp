@@ -1,4 +1,4 @@
-#include "core/image/patterns/noise.h"
+#include "texplorer/image/patterns/noise.h"
 
 #include <cmath>
 #include <initializer_list>

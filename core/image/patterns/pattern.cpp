@@ -1,6 +1,6 @@
-#include "core/image/patterns/pattern.h"
+#include "texplorer/image/patterns/pattern.h"
 
-#include "core/image/patterns/patterns.h"
+#include "texplorer/image/patterns/patterns.h"
 
 namespace texplorer {
 

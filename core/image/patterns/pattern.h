@@ -2,8 +2,8 @@
 
 // Procedural images, bottom row first.
 
-#include "core/gl/enum_row.h"
-#include "core/image/image.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

@@ -2,7 +2,7 @@
 
 // One function per pattern; called only by drawPattern and the tests.
 
-#include "core/image/image.h"
+#include "texplorer/image/image.h"
 
 namespace texplorer {
 

@@ -1,4 +1,4 @@
-#include "core/image/patterns/pixel_font.h"
+#include "texplorer/image/patterns/pixel_font.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/patterns/canvas.h"
+#include "texplorer/image/patterns/canvas.h"
 
 #include <string_view>
 

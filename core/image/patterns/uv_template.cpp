@@ -1,6 +1,6 @@
-#include "core/image/patterns/canvas.h"
-#include "core/image/patterns/patterns.h"
-#include "core/image/patterns/pixel_font.h"
+#include "texplorer/image/patterns/canvas.h"
+#include "texplorer/image/patterns/patterns.h"
+#include "texplorer/image/patterns/pixel_font.h"
 
 #include <string>
 

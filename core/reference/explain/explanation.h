@@ -2,13 +2,13 @@
 
 // Why a pixel has its colour: every number from the scene to the bytes, as a value.
 
-#include "core/reference/explain/tap_places.h"
-#include "core/reference/explain/ties.h"
-#include "core/reference/sampling/sample_record.h"
-#include "core/reference/shading/combine.h"
-#include "core/reference/shading/environment.h"
-#include "core/reference/shading/lighting.h"
-#include "core/scene/scene.h"
+#include "texplorer/reference/explain/tap_places.h"
+#include "texplorer/reference/explain/ties.h"
+#include "texplorer/reference/sampling/sample_record.h"
+#include "texplorer/reference/shading/combine.h"
+#include "texplorer/reference/shading/environment.h"
+#include "texplorer/reference/shading/lighting.h"
+#include "texplorer/scene/scene.h"
 
 #include <glm/mat4x4.hpp>
 

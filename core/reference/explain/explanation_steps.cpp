@@ -1,8 +1,8 @@
-#include "core/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/explanation_steps.h"
 
-#include "core/reference/explain/sampling_steps.h"
-#include "core/reference/sampling/comparison.h"
-#include "core/reference/shading/equation_text.h"
+#include "texplorer/reference/explain/sampling_steps.h"
+#include "texplorer/reference/sampling/comparison.h"
+#include "texplorer/reference/shading/equation_text.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

@@ -3,8 +3,8 @@
 // An Explanation as text, for terminals and windows: the stages of OpenGL in order, as steps that can be
 // collapsed.
 
-#include "core/reference/explain/explanation.h"
-#include "core/text/word.h"
+#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/text/word.h"
 
 #include <array>
 #include <optional>

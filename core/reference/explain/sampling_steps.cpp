@@ -1,8 +1,8 @@
-#include "core/reference/explain/sampling_steps.h"
+#include "texplorer/reference/explain/sampling_steps.h"
 
-#include "core/reference/explain/stored_texel.h"
-#include "core/reference/sampling/depth_texel.h"
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/reference/explain/stored_texel.h"
+#include "texplorer/reference/sampling/depth_texel.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "core/reference/explain/stored_texel.h"
+#include "texplorer/reference/explain/stored_texel.h"
 
-#include "core/image/linear_light.h"
-#include "core/image/stored_numbers.h"
+#include "texplorer/image/linear_light.h"
+#include "texplorer/image/stored_numbers.h"
 
 #include <fmt/core.h>
 

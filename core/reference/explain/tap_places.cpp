@@ -1,8 +1,8 @@
-#include "core/reference/explain/tap_places.h"
+#include "texplorer/reference/explain/tap_places.h"
 
-#include "core/reference/explain/sampling_steps.h"
-#include "core/reference/sampling/ellipse.h"
-#include "core/reference/sampling/texel.h"
+#include "texplorer/reference/explain/sampling_steps.h"
+#include "texplorer/reference/sampling/ellipse.h"
+#include "texplorer/reference/sampling/texel.h"
 
 #include <glm/common.hpp>
 

@@ -2,7 +2,7 @@
 
 // The positions of a sample's texels relative to it, and the texels around them, for a view of the texture.
 
-#include "core/reference/sampling/sample_record.h"
+#include "texplorer/reference/sampling/sample_record.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,7 +1,7 @@
-#include "core/reference/explain/ties.h"
+#include "texplorer/reference/explain/ties.h"
 
-#include "core/reference/sampling/sampler.h"
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/reference/sampling/sampler.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <glm/common.hpp>
 

@@ -2,7 +2,7 @@
 
 // Ties: where rounding decides which texels a sample reads, several results are correct.
 
-#include "core/reference/sampling/sample_record.h"
+#include "texplorer/reference/sampling/sample_record.h"
 
 #include <glm/vec4.hpp>
 

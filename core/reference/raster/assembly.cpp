@@ -1,4 +1,4 @@
-#include "core/reference/raster/assembly.h"
+#include "texplorer/reference/raster/assembly.h"
 
 #include <algorithm>
 

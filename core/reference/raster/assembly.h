@@ -2,9 +2,9 @@
 
 // Primitive assembly: flat colours, clipping and set-up of shaded vertices.
 
-#include "core/mesh/mesh.h"
-#include "core/reference/raster/triangle.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/reference/raster/triangle.h"
+#include "texplorer/image/image.h"
+#include "texplorer/reference/raster/triangle.h"
 
 #include <glm/vec4.hpp>
 

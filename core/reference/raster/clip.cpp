@@ -1,4 +1,4 @@
-#include "core/reference/shading/vertex.h"
+#include "texplorer/reference/shading/vertex.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 
 // Vertices in the window: OpenGL 2.1, section 2.11.1.
 
-#include "core/reference/raster/triangle.h"
+#include "texplorer/reference/raster/triangle.h"
 
 #include <glm/vec2.hpp>
 

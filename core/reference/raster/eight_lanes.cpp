@@ -1,4 +1,4 @@
-#include "core/reference/raster/kernel_headers.h"
+#include "texplorer/reference/raster/kernel_headers.h"
 
 #if defined(__x86_64__)
 
@@ -18,9 +18,9 @@ namespace eight {
 
 // Each builds on the one before it.
 // clang-format off
-#include "core/reference/sampling/lanes.inl"
-#include "core/reference/sampling/sample.inl"
-#include "core/reference/raster/shade.inl"
+#include "texplorer/reference/sampling/lanes.inl"
+#include "texplorer/reference/sampling/sample.inl"
+#include "texplorer/reference/raster/shade.inl"
 // clang-format on
 
 } // namespace eight

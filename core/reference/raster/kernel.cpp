@@ -1,4 +1,4 @@
-#include "core/reference/raster/kernel.h"
+#include "texplorer/reference/raster/kernel.h"
 
 #include <array>
 

@@ -6,8 +6,8 @@
 // lanes.inl, sample.inl and shade.inl are the source. It is compiled once for each vector length
 // (four_lanes.cpp, eight_lanes.cpp); the one for the processor is chosen at run time.
 
-#include "core/reference/raster/triangle.h"
-#include "core/reference/sampling/fast_sampler.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/sampling/fast_sampler.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,14 +3,14 @@
 // The headers of the kernel's source. They are included before it, because code from outside must not be
 // compiled for a processor that may be missing.
 
-#include "core/reference/raster/canvas.h"
-#include "core/reference/raster/kernel.h"
-#include "core/reference/shading/combine.h"
-#include "core/reference/shading/environment.h"
-#include "core/reference/shading/fog.h"
-#include "core/reference/shading/fragment.h"
-#include "core/reference/shading/pass_state.h"
-#include "core/reference/shading/stored_color.h"
+#include "texplorer/reference/raster/canvas.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/reference/shading/combine.h"
+#include "texplorer/reference/shading/environment.h"
+#include "texplorer/reference/shading/fog.h"
+#include "texplorer/reference/shading/fragment.h"
+#include "texplorer/reference/shading/pass_state.h"
+#include "texplorer/reference/shading/stored_color.h"
 
 #include <glm/vec4.hpp>
 

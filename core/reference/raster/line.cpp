@@ -1,7 +1,7 @@
 // Lines and points: OpenGL 2.1, sections 3.3 and 3.4.
 
-#include "core/reference/raster/corner.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/reference/raster/corner.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <glm/geometric.hpp>
 

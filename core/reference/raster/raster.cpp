@@ -1,10 +1,10 @@
-#include "core/reference/raster/raster.h"
+#include "texplorer/reference/raster/raster.h"
 
-#include "core/base/parallel.h"
-#include "core/reference/raster/kernel.h"
-#include "core/reference/raster/shade.h"
-#include "core/reference/shading/fragment.h"
-#include "core/reference/shading/stored_color.h"
+#include "texplorer/base/parallel.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/reference/raster/shade.h"
+#include "texplorer/reference/shading/fragment.h"
+#include "texplorer/reference/shading/stored_color.h"
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/reference/raster/canvas.h"
-#include "core/reference/raster/triangle.h"
+#include "texplorer/reference/raster/canvas.h"
+#include "texplorer/reference/raster/triangle.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-#include "core/reference/raster/scene_triangles.h"
+#include "texplorer/reference/raster/scene_triangles.h"
 
-#include "core/reference/raster/assembly.h"
-#include "core/reference/shading/vertex_stage.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/reference/raster/assembly.h"
+#include "texplorer/reference/shading/vertex_stage.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
 
 namespace texplorer::reference {
 

@@ -3,9 +3,9 @@
 // The triangles, lines and points of a scene, set up for rasterising, in OpenGL's drawing order: by pass,
 // then by model.
 
-#include "core/reference/raster/triangle.h"
-#include "core/reference/shading/pass_state.h"
-#include "core/scene/scene.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/shading/pass_state.h"
+#include "texplorer/scene/scene.h"
 
 #include <functional>
 #include <span>

@@ -1,9 +1,9 @@
-#include "core/reference/raster/shade.h"
+#include "texplorer/reference/raster/shade.h"
 
-#include "core/reference/sampling/sampler.h"
-#include "core/reference/shading/combine.h"
-#include "core/reference/shading/environment.h"
-#include "core/reference/shading/fog.h"
+#include "texplorer/reference/sampling/sampler.h"
+#include "texplorer/reference/shading/combine.h"
+#include "texplorer/reference/shading/environment.h"
+#include "texplorer/reference/shading/fog.h"
 
 #include <glm/common.hpp>
 

@@ -3,9 +3,9 @@
 // The colour of a fragment: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum), 3.10 (fog) and 4.1
 // (per-fragment operations).
 
-#include "core/reference/raster/canvas.h"
-#include "core/reference/raster/triangle.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/reference/raster/canvas.h"
+#include "texplorer/reference/raster/triangle.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <glm/vec2.hpp>
 

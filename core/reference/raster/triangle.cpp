@@ -1,7 +1,7 @@
-#include "core/reference/raster/triangle.h"
+#include "texplorer/reference/raster/triangle.h"
 
-#include "core/reference/raster/corner.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/reference/raster/corner.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <algorithm>
 #include <cmath>

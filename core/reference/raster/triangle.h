@@ -2,7 +2,7 @@
 
 // Triangles, lines and points set up for rasterising: OpenGL 2.1, sections 3.3, 3.4 and 3.5.1.
 
-#include "core/reference/shading/vertex.h"
+#include "texplorer/reference/shading/vertex.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>

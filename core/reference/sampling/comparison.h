@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/gl/fragment.h"
+#include "texplorer/gl/fragment.h"
 
 namespace texplorer::reference {
 

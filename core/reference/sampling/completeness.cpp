@@ -1,6 +1,6 @@
-#include "core/reference/sampling/completeness.h"
+#include "texplorer/reference/sampling/completeness.h"
 
-#include "core/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "core/reference/sampling/cube.h"
+#include "texplorer/reference/sampling/cube.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // The face of a cube map that a direction hits, and where: OpenGL 2.1, section 3.8.6. Texels beyond the edges
 // of a face: ARB_seamless_cube_map.
 
-#include "core/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <glm/vec2.hpp>
 

@@ -2,8 +2,8 @@
 
 // Depth textures: OpenGL 2.1, section 3.8.14.
 
-#include "core/reference/sampling/comparison.h"
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/comparison.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <algorithm>
 #include <cmath>

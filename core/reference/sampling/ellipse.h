@@ -3,10 +3,10 @@
 // Anisotropic filtering as an elliptical weighted average (Paul Heckbert, "Fundamentals of Texture Mapping
 // and Image Warping", 1989): a round pixel projects to an ellipse of texels, weighted by a Gaussian.
 
-#include "core/reference/sampling/depth_texel.h"
-#include "core/reference/sampling/sample_record.h"
-#include "core/reference/sampling/texel.h"
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/reference/sampling/depth_texel.h"
+#include "texplorer/reference/sampling/sample_record.h"
+#include "texplorer/reference/sampling/texel.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
-#include "core/reference/sampling/fast_sampler.h"
+#include "texplorer/reference/sampling/fast_sampler.h"
 
-#include "core/reference/sampling/sampler.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <array>
 #include <cstdint>

@@ -16,7 +16,7 @@
 #define TEXPLORER_LANES 4
 namespace texplorer::reference {
 
-#include "core/reference/sampling/lanes.inl"
+#include "texplorer/reference/sampling/lanes.inl"
 
 [[nodiscard]] inline float logarithm2(float value) {
     return logarithms2(floats(value))[0];

@@ -1,8 +1,8 @@
-#include "core/reference/sampling/level_picture.h"
+#include "texplorer/reference/sampling/level_picture.h"
 
-#include "core/image/convert.h"
-#include "core/image/cube_faces.h"
-#include "core/s3tc/surface_pixels.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/cube_faces.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 // A level as a picture for users: colours of 8 bits, and their histogram.
 
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
-#include "core/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/lod.h"
 
-#include "core/image/mipmaps.h"
-#include "core/reference/sampling/lanes.h"
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/reference/sampling/lanes.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <glm/geometric.hpp>
 

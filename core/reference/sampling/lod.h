@@ -2,7 +2,7 @@
 
 // Level of detail and selection of levels: OpenGL 2.1, section 3.8.8.
 
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <glm/vec3.hpp>
 

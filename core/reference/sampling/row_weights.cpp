@@ -1,4 +1,4 @@
-#include "core/reference/sampling/row_weights.h"
+#include "texplorer/reference/sampling/row_weights.h"
 
 #include <cassert>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Texel weights along one axis: which texels of a row are mixed, and how much of each. Uses the functions for
 // whole textures (wrap.h); with several axes, the weights are products.
 
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/reference/sampling/cube.h"
+#include "texplorer/reference/sampling/cube.h"
 
 #include <optional>
 #include <vector>

@@ -1,11 +1,11 @@
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
-#include "core/image/convert.h"
-#include "core/image/depth_pixels.h"
-#include "core/image/linear_light.h"
-#include "core/image/stored_numbers.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/encode.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/linear_light.h"
+#include "texplorer/image/stored_numbers.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

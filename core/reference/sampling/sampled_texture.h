@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/gl/environment.h"
-#include "core/gl/sampling.h"
-#include "core/image/image.h"
-#include "core/scene/scene.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/image/image.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

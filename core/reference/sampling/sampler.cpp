@@ -1,9 +1,9 @@
-#include "core/reference/sampling/sampler.h"
+#include "texplorer/reference/sampling/sampler.h"
 
-#include "core/reference/sampling/depth_texel.h"
-#include "core/reference/sampling/ellipse.h"
-#include "core/reference/sampling/texel.h"
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/reference/sampling/depth_texel.h"
+#include "texplorer/reference/sampling/ellipse.h"
+#include "texplorer/reference/sampling/texel.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <glm/common.hpp>
 

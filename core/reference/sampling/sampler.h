@@ -3,7 +3,7 @@
 // Texture filtering as written in OpenGL 2.1 (sections 3.8.7 to 3.8.9), for reading; raster/kernel.h does the
 // same fast.
 
-#include "core/reference/sampling/sample_record.h"
+#include "texplorer/reference/sampling/sample_record.h"
 
 namespace texplorer::reference {
 

@@ -1,6 +1,6 @@
-#include "core/reference/sampling/texture_store.h"
+#include "texplorer/reference/sampling/texture_store.h"
 
-#include "core/reference/sampling/completeness.h"
+#include "texplorer/reference/sampling/completeness.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/reference/sampling/sampled_texture.h"
-#include "core/texture/image_source.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
+#include "texplorer/texture/image_source.h"
 
 #include <map>
 #include <memory>

@@ -5,7 +5,7 @@
 // The specification clamps a coordinate s and then multiplies it by the number of texels N. Here, u = s N is
 // clamped to the limits times N: mathematically the same, but 1/2 is exact and 1/(2 N) is not.
 
-#include "core/gl/sampling.h"
+#include "texplorer/gl/sampling.h"
 
 #include <algorithm>
 #include <cmath>

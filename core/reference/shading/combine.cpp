@@ -1,6 +1,6 @@
-#include "core/reference/shading/combine.h"
+#include "texplorer/reference/shading/combine.h"
 
-#include "core/gl/combine_arguments.h"
+#include "texplorer/gl/combine_arguments.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -3,8 +3,8 @@
 // GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25, with crossbar: an argument can be the texture
 // colour of any unit.
 
-#include "core/gl/combine.h"
-#include "core/reference/shading/environment.h"
+#include "texplorer/gl/combine.h"
+#include "texplorer/reference/shading/environment.h"
 
 #include <span>
 

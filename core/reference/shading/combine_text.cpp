@@ -1,7 +1,7 @@
-#include "core/gl/combine_arguments.h"
-#include "core/gl/combine_equation.h"
-#include "core/reference/shading/combine.h"
-#include "core/reference/shading/equation_text.h"
+#include "texplorer/gl/combine_arguments.h"
+#include "texplorer/gl/combine_equation.h"
+#include "texplorer/reference/shading/combine.h"
+#include "texplorer/reference/shading/equation_text.h"
 
 #include <fmt/core.h>
 

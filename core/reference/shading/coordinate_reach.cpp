@@ -1,10 +1,10 @@
-#include "core/reference/shading/coordinate_reach.h"
+#include "texplorer/reference/shading/coordinate_reach.h"
 
-#include "core/reference/shading/coordinates.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/reference/shading/coordinates.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <glm/common.hpp>
 

@@ -1,6 +1,6 @@
-#include "core/reference/shading/coordinates.h"
+#include "texplorer/reference/shading/coordinates.h"
 
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>

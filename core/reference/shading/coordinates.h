@@ -3,9 +3,9 @@
 // From a vertex's texture coordinates to those that its unit samples at: OpenGL 2.1, sections 2.11.4
 // (generation) and 2.11.2 (texture matrix).
 
-#include "core/mesh/mesh.h"
-#include "core/reference/shading/tex_gen.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/reference/shading/tex_gen.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>

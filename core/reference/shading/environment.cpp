@@ -1,6 +1,6 @@
-#include "core/reference/shading/environment.h"
+#include "texplorer/reference/shading/environment.h"
 
-#include "core/reference/shading/equation_text.h"
+#include "texplorer/reference/shading/equation_text.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

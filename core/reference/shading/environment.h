@@ -2,7 +2,7 @@
 
 // The texture environment: OpenGL 2.1, section 3.8.13.
 
-#include "core/gl/environment.h"
+#include "texplorer/gl/environment.h"
 
 #include <glm/vec4.hpp>
 

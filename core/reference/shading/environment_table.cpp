@@ -1,6 +1,6 @@
-#include "core/reference/shading/environment_table.h"
+#include "texplorer/reference/shading/environment_table.h"
 
-#include "core/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <glm/common.hpp>
 

@@ -3,9 +3,9 @@
 // Tables 3.21 and 3.22 of OpenGL 2.1 for users: the cells in symbols, in numbers and as pictures, computed by
 // the functions of the renderer.
 
-#include "core/gl/environment.h"
-#include "core/image/image.h"
-#include "core/reference/shading/environment.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/image/image.h"
+#include "texplorer/reference/shading/environment.h"
 
 #include <glm/vec4.hpp>
 

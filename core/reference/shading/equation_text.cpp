@@ -1,4 +1,4 @@
-#include "core/reference/shading/equation_text.h"
+#include "texplorer/reference/shading/equation_text.h"
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 
 // Fog: OpenGL 2.1, section 3.10.
 
-#include "core/reference/shading/environment.h"
-#include "core/scene/scene.h"
+#include "texplorer/reference/shading/environment.h"
+#include "texplorer/scene/scene.h"
 
 #include <glm/vec4.hpp>
 

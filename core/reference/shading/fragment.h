@@ -2,7 +2,7 @@
 
 // Per-fragment operations: OpenGL 2.1, section 4.1.
 
-#include "core/reference/sampling/comparison.h"
+#include "texplorer/reference/sampling/comparison.h"
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>

@@ -1,4 +1,4 @@
-#include "core/reference/shading/lighting.h"
+#include "texplorer/reference/shading/lighting.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

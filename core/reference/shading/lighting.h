@@ -2,7 +2,7 @@
 
 // Per-vertex lighting: OpenGL 2.1, section 2.14.1, with the one light of a Scene.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

@@ -1,6 +1,6 @@
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/reference/shading/pass_state.h"
 
-#include "core/reference/shading/coordinates.h"
+#include "texplorer/reference/shading/coordinates.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

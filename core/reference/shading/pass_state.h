@@ -2,10 +2,10 @@
 
 // The state of a pass for the reference: evaluated once from a Scene.
 
-#include "core/reference/sampling/fast_sampler.h"
-#include "core/reference/sampling/lod.h"
-#include "core/reference/sampling/texture_store.h"
-#include "core/reference/shading/environment.h"
+#include "texplorer/reference/sampling/fast_sampler.h"
+#include "texplorer/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/texture_store.h"
+#include "texplorer/reference/shading/environment.h"
 
 #include <glm/mat4x4.hpp>
 

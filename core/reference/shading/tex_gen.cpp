@@ -1,4 +1,4 @@
-#include "core/reference/shading/tex_gen.h"
+#include "texplorer/reference/shading/tex_gen.h"
 
 #include <glm/geometric.hpp>
 

@@ -2,7 +2,7 @@
 
 // Generated texture coordinates: OpenGL 2.1, section 2.11.4.
 
-#include "core/scene/scene.h"
+#include "texplorer/scene/scene.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

@@ -3,8 +3,8 @@
 // The output of the vertex stage: OpenGL 2.1, sections 2.11 (transformation, texture matrix) and 2.12
 // (clipping).
 
-#include "core/reference/shading/lighting.h"
-#include "core/scene/scene.h"
+#include "texplorer/reference/shading/lighting.h"
+#include "texplorer/scene/scene.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

@@ -1,7 +1,7 @@
-#include "core/reference/shading/vertex_stage.h"
+#include "texplorer/reference/shading/vertex_stage.h"
 
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <glm/common.hpp>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/mesh/mesh.h"
-#include "core/reference/shading/coordinates.h"
-#include "core/reference/shading/lighting.h"
-#include "core/reference/shading/pass_state.h"
-#include "core/reference/shading/vertex.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/reference/shading/coordinates.h"
+#include "texplorer/reference/shading/lighting.h"
+#include "texplorer/reference/shading/pass_state.h"
+#include "texplorer/reference/shading/vertex.h"
 
 #include <glm/mat4x4.hpp>
 

@@ -1,11 +1,11 @@
-#include "core/scene/edit/edit.h"
+#include "texplorer/scene/edit/edit.h"
 
-#include "core/scene/params/key_edits.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_at.h"
-#include "core/scene/params/scene_diff.h"
-#include "core/scene/references.h"
+#include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_at.h"
+#include "texplorer/scene/params/scene_diff.h"
+#include "texplorer/scene/references.h"
 
 #include <fmt/core.h>
 

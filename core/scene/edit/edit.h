@@ -2,9 +2,9 @@
 
 // Edits of a scene as values: what lessons, suites, fixes of findings and the buttons of lists do.
 
-#include "core/base/result.h"
-#include "core/preset/preset.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/preset/preset.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,8 +1,8 @@
 // A row's GL call as a program has it: for a texture's target, with the value in its place.
 
-#include "core/gl/argument_names.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
+#include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

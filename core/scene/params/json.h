@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/scene.h"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
-#include "core/scene/params/json_object.h"
+#include "texplorer/scene/params/json_object.h"
 
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/format.h>
 

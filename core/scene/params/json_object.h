@@ -2,7 +2,7 @@
 
 // Strict reading of JSON: unknown members are errors, with their place and the nearest known key.
 
-#include "core/base/result.h"
+#include "texplorer/base/result.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,13 +2,13 @@
 // tables at once. What the tables don't foresee ends the reading there, so that neither deep nesting nor long
 // lists can cost more memory than a scene may have.
 
-#include "core/scene/params/json.h"
-#include "core/scene/params/json_problem.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_check.h"
-#include "core/text/json_end.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/json_problem.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_check.h"
+#include "texplorer/text/json_end.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>

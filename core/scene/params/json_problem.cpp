@@ -1,6 +1,6 @@
-#include "core/scene/params/json_problem.h"
+#include "texplorer/scene/params/json_problem.h"
 
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
 

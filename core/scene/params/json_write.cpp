@@ -1,13 +1,13 @@
 // A scene as text. Written by hand rather than by a library for the sake of its readers: an array of numbers
 // stays on one line, a long list fills its lines, and floats have the shortest digits that read back.
 
-#include "core/scene/params/json.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_check.h"
-#include "core/scene/params/scene_schema.h"
-#include "core/scene/params/timeline_check.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_check.h"
+#include "texplorer/scene/params/scene_schema.h"
+#include "texplorer/scene/params/timeline_check.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
-#include "core/scene/params/key_edits.h"
+#include "texplorer/scene/params/key_edits.h"
 
-#include "core/scene/params/params.h"
-#include "core/scene/params/timeline_check.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/timeline_check.h"
 
 #include <fmt/core.h>
 

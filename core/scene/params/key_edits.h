@@ -1,9 +1,9 @@
 #pragma once
 
-// Edits of key frames (core/scene/timeline.h).
+// Edits of key frames (texplorer/scene/timeline.h).
 
-#include "core/base/result.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/scene.h"
 
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,7 @@
 
 // The keys of parameters, looked up in their rows by member, so that each key is written only in its row.
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

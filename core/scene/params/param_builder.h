@@ -3,7 +3,7 @@
 // The functions for the tables of params_*.cpp: param<&Texture::minFilter>(…) makes a row's read, write and
 // kind from the member itself, so that a row always agrees with its struct. Included only by those files.
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 namespace texplorer::build {
 

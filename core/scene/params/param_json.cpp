@@ -1,4 +1,4 @@
-#include "core/scene/params/param_json.h"
+#include "texplorer/scene/params/param_json.h"
 
 namespace texplorer {
 namespace {

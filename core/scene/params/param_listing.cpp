@@ -1,8 +1,8 @@
-#include "core/scene/params/param_listing.h"
+#include "texplorer/scene/params/param_listing.h"
 
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_json.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_json.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 

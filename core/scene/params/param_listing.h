@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <functional>
 #include <string>

@@ -1,12 +1,12 @@
 // Parameters by their path: "passes[0].units[1].envMode".
 
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_check.h"
-#include "core/scene/params/timeline_check.h"
-#include "core/scene/params/value_mix.h"
-#include "core/text/nearest_name.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_check.h"
+#include "texplorer/scene/params/timeline_check.h"
+#include "texplorer/scene/params/value_mix.h"
+#include "texplorer/text/nearest_name.h"
 
 #include <fmt/core.h>
 

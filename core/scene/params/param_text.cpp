@@ -1,8 +1,8 @@
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/param_text.h"
 
-#include "core/text/nearest_name.h"
-#include "core/text/printable.h"
-#include "core/text/utf8.h"
+#include "texplorer/text/nearest_name.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 
 // Parts of messages about parameters. Untrusted text is quoted, shortened and made printable.
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <glm/vec4.hpp>
 
@@ -20,7 +20,7 @@ namespace texplorer {
 /// Formats several numbers, with a separator.
 [[nodiscard]] std::string formatNumbers(std::span<const float> numbers, std::string_view separator = ",");
 
-/// The text in double quotes, shortened to about 40 bytes, printable (core/text/printable.h).
+/// The text in double quotes, shortened to about 40 bytes, printable (texplorer/text/printable.h).
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
 /// The same without quotes, for a name in a path.

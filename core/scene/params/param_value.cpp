@@ -1,9 +1,9 @@
 // What a row accepts, and its values as text.
 
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
-#include "core/text/nearest_name.h"
-#include "core/text/utf8.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/text/nearest_name.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_builder.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_builder.h"
 
 #include <cassert>
 

@@ -3,9 +3,9 @@
 // One row per editable parameter. Its key, label, help and GL call are written nowhere else; panels, JSON,
 // `--set`, `texshot params` and the command view are made from these tables.
 
-#include "core/base/result.h"
-#include "core/gl/enum_row.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/gl/enum_row.h"
+#include "texplorer/scene/scene.h"
 
 #include <functional>
 #include <variant>

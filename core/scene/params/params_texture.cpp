@@ -1,5 +1,5 @@
-#include "core/scene/params/param_builder.h"
-#include "core/text/word.h"
+#include "texplorer/scene/params/param_builder.h"
+#include "texplorer/text/word.h"
 
 namespace texplorer {
 namespace {

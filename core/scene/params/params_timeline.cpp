@@ -1,4 +1,4 @@
-#include "core/scene/params/param_builder.h"
+#include "texplorer/scene/params/param_builder.h"
 
 namespace texplorer {
 namespace {

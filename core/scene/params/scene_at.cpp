@@ -1,6 +1,6 @@
-#include "core/scene/params/scene_at.h"
+#include "texplorer/scene/params/scene_at.h"
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 namespace texplorer {
 

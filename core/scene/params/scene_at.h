@@ -1,16 +1,16 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/scene/scene.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/scene.h"
 
 #include <optional>
 
 namespace texplorer {
 
 /// Returns the scene at a time, in seconds: every parameter with keys has its value at that time
-/// (core/scene/timeline.h), and the timeline is empty. At a key, it is exactly the key's value. Keys that do
-/// not fit the scene are ignored, so this works for every scene. Rates (Model::spin, MatrixStep::rate) stay:
-/// functions that use them still need the time.
+/// (texplorer/scene/timeline.h), and the timeline is empty. At a key, it is exactly the key's value. Keys
+/// that do not fit the scene are ignored, so this works for every scene. Rates (Model::spin,
+/// MatrixStep::rate) stay: functions that use them still need the time.
 [[nodiscard]] Scene sceneAt(const Scene& scene, double time);
 
 /// The same without a copy if nothing has keys. Refers to the scene, which must outlive it.

@@ -1,10 +1,10 @@
-#include "core/scene/params/scene_check.h"
+#include "texplorer/scene/params/scene_check.h"
 
-#include "core/base/count.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/timeline_check.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/timeline_check.h"
 
 #include <fmt/core.h>
 

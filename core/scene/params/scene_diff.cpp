@@ -1,9 +1,9 @@
-#include "core/scene/params/scene_diff.h"
+#include "texplorer/scene/params/scene_diff.h"
 
-#include "core/base/count.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_check.h"
+#include "texplorer/base/count.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_check.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
-#include "core/scene/params/scene_schema.h"
+#include "texplorer/scene/params/scene_schema.h"
 
-#include "core/scene/params/json.h"
-#include "core/scene/params/keys.h"
-#include "core/scene/params/param_json.h"
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/param_json.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <limits>
 #include <map>

@@ -12,7 +12,7 @@ inline constexpr std::string_view sceneSchemaId = "file:///usr/share/texplorer/s
 /// Makes a JSON Schema (draft 2020-12) of scene files from the parameters' rows: labels, help and GL calls,
 /// ranges, enumerants, initial values, lengths. It accepts what parseScene accepts, and refuses everything
 /// else except what a schema cannot express: repeated keys, texts of too many bytes, and members that do not
-/// fit each other (core/scene/params/scene_check.h). Ends with a line feed.
+/// fit each other (texplorer/scene/params/scene_check.h). Ends with a line feed.
 [[nodiscard]] std::string sceneSchema();
 
 } // namespace texplorer

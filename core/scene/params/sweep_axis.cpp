@@ -1,6 +1,6 @@
-#include "core/scene/params/sweep_axis.h"
+#include "texplorer/scene/params/sweep_axis.h"
 
-#include "core/scene/params/param_text.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 

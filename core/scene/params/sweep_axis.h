@@ -2,8 +2,8 @@
 
 // An axis of a sheet of pictures: a parameter with several values, while all others stay.
 
-#include "core/base/result.h"
-#include "core/scene/params/params.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/params/params.h"
 
 #include <cstddef>
 #include <string>

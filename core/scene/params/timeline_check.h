@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/scene/params/params.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/params/params.h"
 
 namespace texplorer {
 

@@ -1,4 +1,4 @@
-#include "core/scene/params/value_mix.h"
+#include "texplorer/scene/params/value_mix.h"
 
 #include <algorithm>
 #include <cmath>

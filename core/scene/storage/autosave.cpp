@@ -1,4 +1,4 @@
-#include "core/scene/storage/autosave.h"
+#include "texplorer/scene/storage/autosave.h"
 
 #include <condition_variable>
 #include <mutex>

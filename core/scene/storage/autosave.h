@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/clock.h"
-#include "core/scene/storage/unsaved_folder.h"
+#include "texplorer/base/clock.h"
+#include "texplorer/scene/storage/unsaved_folder.h"
 
 #include <chrono>
 #include <functional>

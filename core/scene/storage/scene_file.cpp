@@ -1,9 +1,9 @@
-#include "core/scene/storage/scene_file.h"
+#include "texplorer/scene/storage/scene_file.h"
 
-#include "core/codec/png/png_chunks.h"
-#include "core/codec/png/png_text.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
+#include "texplorer/codec/png/png_chunks.h"
+#include "texplorer/codec/png/png_text.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
 
 #include <fmt/core.h>
 

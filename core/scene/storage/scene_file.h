@@ -2,8 +2,8 @@
 
 // Reads scenes from JSON files and from PNG files of texshot, which contain their scene as a text.
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/base/result.h"
 
 #include <filesystem>
 #include <string>

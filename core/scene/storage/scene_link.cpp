@@ -1,6 +1,6 @@
-#include "core/scene/storage/scene_link.h"
+#include "texplorer/scene/storage/scene_link.h"
 
-#include "core/scene/params/json.h"
+#include "texplorer/scene/params/json.h"
 
 #include <fmt/core.h>
 

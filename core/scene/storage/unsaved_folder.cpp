@@ -1,10 +1,10 @@
-#include "core/scene/storage/unsaved_folder.h"
+#include "texplorer/scene/storage/unsaved_folder.h"
 
-#include "core/files/file_io.h"
-#include "core/files/file_kind.h"
-#include "core/files/file_lock.h"
-#include "core/files/private_directory.h"
-#include "core/files/user_folder.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/file_kind.h"
+#include "texplorer/files/file_lock.h"
+#include "texplorer/files/private_directory.h"
+#include "texplorer/files/user_folder.h"
 
 #include <fmt/core.h>
 

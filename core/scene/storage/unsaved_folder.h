@@ -2,8 +2,8 @@
 
 // The directory of drafts: a file for each window with unsaved work, each with a lock file next to it.
 
-#include "core/files/descriptor.h"
-#include "core/scene/storage/unsaved_scene.h"
+#include "texplorer/files/descriptor.h"
+#include "texplorer/scene/storage/unsaved_scene.h"
 
 #include <chrono>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/scene/params/json.h"
+#include "texplorer/base/result.h"
+#include "texplorer/scene/params/json.h"
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
 // What Pillow sees in such files: tests/end_to_end/texshot/animate_test.py.
 
-#include "core/animation/apng.h"
-#include "core/animation/format.h"
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_chunks.h"
+#include "texplorer/animation/apng.h"
+#include "texplorer/animation/format.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_chunks.h"
 
 #include <gmock/gmock.h>
 

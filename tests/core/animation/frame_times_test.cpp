@@ -1,4 +1,4 @@
-#include "core/animation/frame_times.h"
+#include "texplorer/animation/frame_times.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // The quality of palettes compared with ImageMagick's: tests/end_to_end/texshot/animate_test.py.
 
-#include "core/animation/palette.h"
+#include "texplorer/animation/palette.h"
 
 #include <gmock/gmock.h>
 

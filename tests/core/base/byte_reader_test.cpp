@@ -1,4 +1,4 @@
-#include "core/base/byte_reader.h"
+#include "texplorer/base/byte_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/count.h"
+#include "texplorer/base/count.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/parallel.h"
+#include "texplorer/base/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "core/base/thrown.h"
-#include "core/base/worker.h"
 #include "tests/support/no_threads.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/base/worker.h"
 
 #include <gmock/gmock.h>
 

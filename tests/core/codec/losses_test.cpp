@@ -1,6 +1,6 @@
-#include "core/codec/losses.h"
-#include "core/codec/registry.h"
 #include "tests/core/codec/dds/dds_files.h"
+#include "texplorer/codec/losses.h"
+#include "texplorer/codec/registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

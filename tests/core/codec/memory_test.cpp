@@ -1,8 +1,8 @@
 // What decoding holds at once: the decoded pixels and the file, and hardly anything else.
 
-#include "core/codec/registry.h"
-#include "core/image/mipmaps.h"
 #include "tests/support/watched_heap.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/image/mipmaps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/codec/registry.h"
+#include "texplorer/codec/registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // Tests every row of codecRows() with any bytes: written files that are cut at every byte, changed and
 // spliced, and headers with a wrong size of the picture. New rows are tested automatically.
 
-#include "core/codec/registry.h"
 #include "tests/support/codec_promises.h"
 #include "tests/support/png_repair.h"
 #include "tests/support/sample_textures.h"
 #include "tests/support/watched_heap.h"
+#include "texplorer/codec/registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "core/codec/registry.h"
-#include "core/codec/texture_file.h"
-#include "core/files/file_io.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/codec/texture_file.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "core/compare/comparison.h"
-#include "core/compare/heat_map.h"
-#include "core/image/convert.h"
 #include "tests/core/compare/metric_maps.h"
+#include "texplorer/compare/comparison.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/image/convert.h"
 
 #include <gmock/gmock.h>
 

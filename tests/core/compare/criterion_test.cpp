@@ -1,4 +1,4 @@
-#include "core/compare/criterion.h"
+#include "texplorer/compare/criterion.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "core/codec/png/png.h"
-#include "core/compare/heat_map.h"
-#include "core/files/file_io.h"
 #include "tests/support/grey_picture.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-#include "core/compare/heat_map.h"
 #include "tests/support/grey_picture.h"
+#include "texplorer/compare/heat_map.h"
 
 #include <gmock/gmock.h>
 

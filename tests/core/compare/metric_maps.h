@@ -2,7 +2,7 @@
 
 // A metric's value of every pixel, to hold against what others make of the same pictures.
 
-#include "core/compare/pixel_metric.h"
+#include "texplorer/compare/pixel_metric.h"
 
 #include <vector>
 

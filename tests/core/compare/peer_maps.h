@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
 #include "tests/core/compare/metric_maps.h"
 #include "tests/support/python.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
-#include "core/compare/comparison.h"
 #include "tests/core/compare/peer_maps.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/compare/comparison.h"
 
 #include <gmock/gmock.h>
 

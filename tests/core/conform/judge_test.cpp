@@ -1,8 +1,8 @@
-#include "core/conform/feature.h"
-#include "core/conform/judge.h"
-#include "core/conform/skip.h"
-#include "core/conform/surfaces.h"
-#include "core/scene/params/json.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/conform/skip.h"
+#include "texplorer/conform/surfaces.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gtest/gtest.h>
 

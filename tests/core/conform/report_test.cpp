@@ -1,9 +1,9 @@
-#include "core/codec/dds/dds.h"
-#include "core/codec/png/png.h"
-#include "core/conform/made_files.h"
-#include "core/conform/report.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/scene/params/json.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/conform/made_files.h"
+#include "texplorer/conform/report.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

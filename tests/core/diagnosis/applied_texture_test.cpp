@@ -1,5 +1,5 @@
-#include "core/diagnosis/applied_texture.h"
 #include "tests/support/flat_scene.h"
+#include "texplorer/diagnosis/applied_texture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Each row is a mistake, its finding and where it is shown, and what fixes it: the offered fix, or an edit.
 
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/params/params.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // How much an anisotropic filter reads, against the box of a square that covers the picture, worked out by
 // hand; and every way in which q can run through 0.
 
-#include "core/diagnosis/applied_texture.h"
-#include "core/diagnosis/visited_texels.h"
 #include "tests/support/flat_scene.h"
+#include "texplorer/diagnosis/applied_texture.h"
+#include "texplorer/diagnosis/visited_texels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/emit/code.h"
+#include "texplorer/emit/code.h"
 
 #include <gmock/gmock.h>
 

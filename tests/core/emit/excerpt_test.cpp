@@ -1,6 +1,6 @@
-#include "core/emit/excerpt.h"
-#include "core/emit/program.h"
-#include "core/scene/scene.h"
+#include "texplorer/emit/excerpt.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/scene/scene.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
-#include "core/emit/program.h"
-#include "core/glsl/shader_source.h"
 #include "tests/random/random_scene.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/glsl/shader_source.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

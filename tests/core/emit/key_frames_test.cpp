@@ -1,5 +1,5 @@
-#include "core/emit/key_frames.h"
-#include "core/emit/program.h"
+#include "texplorer/emit/key_frames.h"
+#include "texplorer/emit/program.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 // The functions that programs have: what the files of assets/programs become.
 
-#include "core/emit/c_functions.h"
-#include "core/emit/piece_files.h"
+#include "texplorer/emit/c_functions.h"
+#include "texplorer/emit/piece_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

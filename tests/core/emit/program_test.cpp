@@ -1,9 +1,9 @@
-#include "core/emit/program.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
 #include "tests/random/random_scene.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "core/emit/program_worker.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/paused_encoding.h"
+#include "texplorer/emit/program_worker.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-#include "core/emit/texel_code.h"
-#include "core/image/patterns/pattern.h"
-#include "core/texture/image_source.h"
+#include "texplorer/emit/texel_code.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/texture/image_source.h"
 
 #include <gmock/gmock.h>
 

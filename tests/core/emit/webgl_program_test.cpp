@@ -1,7 +1,7 @@
 // The pages of core/emit/webgl_page.cpp and what it is put together from.
 
-#include "core/emit/program.h"
 #include "tests/random/random_scene.h"
+#include "texplorer/emit/program.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "core/files/file_watch.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_watch.h"
 
 #include <gmock/gmock.h>
 

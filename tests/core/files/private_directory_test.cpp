@@ -1,6 +1,6 @@
-#include "core/files/private_directory.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/private_directory.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

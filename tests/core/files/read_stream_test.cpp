@@ -1,4 +1,4 @@
-#include "core/files/read_stream.h"
+#include "texplorer/files/read_stream.h"
 
 #include <gtest/gtest.h>
 

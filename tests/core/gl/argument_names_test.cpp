@@ -1,6 +1,6 @@
 // Names of arguments that no parameter has, and those that they share with rows.
 
-#include "core/gl/argument_names.h"
+#include "texplorer/gl/argument_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Walks every vocabulary table: names and numbers are unique, every text is there, lookups round-trip.
 
-#include "core/gl/environment.h"
-#include "core/gl/error.h"
-#include "core/gl/fragment.h"
-#include "core/gl/sampling.h"
-#include "core/report/state.h"
-#include "core/scene/scene.h"
+#include "texplorer/gl/environment.h"
+#include "texplorer/gl/error.h"
+#include "texplorer/gl/fragment.h"
+#include "texplorer/gl/sampling.h"
+#include "texplorer/report/state.h"
+#include "texplorer/scene/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What a pass is written as: only what its state uses.
 
-#include "core/glsl/shader_source.h"
 #include "tests/support/flat_scene.h"
+#include "texplorer/glsl/shader_source.h"
 
 #include <gmock/gmock.h>
 

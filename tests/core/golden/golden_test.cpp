@@ -1,11 +1,11 @@
-#include "core/codec/texture_file.h"
-#include "core/compare/heat_map.h"
-#include "core/files/file_io.h"
-#include "core/golden/golden.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/core/compare/metric_maps.h"
 #include "tests/support/python.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/texture_file.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/golden/golden.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 

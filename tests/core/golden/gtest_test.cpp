@@ -1,7 +1,7 @@
-#include "core/codec/texture_file.h"
-#include "core/golden/gtest.h"
 #include "tests/core/compare/metric_maps.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/texture_file.h"
+#include "texplorer/golden/gtest.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // Levels with a ring of texels around them, drawn by hand.
 
-#include "core/image/border.h"
+#include "texplorer/image/border.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/image/convert.h"
+#include "texplorer/image/convert.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Pictures whose texels are letters, cut into faces.
 
-#include "core/image/cube_faces.h"
+#include "texplorer/image/cube_faces.h"
 
 #include <gtest/gtest.h>
 

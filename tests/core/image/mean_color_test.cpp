@@ -1,4 +1,4 @@
-#include "core/image/mean_color.h"
+#include "texplorer/image/mean_color.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "core/image/mip_colors.h"
-#include "core/image/mipmaps.h"
-#include "core/image/patterns/pattern.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/image/mip_colors.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

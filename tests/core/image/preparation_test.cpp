@@ -1,7 +1,7 @@
 // What is done to a picture before it is uploaded. The numbers are worked out by hand; the driver's own pixel
 // transfer is asked in tests/render/preparation_test.cpp.
 
-#include "core/image/preparation.h"
+#include "texplorer/image/preparation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Powers of two as gluBuild2DMipmaps chooses them, and scaling by coverage against numbers worked out by
 // hand.
 
-#include "core/image/linear_light.h"
-#include "core/image/mipmaps.h"
-#include "core/image/resample.h"
+#include "texplorer/image/linear_light.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/image/resample.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/image/shared_surface.h"
+#include "texplorer/image/shared_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/image/stored_numbers.h"
+#include "texplorer/image/stored_numbers.h"
 
 #include <gtest/gtest.h>
 

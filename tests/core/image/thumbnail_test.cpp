@@ -1,4 +1,4 @@
-#include "core/image/thumbnail.h"
+#include "texplorer/image/thumbnail.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/image/transparency.h"
+#include "texplorer/image/transparency.h"
 
 #include <gtest/gtest.h>
 

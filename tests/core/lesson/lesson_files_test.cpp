@@ -1,9 +1,9 @@
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
-#include "core/lesson/lesson_check.h"
-#include "core/lesson/lesson_files.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/lesson_check.h"
+#include "texplorer/lesson/lesson_files.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-#include "core/lesson/lesson.h"
+#include "texplorer/lesson/lesson.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

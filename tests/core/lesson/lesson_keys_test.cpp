@@ -1,4 +1,4 @@
-#include "core/lesson/lesson_keys.h"
+#include "texplorer/lesson/lesson_keys.h"
 
 #include <gmock/gmock.h>
 

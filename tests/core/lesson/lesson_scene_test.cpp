@@ -1,11 +1,11 @@
-#include "core/files/file_io.h"
-#include "core/lesson/example.h"
-#include "core/lesson/lesson_check.h"
-#include "core/lesson/lesson_scene.h"
-#include "core/lesson/match.h"
-#include "core/scene/params/json.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/lesson/example.h"
+#include "texplorer/lesson/lesson_check.h"
+#include "texplorer/lesson/lesson_scene.h"
+#include "texplorer/lesson/match.h"
+#include "texplorer/scene/params/json.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // Marks and numbers that are wrong, each as an author may write it.
 
-#include "core/lesson/mark_check.h"
 #include "tests/support/flat_scene.h"
+#include "texplorer/lesson/mark_check.h"
 
 #include <gmock/gmock.h>
 

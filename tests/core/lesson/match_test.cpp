@@ -1,4 +1,4 @@
-#include "core/lesson/match.h"
+#include "texplorer/lesson/match.h"
 
 #include <gmock/gmock.h>
 

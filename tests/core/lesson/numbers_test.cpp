@@ -1,8 +1,8 @@
 // Texts with numbers that were worked out by hand.
 
-#include "core/lesson/match.h"
-#include "core/lesson/numbers.h"
 #include "tests/support/flat_scene.h"
+#include "texplorer/lesson/match.h"
+#include "texplorer/lesson/numbers.h"
 
 #include <gmock/gmock.h>
 

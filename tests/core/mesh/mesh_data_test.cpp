@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_data.h"
+#include "texplorer/mesh/mesh_data.h"
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "core/mesh/mesh.h"
+#include "texplorer/mesh/mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>

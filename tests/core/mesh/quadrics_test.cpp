@@ -1,6 +1,6 @@
 // Cylinder, disks and torus, against what gluCylinder, gluDisk and gluPartialDisk draw.
 
-#include "core/mesh/mesh.h"
+#include "texplorer/mesh/mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // The teapot, against what M. Newell's control points say by themselves.
 
-#include "core/mesh/mesh.h"
-#include "core/mesh/mesh_data.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/mesh/mesh_data.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 // Checks the sentence of each preset by numbers from the reference's picture.
 
-#include "core/preset/preset.h"
-#include "core/reference/draw.h"
-#include "core/scene/animation.h"
+#include "texplorer/preset/preset.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/animation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "core/diagnosis/diagnosis.h"
-#include "core/preset/preset.h"
-#include "core/scene/params/scene_diff.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/preset/preset.h"
+#include "texplorer/scene/params/scene_diff.h"
 
 #include <gmock/gmock.h>
 

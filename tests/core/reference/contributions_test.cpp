@@ -1,5 +1,5 @@
-#include "core/reference/contributions.h"
-#include "core/reference/probe.h"
+#include "texplorer/reference/contributions.h"
+#include "texplorer/reference/probe.h"
 
 #include <gmock/gmock.h>
 

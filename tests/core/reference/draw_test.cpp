@@ -1,9 +1,9 @@
 // Pictures that can be worked out by hand. Against OpenGL: tests/render/reference_test.cpp.
 
-#include "core/mesh/mesh.h"
-#include "core/reference/draw.h"
-#include "core/reference/probe.h"
-#include "core/scene/params/json.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

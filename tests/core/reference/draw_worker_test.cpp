@@ -1,7 +1,7 @@
-#include "core/base/thrown.h"
-#include "core/reference/draw_worker.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/paused_encoding.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/reference/draw_worker.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-#include "core/image/color_scale.h"
-#include "core/reference/false_colors.h"
+#include "texplorer/image/color_scale.h"
+#include "texplorer/reference/false_colors.h"
 
 #include <gmock/gmock.h>
 

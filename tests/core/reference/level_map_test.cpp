@@ -1,7 +1,7 @@
-#include "core/reference/level_map.h"
-#include "core/reference/probe.h"
-#include "core/scene/params/json.h"
 #include "tests/support/floor_scene.h"
+#include "texplorer/reference/level_map.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-#include "core/base/thrown.h"
-#include "core/reference/level_map_worker.h"
 #include "tests/support/no_threads.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/reference/level_map_worker.h"
 
 #include <gtest/gtest.h>
 

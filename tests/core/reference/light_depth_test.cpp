@@ -1,8 +1,8 @@
 // What the light sees of squares whose distance is known.
 
-#include "core/image/depth_pixels.h"
-#include "core/reference/draw.h"
-#include "core/reference/light_depth.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/light_depth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Numbers that can be worked out by hand; and every pixel of small pictures, which the probe must give the
 // very bytes that are drawn.
 
-#include "core/reference/probe.h"
-#include "core/scene/tex_coords.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <glm/common.hpp>
 #include <gmock/gmock.h>

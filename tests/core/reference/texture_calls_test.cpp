@@ -1,7 +1,7 @@
 // Texture objects and units, call by call, as the OpenGL 2.1 specification has them (3.8.12 to 3.8.14). That
 // OpenGL does the same is tests/render/texture_names_test.cpp's affair.
 
-#include "core/reference/texture_calls.h"
+#include "texplorer/reference/texture_calls.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 // Small textures for the sampler, whose colours can be worked out by hand.
 
-#include "core/reference/sampling/lod.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <gtest/gtest.h>
 

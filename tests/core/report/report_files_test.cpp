@@ -1,5 +1,5 @@
-#include "core/files/file_io.h"
-#include "core/report/report_files.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/report/report_files.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

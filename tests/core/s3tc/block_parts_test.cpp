@@ -1,7 +1,7 @@
 // Blocks read by hand from EXT_texture_compression_s3tc, and held against libsquish's decoder.
 
-#include "core/s3tc/block_parts.h"
 #include "tests/core/s3tc/squish_oracle.h"
+#include "texplorer/s3tc/block_parts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

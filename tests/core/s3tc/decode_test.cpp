@@ -1,8 +1,8 @@
 // Blocks worked out by hand from EXT_texture_compression_s3tc and ARB_texture_compression_rgtc.
 
-#include "core/s3tc/decode.h"
-#include "core/s3tc/decode_rows.h"
 #include "tests/core/s3tc/squish_oracle.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/decode_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // libsquish and stb_dxt are asked directly for what they make of the same picture.
 
-#include "core/image/patterns/pattern.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/encode.h"
-#include "core/s3tc/flip.h"
 #include "tests/core/s3tc/squish_oracle.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The steps lead to where the flip of the whole leads, and to the mirrored picture.
 
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
-#include "core/s3tc/flip_steps.h"
 #include "tests/core/s3tc/squish_oracle.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
+#include "texplorer/s3tc/flip_steps.h"
 
 #include <gtest/gtest.h>
 

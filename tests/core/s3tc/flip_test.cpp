@@ -1,9 +1,9 @@
 // Decoding what was flipped is flipping what was decoded: with our decoder, and with libsquish.
 
-#include "core/s3tc/block_flip.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
 #include "tests/core/s3tc/squish_oracle.h"
+#include "texplorer/s3tc/block_flip.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 // libsquish as an oracle.
 
-#include "core/image/block_image.h"
-#include "core/image/image.h"
+#include "texplorer/image/block_image.h"
+#include "texplorer/image/image.h"
 
 #include <cstring>
 #include <squish.h>

@@ -1,6 +1,6 @@
-#include "core/s3tc/encode.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/s3tc/texture_flip.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/s3tc/texture_flip.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

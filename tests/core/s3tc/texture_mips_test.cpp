@@ -1,7 +1,7 @@
-#include "core/image/mipmaps.h"
-#include "core/s3tc/encode.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/s3tc/texture_mips.h"
+#include "texplorer/image/mipmaps.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/s3tc/texture_mips.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

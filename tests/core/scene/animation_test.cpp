@@ -1,6 +1,6 @@
 // Matrices against products that were worked out by hand.
 
-#include "core/scene/animation.h"
+#include "texplorer/scene/animation.h"
 
 #include <gtest/gtest.h>
 

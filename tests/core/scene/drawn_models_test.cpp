@@ -1,4 +1,4 @@
-#include "core/scene/drawn_models.h"
+#include "texplorer/scene/drawn_models.h"
 
 #include <gmock/gmock.h>
 

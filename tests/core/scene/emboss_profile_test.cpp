@@ -1,8 +1,8 @@
 // NeHe's lesson 22 along a line, worked out by hand: grey = 1/2 + (H0 - H1)/2, colour = (1 + H0 - H1) light
 // texel.
 
-#include "core/image/patterns/pattern.h"
-#include "core/scene/emboss_profile.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/scene/emboss_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Numbers of NeHe's lesson 22, worked out by hand: a cube at (0, 0, z), turned by glRotate about x and then
 // about y, under a light at (0, 0, 2) of the eye.
 
-#include "core/scene/emboss.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/diagnosis/diagnosis.h"
-#include "core/scene/light_projection.h"
+#include "texplorer/diagnosis/diagnosis.h"
+#include "texplorer/scene/light_projection.h"
 
 #include <gtest/gtest.h>
 

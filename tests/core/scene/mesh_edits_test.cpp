@@ -1,6 +1,6 @@
-#include "core/scene/mesh_edits.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/json.h"
+#include "texplorer/scene/mesh_edits.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/json.h"
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>

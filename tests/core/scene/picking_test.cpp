@@ -1,4 +1,4 @@
-#include "core/scene/picking.h"
+#include "texplorer/scene/picking.h"
 
 #include <gtest/gtest.h>
 

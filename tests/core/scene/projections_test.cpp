@@ -1,4 +1,4 @@
-#include "core/scene/projections.h"
+#include "texplorer/scene/projections.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/scene/references.h"
+#include "texplorer/scene/references.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

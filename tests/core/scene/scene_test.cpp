@@ -1,6 +1,6 @@
 // What a Scene is before anybody changes it: the initial values of the OpenGL 2.1 state tables.
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gtest/gtest.h>
 

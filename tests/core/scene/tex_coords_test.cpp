@@ -1,4 +1,4 @@
-#include "core/scene/tex_coords.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "core/scene/animation.h"
-#include "core/scene/timeline.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/timeline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/sheet/axis_labels.h"
+#include "texplorer/sheet/axis_labels.h"
 
 #include <gmock/gmock.h>
 

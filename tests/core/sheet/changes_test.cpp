@@ -1,5 +1,5 @@
-#include "core/compare/heat_map.h"
-#include "core/sheet/changes.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/sheet/changes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/sheet/lettering.h"
-#include "core/text/utf8.h"
+#include "texplorer/sheet/lettering.h"
+#include "texplorer/text/utf8.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#include "core/sheet/label_text.h"
 #include "tests/core/sheet/fixed_lettering.h"
+#include "texplorer/sheet/label_text.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-#include "core/sheet/layout.h"
 #include "tests/core/sheet/fixed_lettering.h"
+#include "texplorer/sheet/layout.h"
 
 #include <gmock/gmock.h>
 

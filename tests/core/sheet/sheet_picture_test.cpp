@@ -1,5 +1,5 @@
-#include "core/sheet/sheet_picture.h"
 #include "tests/core/sheet/fixed_lettering.h"
+#include "texplorer/sheet/sheet_picture.h"
 
 #include <gmock/gmock.h>
 

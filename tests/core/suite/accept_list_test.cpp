@@ -1,4 +1,4 @@
-#include "core/suite/accept_list.h"
+#include "texplorer/suite/accept_list.h"
 
 #include <gmock/gmock.h>
 

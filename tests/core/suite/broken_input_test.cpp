@@ -1,11 +1,11 @@
 // Suites, journals, reports and durations that were cut off, or changed at random: each is read, or refused
 // in one line.
 
-#include "core/suite/accept_list.h"
-#include "core/suite/plan.h"
-#include "core/suite/record_json.h"
-#include "core/suite/shard.h"
 #include "tests/core/suite/sample_run.h"
+#include "texplorer/suite/accept_list.h"
+#include "texplorer/suite/plan.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/suite/shard.h"
 
 #include <gmock/gmock.h>
 

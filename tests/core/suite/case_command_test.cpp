@@ -1,4 +1,4 @@
-#include "core/suite/case_command.h"
+#include "texplorer/suite/case_command.h"
 
 #include <gmock/gmock.h>
 

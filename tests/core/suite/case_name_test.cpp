@@ -1,4 +1,4 @@
-#include "core/suite/case_name.h"
+#include "texplorer/suite/case_name.h"
 
 #include <gmock/gmock.h>
 

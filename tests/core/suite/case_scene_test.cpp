@@ -1,5 +1,5 @@
-#include "core/suite/case_scene.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/case_scene.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

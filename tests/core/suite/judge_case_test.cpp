@@ -1,11 +1,11 @@
-#include "core/codec/registry.h"
-#include "core/conform/judge.h"
-#include "core/files/file_io.h"
-#include "core/reference/draw.h"
-#include "core/suite/judge_case.h"
-#include "core/suite/record_json.h"
-#include "core/text/percent.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/suite/judge_case.h"
+#include "texplorer/suite/record_json.h"
+#include "texplorer/text/percent.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
-#include "core/suite/junit.h"
 #include "tests/core/suite/sample_run.h"
 #include "tests/support/python.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/junit.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "core/suite/merge.h"
+#include "texplorer/suite/merge.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-#include "core/suite/picture_pairs.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/picture_pairs.h"
 
 #include <gmock/gmock.h>
 

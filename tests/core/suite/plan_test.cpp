@@ -1,5 +1,5 @@
-#include "core/suite/plan.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/plan.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

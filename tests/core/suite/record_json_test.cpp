@@ -1,5 +1,5 @@
-#include "core/suite/record_json.h"
 #include "tests/core/suite/sample_run.h"
+#include "texplorer/suite/record_json.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-#include "core/suite/record.h"
 #include "tests/core/suite/sample_run.h"
+#include "texplorer/suite/record.h"
 
 #include <gmock/gmock.h>
 

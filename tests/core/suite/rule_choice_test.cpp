@@ -1,7 +1,7 @@
-#include "core/conform/feature.h"
-#include "core/conform/sweep.h"
-#include "core/scene/params/params.h"
-#include "core/suite/rule_choice.h"
+#include "texplorer/conform/feature.h"
+#include "texplorer/conform/sweep.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/suite/rule_choice.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-#include "core/compare/heat_map.h"
-#include "core/suite/run_page.h"
 #include "tests/core/suite/sample_run.h"
+#include "texplorer/compare/heat_map.h"
+#include "texplorer/suite/run_page.h"
 
 #include <gmock/gmock.h>
 

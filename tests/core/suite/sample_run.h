@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/suite/record.h"
+#include "texplorer/suite/record.h"
 
 namespace texplorer::suite::samples {
 

@@ -1,4 +1,4 @@
-#include "core/suite/shard.h"
+#include "texplorer/suite/shard.h"
 
 #include <gmock/gmock.h>
 

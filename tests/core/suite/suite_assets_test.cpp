@@ -1,8 +1,8 @@
 // The suites of assets/suites, and the one that docs/suites.md shows.
 
-#include "core/files/file_io.h"
-#include "core/suite/case_scene.h"
-#include "core/suite/suite_folder.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/suite/case_scene.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "core/suite/suite_folder.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/suite_folder.h"
 
 #include <gmock/gmock.h>
 

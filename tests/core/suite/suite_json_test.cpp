@@ -1,5 +1,5 @@
-#include "core/suite/suite.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/suite.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "core/suite/suite.h"
 #include "tests/support/python.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/suite/suite.h"
 
 #include <gtest/gtest.h>
 

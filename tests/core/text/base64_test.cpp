@@ -1,5 +1,5 @@
-#include "core/files/file_io.h"
-#include "core/text/base64.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/text/base64.h"
 
 #include <gtest/gtest.h>
 

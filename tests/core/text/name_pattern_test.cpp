@@ -1,4 +1,4 @@
-#include "core/text/name_pattern.h"
+#include "texplorer/text/name_pattern.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

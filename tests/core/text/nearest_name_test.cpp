@@ -1,4 +1,4 @@
-#include "core/text/nearest_name.h"
+#include "texplorer/text/nearest_name.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

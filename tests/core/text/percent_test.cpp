@@ -1,4 +1,4 @@
-#include "core/text/percent.h"
+#include "texplorer/text/percent.h"
 
 #include <gtest/gtest.h>
 

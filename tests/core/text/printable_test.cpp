@@ -1,4 +1,4 @@
-#include "core/text/printable.h"
+#include "texplorer/text/printable.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

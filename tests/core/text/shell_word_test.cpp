@@ -1,5 +1,5 @@
-#include "core/text/printable.h"
-#include "core/text/shell_word.h"
+#include "texplorer/text/printable.h"
+#include "texplorer/text/shell_word.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Compressed levels are found the next time, and no content of the directory can do harm.
 
-#include "core/codec/dds/dds.h"
-#include "core/files/file_io.h"
-#include "core/s3tc/decode.h"
-#include "core/texture/levels_worker.h"
-#include "core/texture/texture_levels.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/texture/levels_worker.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

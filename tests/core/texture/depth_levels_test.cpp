@@ -1,9 +1,9 @@
 // The levels of depth textures.
 
-#include "core/image/depth_pixels.h"
-#include "core/texture/image_source.h"
-#include "core/texture/level_plan.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/image/depth_pixels.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/level_plan.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <gmock/gmock.h>
 

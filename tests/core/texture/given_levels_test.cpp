@@ -1,12 +1,12 @@
 // Levels with their own pictures, and how each is prepared: the pixels that OpenGL gets.
 
-#include "core/image/patterns/pattern.h"
-#include "core/image/resample.h"
-#include "core/s3tc/encode.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/image_source.h"
-#include "core/texture/level_plan.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/image/resample.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/level_plan.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/image_loader.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/image_loader.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/image_source.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/image_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The plan says what prepareLevels then does, for every policy, target and kind of file.
 
-#include "core/s3tc/encode.h"
-#include "core/texture/level_plan.h"
-#include "core/texture/texture_levels.h"
+#include "texplorer/s3tc/encode.h"
+#include "texplorer/texture/level_plan.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <gtest/gtest.h>
 

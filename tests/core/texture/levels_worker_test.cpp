@@ -1,6 +1,6 @@
-#include "core/image/mip_colors.h"
-#include "core/texture/levels_worker.h"
 #include "tests/support/no_threads.h"
+#include "texplorer/image/mip_colors.h"
+#include "texplorer/texture/levels_worker.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

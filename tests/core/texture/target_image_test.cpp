@@ -1,4 +1,4 @@
-#include "core/texture/target_image.h"
+#include "texplorer/texture/target_image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The uploaded pixels: flip, levels and compression of a texture, checked against pictures turned by hand.
 
-#include "core/s3tc/decode.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/texture_levels.h"
 #include "tests/support/watched_heap.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

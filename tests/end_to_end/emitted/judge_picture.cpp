@@ -10,14 +10,14 @@
 // driver's arithmetic (lambda_range.h): from one derivative for 2 x 2 pixels, of log2(rho) at most 0.0215 too
 // little, which was measured at 81 places from 0 to 5.
 
-#include "core/codec/png/png.h"
-#include "core/codec/registry.h"
-#include "core/conform/judge.h"
-#include "core/conform/lambda_range.h"
-#include "core/files/file_io.h"
-#include "core/reference/draw.h"
-#include "core/scene/params/json.h"
-#include "core/suite/rule_choice.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/conform/judge.h"
+#include "texplorer/conform/lambda_range.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/suite/rule_choice.h"
 
 #include <fmt/core.h>
 

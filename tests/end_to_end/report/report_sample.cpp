@@ -1,10 +1,10 @@
 // report_sample DIR [COUNT [WIDTH [HEIGHT]]]: writes the page of an invented run, with a case of every state
 // and hostile names. For the tests that open it in a browser, and for developers of the page.
 
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/image/image.h"
-#include "core/report/report_files.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/image.h"
+#include "texplorer/report/report_files.h"
 
 #include <fmt/core.h>
 

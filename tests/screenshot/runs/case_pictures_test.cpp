@@ -1,8 +1,8 @@
 #include "app/screenshot/runs/case_pictures.h"
-#include "core/codec/png/png.h"
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "app/screenshot/workers/pool.h"
 #include "app/screenshot/workers/work_loop.h"
-#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 

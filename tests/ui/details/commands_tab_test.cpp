@@ -1,10 +1,10 @@
 #include "app/ui/state/chosen_vertices.h"
 #include "app/ui/widgets/keys.h"
-#include "core/emit/program.h"
-#include "core/scene/tex_coords.h"
 #include "tests/support/paused_encoding.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/emit/program.h"
+#include "texplorer/scene/tex_coords.h"
 
 namespace texplorer::ui::commands_tab_test {
 namespace {

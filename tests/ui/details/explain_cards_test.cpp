@@ -1,7 +1,7 @@
 #include "app/ui/details/explain_cards.h"
-#include "core/reference/probe.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/scene/scene.h"
+#include "texplorer/texture/image_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

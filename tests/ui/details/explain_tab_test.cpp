@@ -3,8 +3,8 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
-#include "core/reference/probe.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/reference/probe.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // which windows scroll

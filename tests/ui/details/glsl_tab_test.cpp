@@ -1,7 +1,7 @@
-#include "core/files/file_io.h"
-#include "core/glsl/shader_pieces.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/glsl/shader_pieces.h"
 
 #include <gmock/gmock.h>
 

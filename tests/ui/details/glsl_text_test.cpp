@@ -1,5 +1,5 @@
 #include "app/ui/details/glsl_text.h"
-#include "core/glsl/shader_pieces.h"
+#include "texplorer/glsl/shader_pieces.h"
 
 #include <gmock/gmock.h>
 

@@ -2,8 +2,8 @@
 #include "app/ui/files/replaced_document.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/level_view.h"
-#include "core/image/mip_colors.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/image/mip_colors.h"
 
 #include <array>
 #include <cmath>

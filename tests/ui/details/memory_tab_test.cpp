@@ -1,5 +1,5 @@
-#include "core/s3tc/encode.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <gmock/gmock.h>
 

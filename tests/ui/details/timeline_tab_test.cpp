@@ -1,9 +1,9 @@
 #include "app/ui/details/timeline_tab.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/keys.h"
-#include "core/scene/params/scene_at.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/params/scene_at.h"
 
 namespace texplorer::ui::timeline_tab_test {
 namespace {

@@ -1,5 +1,5 @@
-#include "core/scene/model_mesh.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/model_mesh.h"
 
 #include <algorithm>
 

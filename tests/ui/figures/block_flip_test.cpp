@@ -3,9 +3,9 @@
 #include "app/ui/figures/block_flip.h"
 #include "app/ui/figures/flip_words.h"
 #include "app/ui/figures/striped_blocks.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/flip.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/flip.h"
 
 #include <fmt/core.h>
 

@@ -3,9 +3,9 @@
 
 #include "app/ui/figures/block_microscope.h"
 #include "app/ui/model/explaining.h"
-#include "core/s3tc/decode.h"
-#include "core/s3tc/encode.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/s3tc/decode.h"
+#include "texplorer/s3tc/encode.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "app/ui/figures/emboss_theory.h"
-#include "core/lesson/example.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/lesson/example.h"
 
 #include <cmath>
 

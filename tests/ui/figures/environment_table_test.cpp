@@ -1,7 +1,7 @@
 #include "app/ui/model/preview.h"
-#include "core/reference/shading/environment_table.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/reference/shading/environment_table.h"
 
 #include <fmt/core.h>
 

@@ -14,12 +14,12 @@
 #include "app/ui/state/details_tabs.h"
 #include "app/ui/state/inspected_file.h"
 #include "app/ui/state/lesson_records.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

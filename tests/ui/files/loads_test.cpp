@@ -4,12 +4,12 @@
 #include "app/ui/files/loads.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/widgets/keys.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "app/ui/files/program_file.h"
-#include "core/codec/tga/tga.h"
-#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/tga/tga.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 

@@ -3,10 +3,10 @@
 #include "app/ui/files/loads.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/scene_saving.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

@@ -1,13 +1,13 @@
 #include "app/lettering/font_lettering.h"
 #include "app/ui/files/sheet_file.h"
 #include "app/ui/services/sheet_pictures.h"
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_text.h"
-#include "core/files/file_io.h"
-#include "core/image/convert.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_text.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/convert.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 #include "app/ui/files/scene_saving.h"
 #include "app/ui/files/texshot_command.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

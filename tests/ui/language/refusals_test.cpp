@@ -2,9 +2,9 @@
 
 #include "app/ui/files/program_file.h"
 #include "app/ui/language/translate.h"
-#include "core/emit/program.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/emit/program.h"
 
 namespace texplorer::refusals_test {
 namespace {

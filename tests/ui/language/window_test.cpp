@@ -3,9 +3,9 @@
 #include "app/ui/state/details_tabs.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
-#include "core/preset/preset.h"
-#include "core/scene/params/params.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/preset/preset.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h>

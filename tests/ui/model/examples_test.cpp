@@ -1,8 +1,8 @@
 // The examples of core/lesson/example in the window.
 
 #include "app/ui/model/findings.h"
-#include "core/lesson/example.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/lesson/example.h"
 
 #include <gmock/gmock.h>
 

@@ -3,10 +3,10 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
-#include "core/scene/params/key_edits.h"
-#include "core/scene/params/scene_at.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
+#include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <gmock/gmock.h>
 

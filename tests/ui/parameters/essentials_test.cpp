@@ -2,9 +2,9 @@
 #include "app/ui/model/session.h"
 #include "app/ui/parameters/anisotropy_line.h"
 #include "app/ui/widgets/keys.h"
-#include "core/scene/tex_coords.h"
 #include "tests/ui/window_sizes.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

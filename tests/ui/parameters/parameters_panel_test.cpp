@@ -1,8 +1,8 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "core/scene/params/params.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gmock/gmock.h>
 

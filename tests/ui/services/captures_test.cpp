@@ -1,7 +1,7 @@
 #include "app/ui/services/captures.h"
-#include "core/codec/registry.h"
-#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

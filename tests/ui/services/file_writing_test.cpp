@@ -1,8 +1,8 @@
 #include "app/ui/services/file_writing.h"
-#include "core/base/thrown.h"
-#include "core/files/file_io.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/base/thrown.h"
+#include "texplorer/files/file_io.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 #include "app/ui/services/pattern_pictures.h"
-#include "core/image/thumbnail.h"
+#include "texplorer/image/thumbnail.h"
 
 #include <gtest/gtest.h>
 

@@ -3,13 +3,13 @@
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/scene_saving.h"
 #include "app/ui/widgets/keys.h"
-#include "core/files/file_io.h"
-#include "core/image/texture_image.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/texture_image.h"
 
 #include <gmock/gmock.h>
 

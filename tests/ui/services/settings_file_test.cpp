@@ -1,8 +1,8 @@
 #include "app/ui/services/settings_file.h"
 #include "app/ui/services/settings_json.h"
-#include "core/files/file_io.h"
-#include "core/files/folder_lock.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/files/folder_lock.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "app/ui/state/camera.h"
 #include "app/ui/view/framing.h"
-#include "core/mesh/mesh.h"
-#include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/json.h"
+#include "texplorer/mesh/mesh.h"
+#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/json.h"
 
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/tex_coords.h"
 
 namespace texplorer::test {
 

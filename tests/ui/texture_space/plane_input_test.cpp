@@ -3,12 +3,12 @@
 #include "app/ui/files/scene_files.h"
 #include "app/ui/state/chosen_vertices.h"
 #include "app/ui/widgets/keys.h"
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/image/patterns/pattern.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/texture_space/plane_bench.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <glm/glm.hpp>
 

@@ -2,8 +2,8 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/state/chosen_vertices.h"
 #include "app/ui/widgets/theme.h"
-#include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/tex_coords.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/view/panes.h"
-#include "core/compare/heat_map.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/compare/heat_map.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 #include "app/ui/view/framing.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
-#include "core/scene/picking.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/scene/picking.h"
 
 #include <algorithm>
 

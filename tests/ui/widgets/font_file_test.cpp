@@ -1,6 +1,6 @@
 #include "app/ui/widgets/font_file.h"
-#include "core/files/file_io.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "app/ui/files/scene_files.h"
 #include "app/ui/widgets/keys.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

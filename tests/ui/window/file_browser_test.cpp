@@ -1,12 +1,12 @@
 #include "app/ui/files/asking.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/widgets/keys.h"
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
 
 #include <gmock/gmock.h>
 #include <imgui_internal.h>

@@ -2,11 +2,11 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/window/text_size.h"
-#include "core/files/file_io.h"
-#include "core/scene/storage/scene_link.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/storage/scene_link.h"
 
 namespace texplorer::menu_bar_test {
 namespace {

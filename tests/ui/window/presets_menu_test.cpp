@@ -1,7 +1,7 @@
 // The presets in the menu bar.
 
-#include "core/preset/preset.h"
 #include "tests/ui/workbench.h"
+#include "texplorer/preset/preset.h"
 
 #include <gmock/gmock.h>
 #include <imgui_internal.h>

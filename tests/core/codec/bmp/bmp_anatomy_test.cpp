@@ -1,5 +1,5 @@
-#include "core/codec/bmp/bmp.h"
-#include "core/codec/registry.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/codec/registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

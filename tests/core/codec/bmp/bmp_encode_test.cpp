@@ -1,8 +1,8 @@
-#include "core/codec/bmp/bmp.h"
-#include "core/codec/registry.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/codec/registry.h"
 
 #include <gtest/gtest.h>
 

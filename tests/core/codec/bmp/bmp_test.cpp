@@ -1,8 +1,8 @@
-#include "core/codec/bmp/bmp.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/bmp/bmp.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/base/bytes.h"
-#include "core/codec/common/reorder.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/codec/common/reorder.h"
 
 #include <gtest/gtest.h>
 

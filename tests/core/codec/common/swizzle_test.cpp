@@ -1,5 +1,5 @@
-#include "core/base/bytes.h"
-#include "core/codec/common/swizzle.h"
+#include "texplorer/base/bytes.h"
+#include "texplorer/codec/common/swizzle.h"
 
 #include <gtest/gtest.h>
 

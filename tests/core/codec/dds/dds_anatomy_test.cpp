@@ -1,5 +1,5 @@
-#include "core/codec/dds/dds.h"
 #include "tests/core/codec/dds/dds_files.h"
+#include "texplorer/codec/dds/dds.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 // DDS files put together by hand, for the tests. The numbers are Microsoft's, written out again.
 
-#include "core/codec/dds/dds_header.h"
+#include "texplorer/codec/dds/dds_header.h"
 
 namespace texplorer::test {
 

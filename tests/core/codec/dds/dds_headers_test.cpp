@@ -1,7 +1,7 @@
 // Wrong headers that are accepted, headers that are refused, and files that end too early.
 
-#include "core/codec/dds/dds.h"
 #include "tests/core/codec/dds/dds_files.h"
+#include "texplorer/codec/dds/dds.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
-#include "core/codec/dds/dds.h"
-#include "core/codec/dds/dds_header.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/core/codec/dds/dds_files.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/dds/dds.h"
+#include "texplorer/codec/dds/dds_header.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

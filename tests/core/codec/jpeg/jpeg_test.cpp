@@ -1,10 +1,10 @@
-#include "core/codec/jpeg/jpeg.h"
-#include "core/codec/jpeg/jpeg_markers.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/support/made_files.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/jpeg/jpeg.h"
+#include "texplorer/codec/jpeg/jpeg_markers.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

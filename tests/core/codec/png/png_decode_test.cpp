@@ -1,8 +1,8 @@
-#include "core/codec/png/png.h"
-#include "core/image/patterns/pattern.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/support/made_files.h"
 #include "tests/support/png_repair.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/image/patterns/pattern.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -229,7 +229,7 @@ TEST(PngDecode, WhatStandsBesideThePictureIsKeptForAnotherPng) {
     Bytes file = goodFile();
     insertChunk(file, 33, "tIME", bytesOf({7, 0xE8, 1, 2, 3, 4, 5}));
     insertChunk(file, 33, "tEXt", bytesOf({'a', 0, 'b'}));
-    insertChunk(file, 33, "gAMA", bytesOf({0, 0, 0x27}));      // a byte short: left out
+    insertChunk(file, 33, "gAMA", bytesOf({0, 0, 0x27})); // a byte short: left out
     Bytes primaries(32, std::byte{0});
     primaries[0] = std::byte{0x80}; // a number that no version of libpng takes
     insertChunk(file, 33, "cHRM", primaries);

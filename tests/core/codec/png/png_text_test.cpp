@@ -1,10 +1,10 @@
-#include "core/codec/png/png.h"
-#include "core/codec/png/png_text.h"
-#include "core/files/file_io.h"
-#include "core/image/patterns/pattern.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/codec/png/png_text.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/codec/tga/tga.h"
 #include "tests/support/tga_recipe.h"
+#include "texplorer/codec/tga/tga.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

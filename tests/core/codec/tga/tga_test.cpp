@@ -1,9 +1,9 @@
-#include "core/codec/tga/tga.h"
-#include "core/s3tc/surface_pixels.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
 #include "tests/support/tga_recipe.h"
+#include "texplorer/codec/tga/tga.h"
+#include "texplorer/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/image/mip_colors.h"
-#include "core/image/patterns/pattern.h"
+#include "texplorer/image/mip_colors.h"
+#include "texplorer/image/patterns/pattern.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

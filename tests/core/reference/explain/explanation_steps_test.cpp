@@ -1,8 +1,8 @@
 // The texts; probe_test.cpp tests their numbers.
 
-#include "core/reference/explain/explanation_steps.h"
-#include "core/reference/explain/sampling_steps.h"
-#include "core/reference/probe.h"
+#include "texplorer/reference/explain/explanation_steps.h"
+#include "texplorer/reference/explain/sampling_steps.h"
+#include "texplorer/reference/probe.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-#include "core/reference/explain/tap_places.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/explain/tap_places.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // Where rounding decides, by hand: which texels, levels and faces are as right as those that were taken.
 
-#include "core/reference/explain/ties.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/explain/ties.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <gmock/gmock.h>
 

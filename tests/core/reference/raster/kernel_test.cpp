@@ -1,10 +1,10 @@
 // The kernels against the literal way to draw: the same bytes, whatever the number of threads.
 
-#include "core/reference/draw.h"
-#include "core/reference/raster/kernel.h"
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/param_text.h"
 #include "tests/support/floor_scene.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 // moved by something tiny to the left and something much tinier down, so that no end lies on a diamond's
 // side.
 
-#include "core/reference/raster/assembly.h"
-#include "core/reference/raster/raster.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/reference/raster/assembly.h"
+#include "texplorer/reference/raster/raster.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // Which pixels a triangle covers, against its three edge functions, asked at every pixel.
 
-#include "core/reference/raster/kernel.h"
-#include "core/reference/raster/raster.h"
-#include "core/reference/shading/pass_state.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/reference/raster/raster.h"
+#include "texplorer/reference/shading/pass_state.h"
 
 #include <gtest/gtest.h>
 

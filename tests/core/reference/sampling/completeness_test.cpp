@@ -1,5 +1,5 @@
-#include "core/reference/sampling/completeness.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/sampling/completeness.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // Cube maps: table 3.19 of OpenGL 2.1, worked out by hand.
 
-#include "core/reference/sampling/completeness.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/sampling/completeness.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <algorithm>
 #include <limits>

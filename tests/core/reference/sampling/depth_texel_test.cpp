@@ -1,9 +1,9 @@
 // Depth textures: OpenGL 2.1, section 3.8.14, worked out by hand.
 
-#include "core/reference/raster/kernel.h"
-#include "core/reference/sampling/depth_texel.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/reference/sampling/depth_texel.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <gtest/gtest.h>
 

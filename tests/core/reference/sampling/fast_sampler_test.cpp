@@ -1,9 +1,9 @@
 // Every kernel's sampler against the literal one: the same bits, everywhere.
 
-#include "core/reference/raster/kernel.h"
-#include "core/reference/sampling/lanes.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/raster/kernel.h"
+#include "texplorer/reference/sampling/lanes.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>

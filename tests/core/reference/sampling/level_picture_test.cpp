@@ -1,4 +1,4 @@
-#include "core/reference/sampling/level_picture.h"
+#include "texplorer/reference/sampling/level_picture.h"
 
 #include <gtest/gtest.h>
 

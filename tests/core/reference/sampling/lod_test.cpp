@@ -1,7 +1,7 @@
 // Section 3.8.8 of the OpenGL 2.1 specification, worked out by hand.
 
-#include "core/reference/sampling/lod.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/sampling/lod.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Which texels of a row are mixed, worked out by hand from the OpenGL 2.1 specification, sections 3.8.7
 // and 3.8.8.
 
-#include "core/reference/sampling/row_weights.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/sampling/row_weights.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <gmock/gmock.h>
 

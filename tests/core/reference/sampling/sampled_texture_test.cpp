@@ -1,5 +1,5 @@
-#include "core/reference/sampling/sampled_texture.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <gmock/gmock.h>
 

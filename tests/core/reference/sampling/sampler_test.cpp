@@ -1,8 +1,8 @@
 // The filters of OpenGL 2.1, sections 3.8.8 and 3.8.9, worked out by hand.
 
-#include "core/reference/sampling/ellipse.h"
-#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/sampling/ellipse.h"
+#include "texplorer/reference/sampling/sampler.h"
 
 #include <gmock/gmock.h>
 

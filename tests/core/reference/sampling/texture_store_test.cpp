@@ -1,7 +1,7 @@
-#include "core/reference/contributions.h"
-#include "core/reference/draw.h"
-#include "core/reference/probe.h"
-#include "core/reference/sampling/texture_store.h"
+#include "texplorer/reference/contributions.h"
+#include "texplorer/reference/draw.h"
+#include "texplorer/reference/probe.h"
+#include "texplorer/reference/sampling/texture_store.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // Section 3.8.7 of the OpenGL 2.1 specification, worked out by hand for 4 texels.
 
-#include "core/reference/sampling/wrap.h"
+#include "texplorer/reference/sampling/wrap.h"
 
 #include <gtest/gtest.h>
 

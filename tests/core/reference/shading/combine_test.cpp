@@ -3,8 +3,8 @@
 //   texture   (0.6, 0.2, 0.8, 0.4)    previous  (0.2, 0.4, 0.6, 0.8)
 //   constant  (0.4, 0.8, 0.2, 0.5)    primary   (0.9, 0.1, 0.3, 0.7)    unit 2  (0.25, 0.5, 0.75, 1)
 
-#include "core/reference/shading/combine.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/shading/combine.h"
 
 namespace texplorer::reference::combine_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/reference/shading/coordinates.h"
+#include "texplorer/reference/shading/coordinates.h"
 
 #include <gtest/gtest.h>
 

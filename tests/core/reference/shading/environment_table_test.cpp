@@ -1,6 +1,6 @@
-#include "core/reference/shading/environment_table.h"
 #include "tests/core/reference/textures.h"
 #include "tests/support/environment_cases.h"
+#include "texplorer/reference/shading/environment_table.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 // The reference's environment against the specification's tables, and the equations that it shows.
 
-#include "core/reference/sampling/sampled_texture.h"
-#include "core/reference/shading/environment.h"
 #include "tests/core/reference/textures.h"
 #include "tests/support/environment_cases.h"
+#include "texplorer/reference/sampling/sampled_texture.h"
+#include "texplorer/reference/shading/environment.h"
 
 #include <gmock/gmock.h>
 

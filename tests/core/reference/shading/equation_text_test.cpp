@@ -1,6 +1,6 @@
 // Equations with numbers instead of symbols, and their results.
 
-#include "core/reference/shading/equation_text.h"
+#include "texplorer/reference/shading/equation_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Section 3.10 of the OpenGL 2.1 specification, worked out by hand.
 
-#include "core/reference/shading/fog.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/shading/fog.h"
 
 #include <gmock/gmock.h>
 

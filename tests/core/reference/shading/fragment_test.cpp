@@ -1,4 +1,4 @@
-#include "core/reference/shading/fragment.h"
+#include "texplorer/reference/shading/fragment.h"
 
 #include <gtest/gtest.h>
 

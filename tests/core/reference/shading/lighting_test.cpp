@@ -1,8 +1,8 @@
 // Section 2.14.1 of the OpenGL 2.1 specification, worked out by hand. Material 0.5, 0.25, 1 with alpha 0.8.
 // Ambient: the model's 0.2 and, for red, the light's 0.2. Diffuse light: 0.6.
 
-#include "core/reference/shading/lighting.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/shading/lighting.h"
 
 #include <limits>
 

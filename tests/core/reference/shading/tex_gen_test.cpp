@@ -1,8 +1,8 @@
 // Section 2.11.4 of the OpenGL 2.1 specification, worked out by hand. Against OpenGL:
 // tests/render/tex_gen_test.cpp and reference_test.cpp.
 
-#include "core/reference/shading/tex_gen.h"
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/shading/tex_gen.h"
 
 namespace texplorer::reference::tex_gen_test {
 namespace {

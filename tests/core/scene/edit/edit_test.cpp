@@ -1,6 +1,6 @@
-#include "core/scene/edit/edit.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/edit/edit.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "core/scene/params/json_object.h"
+#include "texplorer/scene/params/json_object.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/scene/params/json.h"
+#include "texplorer/scene/params/json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

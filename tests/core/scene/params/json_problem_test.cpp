@@ -1,4 +1,4 @@
-#include "core/scene/params/json_problem.h"
+#include "texplorer/scene/params/json_problem.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "core/scene/model_mesh.h"
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_text.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/params/params.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/files/file_io.h"
-#include "core/scene/params/keys.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/keys.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "core/scene/params/json.h"
-#include "core/scene/params/param_listing.h"
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_listing.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

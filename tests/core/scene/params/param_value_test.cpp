@@ -1,4 +1,4 @@
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gtest/gtest.h>
 

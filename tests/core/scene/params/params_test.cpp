@@ -1,6 +1,6 @@
 // Walks every parameter table: texts are there, keys are unique, and a row reads and writes its member alone.
 
-#include "core/scene/params/params.h"
+#include "texplorer/scene/params/params.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_at.h"
-#include "core/scene/params/timeline_check.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_at.h"
+#include "texplorer/scene/params/timeline_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

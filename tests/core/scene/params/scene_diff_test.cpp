@@ -1,5 +1,5 @@
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_diff.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_diff.h"
 
 #include <gmock/gmock.h>
 

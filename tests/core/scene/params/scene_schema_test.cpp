@@ -1,6 +1,6 @@
-#include "core/scene/params/json.h"
-#include "core/scene/params/params.h"
-#include "core/scene/params/scene_schema.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_schema.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "core/scene/params/sweep_axis.h"
+#include "texplorer/scene/params/sweep_axis.h"
 
 #include <gmock/gmock.h>
 

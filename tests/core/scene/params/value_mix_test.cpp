@@ -1,5 +1,5 @@
-#include "core/scene/params/keys.h"
-#include "core/scene/params/value_mix.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/value_mix.h"
 
 #include <gtest/gtest.h>
 

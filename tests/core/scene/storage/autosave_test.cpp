@@ -1,8 +1,8 @@
 // A delay of 0 writes at once, a delay of one day never.
 
-#include "core/scene/storage/autosave.h"
 #include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/scene/storage/autosave.h"
 
 #include <gmock/gmock.h>
 

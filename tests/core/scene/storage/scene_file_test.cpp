@@ -1,8 +1,8 @@
-#include "core/codec/png/png.h"
-#include "core/files/file_io.h"
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_file.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/codec/png/png.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_file.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-#include "core/scene/params/json.h"
-#include "core/scene/storage/scene_link.h"
+#include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_link.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

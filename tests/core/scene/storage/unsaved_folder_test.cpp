@@ -1,9 +1,9 @@
 // Drafts are held by locks (flock), which belong to an open file, not to a process: two objects in one
 // process exclude each other like two processes. A child process tests that a lock ends with its process.
 
-#include "core/files/file_io.h"
-#include "core/scene/storage/unsaved_folder.h"
 #include "tests/support/temp_dir.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/scene/storage/unsaved_folder.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "core/scene/storage/unsaved_scene.h"
+#include "texplorer/scene/storage/unsaved_scene.h"
 
 #include <gmock/gmock.h>
 
