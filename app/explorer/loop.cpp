@@ -138,8 +138,10 @@ Result<void> runLoop(const Host& host, const Beginning& beginning) {
         return fail(graphics.error());
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
     ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
-    ui::SettingsFile settings(ui::SettingsPlaces::ofUser(), Window::wake);
+    // Destroyed last: on a slow disk, pictures must not keep settings from being written before the window
+    // must end.
     ui::Captures captures(ui::picturesFolderOfUser(), When::WhenReady, Window::wake);
+    ui::SettingsFile settings(ui::SettingsPlaces::ofUser(), Window::wake);
     ui::Services lent = services.lend(&unsaved);
     lent.settings = &settings;
     lent.captures = &captures;

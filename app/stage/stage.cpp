@@ -188,7 +188,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
                                               graphics.capabilities(), layout);
     ImGui::Render();
     const bool lacksLetters = state_->panels.lacksLetters(*ImGui::GetDrawData());
-    requests.unfinished = lacksLetters || state_->frames.isUnfinished() || graphics.isUploading();
+    requests.unfinished |= lacksLetters || state_->frames.isUnfinished() || graphics.isUploading();
 
     graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels, ui::panelGround());
     writeCapture(session, graphics, state_->frames.frames().front(), surface.pixels);

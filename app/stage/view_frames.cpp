@@ -31,9 +31,9 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     const bool asksReference =
         std::ranges::find(frames_, RendererKind::Reference, &ui::ViewFrame::renderer) != frames_.end();
     if (!asksReference)
-        session.services.reference.rest();
+        session.services.reference->rest();
     if (!asksReference || !kept)
-        session.services.kept.rest();
+        session.services.kept->rest();
     keepStepPicture(session);
     compareViews(session.view);
     problems_.clear();

@@ -31,7 +31,7 @@ CATALOGUES = {
     "diagnosis": ["core/diagnosis/"],
     "explanation": ["core/reference/"],
     "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/state/", "app/ui/services/", "app/ui/model/", "app/ui/files/", "app/ui/editor/", "app/ui/view/", "app/ui/language/", "app/stage/"],
-    "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
+    "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/", "app/ui/explain/", "app/ui/levels/", "app/ui/timeline/", "app/ui/lesson/", "app/ui/code/",
                "app/screenshot/reports/lesson_", "app/screenshot/reports/step_programs"],
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/files/", "core/text/", "core/codec/", "core/compare/difference", "core/image/",
@@ -45,7 +45,7 @@ TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P
                    r"|'(?:[^'\\]|\\.)'", re.S)
 ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "0": "\0", "'": "'"}
 # Calls whose literals no reader sees.
-UNSEEN = re.compile(r'(noteItem|noteBox|PushID|GetID|BeginChild|InvisibleButton|wasUsed|static_assert|assert|getenv|rule'
+UNSEEN = re.compile(r'(\bitem|noteItem|noteBox|PushID|GetID|BeginChild|InvisibleButton|wasUsed|static_assert|assert|getenv|rule'
                     r'|CallRow|[cC]odeLine|emit|cStyle)\(\s*(std::string\()?$|#include\s*$|PictureText\{\s*$|extern\s*$|since\s*=\s*$')
 ALWAYS = re.compile(r'\b(words|tr|label|unit|word)\(\s*$')
 # Of what writes programs: why it can't; the rest is C.

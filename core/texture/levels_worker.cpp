@@ -349,6 +349,11 @@ std::shared_ptr<const LevelsSummary> LevelsWorker::summary(const LevelsRequest& 
     return entry.summary;
 }
 
+std::shared_ptr<const LevelsSummary> LevelsWorker::find(const LevelsRequest& request) const {
+    const State::Entry* entry = state_->find(request);
+    return entry ? entry->summary : nullptr;
+}
+
 bool LevelsWorker::receive() {
     State& state = *state_;
     std::vector<State::Done> done = state.worker.take();

@@ -62,6 +62,8 @@ public:
 
     /// The facts that are known so far; nullptr: none yet. Makes the levels if needed.
     [[nodiscard]] std::shared_ptr<const LevelsSummary> summary(const LevelsRequest& request);
+    /// The same, but makes nothing.
+    [[nodiscard]] std::shared_ptr<const LevelsSummary> find(const LevelsRequest& request) const;
 
     /// Call once before each frame. Returns whether something new can be shown.
     bool receive();

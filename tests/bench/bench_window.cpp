@@ -108,7 +108,7 @@ void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Move
     session.look.explaining.pixel = {150, 200};
     draw();
     if (moves == Moves::No) // until everything is drawn
-        session.services.sheet.wait();
+        session.services.sheet->wait();
     for (auto _ : state)
         draw();
 }

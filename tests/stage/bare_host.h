@@ -66,11 +66,6 @@ public:
     std::optional<ImageLoader::Progress> progress() const override { return std::nullopt; }
     void watch(std::vector<std::filesystem::path> /*files*/) override {}
     std::vector<std::filesystem::path> changed() override { return {}; }
-    std::shared_ptr<const Image> thumbnail(const std::filesystem::path& /*file*/,
-                                           std::filesystem::file_time_type /*modified*/) override {
-        return nullptr;
-    }
-    bool receiveThumbnails() override { return false; }
     void wait() const override {}
 
 private:

@@ -139,6 +139,7 @@ TEST_F(StageTest, AStepOfTheHistoryGetsItsPictureOnce) {
 }
 
 TEST_F(StageTest, AnUploadAsksForAnotherFrame) {
+    frame();
     EXPECT_FALSE(frame().unfinished);
     graphics.uploading = true;
     EXPECT_TRUE(frame().unfinished);

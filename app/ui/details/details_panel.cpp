@@ -1,9 +1,8 @@
 #include "app/ui/details/details_panel.h"
 
-#include "app/ui/details/lesson_tab.h"
-#include "app/ui/details/memory_tab.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/state/layout.h"
+#include "app/ui/lesson/lesson_tab.h"
+#include "app/ui/levels/memory_tab.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -130,17 +129,6 @@ void dockButtons(const Session& session, Dock dock) {
     }
 }
 
-void drawTabs(const Session& session, DetailsState& state, Dock dock) {
-    const float buttons = 3 * ImGui::GetFrameHeight();
-    ImGui::BeginChild("tab row",
-                      {std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons), ImGui::GetFrameHeight()},
-                      false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    drawTabBar(session, state, dock);
-    ImGui::EndChild();
-    ImGui::SameLine(0, 0);
-    dockButtons(session, dock);
-}
-
 /// Where a tab is dropped into a dock, even into an empty one.
 Rect dropZone(const Layout& layout, Dock dock) {
     if (!layout.of(dock).isEmpty())
@@ -161,8 +149,14 @@ void drawDock(const Session& session, DetailsState& state, const Pictures& pictu
         return;
     beginPanel(rowOf(dock).window, layout.of(dock),
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    const float top = ImGui::GetCursorPosY() + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
-    drawTabs(session, state, dock);
+    const float line = ImGui::GetFrameHeight();
+    const float top = ImGui::GetCursorPosY() + line + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("tab row", {std::max(1.0F, ImGui::GetContentRegionAvail().x - 3 * line), line}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    drawTabBar(session, state, dock);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 0);
+    dockButtons(session, dock);
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, top});
     if (const std::optional<Tab> front = frontOf(session.settings.workspace, dock)) {
         ImGui::PushID(rowOf(*front).label);
@@ -189,8 +183,8 @@ void drawDraggedTab(const Session& session, DetailsState& state, const Layout& l
         return;
     }
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
-    const ImVec2 low(static_cast<float>(zone.x), static_cast<float>(zone.y));
-    const ImVec2 high(static_cast<float>(zone.right()), static_cast<float>(zone.bottom()));
+    const ImVec2 low = lowOf(zone);
+    const ImVec2 high = highOf(zone);
     if (falls)
         draw.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_SeparatorHovered, 0.25F));
     draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_SeparatorHovered), 0, 0, 2);

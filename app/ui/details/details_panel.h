@@ -1,16 +1,16 @@
 #pragma once
 
-#include "app/ui/details/commands_tab.h"
-#include "app/ui/details/explain_tab.h"
+#include "app/ui/code/commands_tab.h"
+#include "app/ui/code/glsl_tab.h"
 #include "app/ui/details/file_tab.h"
-#include "app/ui/details/glsl_tab.h"
-#include "app/ui/details/history_tab.h"
 #include "app/ui/details/kept_tab.h"
-#include "app/ui/details/levels_tab.h"
-#include "app/ui/details/timeline_tab.h"
 #include "app/ui/details/vertices_tab.h"
+#include "app/ui/explain/explain_tab.h"
 #include "app/ui/figures/figures_tab.h"
+#include "app/ui/levels/levels_tab.h"
 #include "app/ui/state/layout.h"
+#include "app/ui/timeline/history_tab.h"
+#include "app/ui/timeline/timeline_tab.h"
 
 #include <optional>
 

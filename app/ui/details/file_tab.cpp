@@ -60,11 +60,12 @@ void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<
     ImGui::TextDisabled("%s", fmt::format("{:0{}X}", field.offset, digits).c_str());
     ImGui::PopFont();
     const bool fine = field.wrong.empty();
+    const ImU32 ink = fine ? color::text : color::problem;
     ImGui::TableNextColumn();
-    fittedText(indented(field), fine ? color::text : color::problem);
+    fittedText(indented(field), ink);
     ImGui::TableNextColumn();
     if (!field.value.empty()) {
-        fittedText(field.value, fine ? color::text : color::problem);
+        fittedText(field.value, ink);
         ImGui::SameLine(0, ImGui::GetFontSize() * 0.7F);
     }
     if (ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 2)
@@ -145,17 +146,14 @@ void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemHovered()) {
         const auto column = line.columnAt(ImGui::GetIO().MousePos.x - corner.x);
-        if (column && *column < count) {
-            hovered = map.at(first + *column);
-            if (hovered) {
-                fieldTip(file.anatomy.fields[*hovered]);
-                if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-                    state.revealInTable = hovered;
-            }
+        if (const auto field = column && *column < count ? map.at(first + *column) : std::nullopt) {
+            hovered = field;
+            fieldTip(file.anatomy.fields[*field]);
+            if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+                state.revealInTable = field;
         }
     }
     draw.AddText(corner, color::dim, fmt::format("{:0{}X}", first, line.digits).c_str());
-    const ImU32 lit = color::lit;
     for (std::size_t i = 0; i < count; ++i) {
         const int value = std::to_integer<int>(file.bytes[first + i]);
         const auto field = map.at(first + i);
@@ -166,8 +164,9 @@ void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::
         if (field && field == state.hovered) {
             const bool goesOn = i + 1 < count && map.at(first + i + 1) == field;
             draw.AddRectFilled({hex.x - 1, hex.y},
-                               {hex.x + line.letter * (goesOn ? 3.0F : 2.0F) + 1, hex.y + height}, lit);
-            draw.AddRectFilled(text, {text.x + line.letter, text.y + height}, lit);
+                               {hex.x + line.letter * (goesOn ? 3.0F : 2.0F) + 1, hex.y + height},
+                               color::lit);
+            draw.AddRectFilled(text, {text.x + line.letter, text.y + height}, color::lit);
         }
         draw.AddText(hex, ink, fmt::format("{:02X}", value).c_str());
         const bool printable = value >= 0x20 && value < 0x7F;
@@ -218,8 +217,7 @@ void heading(const Session& session) {
     if (!view.chosen.empty()) {
         if (ImGui::SmallButton("←"))
             act(session, [](Session& changed) { changed.look.fileView.chosen.clear(); });
-        noteItem("file:back");
-        helpTip("Back to the file of the bound texture");
+        item("file:back", "Back to the file of the bound texture");
         ImGui::SameLine();
     }
     std::string text = printable(view.shown.filename().string());
@@ -229,8 +227,7 @@ void heading(const Session& session) {
                            tr(countOf(view.content->fileBytes, "byte")));
     }
     ImGui::TextUnformatted(text.c_str());
-    noteItem("file:name");
-    helpTip(view.shown.string());
+    item("file:name", view.shown.string());
     if (!view.content)
         return;
     const std::string& damage = view.content->anatomy.damage;
@@ -256,9 +253,8 @@ void drawFileTab(const Session& session, FileTabState& state) {
         return;
     }
     heading(session);
-    if (!view.problem.empty()) {
+    if (!view.problem.empty())
         wrappedText(printable(view.problem), color::problem);
-    }
     if (!view.content) {
         if (view.ticket != 0)
             dimText("Reading…");

@@ -8,29 +8,24 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
-#include "texplorer/base/count.h"
 
 #include <fmt/core.h>
-
-#include <optional>
 
 namespace texplorer::ui {
 namespace {
 
 void followScene(const Session& session, KeptTabState& state) {
-    const Document& document = session.document;
-    if (state.kept == document.kept.scene && state.now == presentScene(session))
+    const auto& kept = session.document.kept.scene;
+    if (state.kept == kept && state.now == presentScene(session))
         return;
-    state.kept = document.kept.scene;
+    state.kept = kept;
     state.now = presentScene(session);
     state.changes = changesSinceKept(session);
 }
 
 bool button(const char* words, std::string_view name, std::string_view help) {
     const bool pressed = ImGui::Button(label(words));
-    noteItem(name);
-    helpTip(help);
+    item(name, help);
     ImGui::SameLine();
     return pressed;
 }
@@ -64,14 +59,11 @@ void keptButtons(const Session& session, std::size_t count) {
     ImGui::NewLine();
 }
 
-/// The row whose value was requested.
-std::optional<std::size_t> drawChanges(const Session& session, const std::vector<SceneChange>& changes) {
-    std::optional<std::size_t> wanted;
+void drawChanges(const Session& session, const std::vector<SceneChange>& changes) {
     const char* take = "Take over";
     if (!beginChangeTable({.from = "A", .to = "Now", .action = buttonWidth(take)}))
-        return wanted;
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        const SceneChange& change = changes[i];
+        return;
+    for (const SceneChange& change : changes) {
         ImGui::PushID(change.path.c_str());
         changedParam(change);
         noteItem(fmt::format("change:{}", change.path));
@@ -83,13 +75,12 @@ std::optional<std::size_t> drawChanges(const Session& session, const std::vector
         changedValues(change);
         ImGui::TableNextColumn();
         if (ImGui::SmallButton(label(take)))
-            wanted = i;
-        noteItem(fmt::format("take:{}", change.path));
-        helpTip(fmt::format("Sets {} to the value in A: {}", change.label, change.from));
+            takeFromKept(session, change);
+        item(fmt::format("take:{}", change.path),
+             fmt::format("Sets {} to the value in A: {}", change.label, change.from));
         ImGui::PopID();
     }
     ImGui::EndTable();
-    return wanted;
 }
 
 } // namespace
@@ -104,8 +95,7 @@ void drawKeptTab(const Session& session, KeptTabState& state) {
         noteItem("a-b tab:same");
         return;
     }
-    if (const std::optional<std::size_t> wanted = drawChanges(session, state.changes))
-        takeFromKept(session, state.changes[*wanted]);
+    drawChanges(session, state.changes);
 }
 
 } // namespace texplorer::ui

@@ -18,7 +18,6 @@
 #include <imgui_internal.h> // whether a number is being typed
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace texplorer::ui {
@@ -42,10 +41,9 @@ public:
 
     /// A button of a choice.
     bool choice(const char* words, std::string_view name, const char* help, bool chosen) {
-        ImGui::PushStyleColor(ImGuiCol_Button,
-                              ImGui::GetColorU32(chosen ? ImGuiCol_HeaderActive : ImGuiCol_Button));
-        const bool pressed = button(words, name, help);
-        ImGui::PopStyleColor();
+        place(buttonWidth(words));
+        const bool pressed = markedButton(label(words), chosen);
+        item(name, help);
         return pressed;
     }
 
@@ -53,8 +51,7 @@ public:
         place(ImGui::CalcTextSize(tr(words)).x + ImGui::GetFrameHeight() +
               ImGui::GetStyle().ItemInnerSpacing.x);
         ImGui::Checkbox(label(words), &value);
-        noteItem(name);
-        helpTip(help);
+        item(name, help);
     }
 
 private:
@@ -67,29 +64,24 @@ private:
     bool first_ = true;
 };
 
-void editAll(const Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
-    const Selection& selection = session.look.selection;
-    TexCoords coords = effectiveTexCoords(*selectedModel(session), selectedMesh(session), selection.unit);
-    edit(coords);
-    submitTexCoords(session, what, std::move(coords));
-}
-
 void coordButtons(const Session& session, ButtonLine& line) {
-    const auto button = [&](const char* words, const char* help) {
-        return line.button(words, std::string("coords:") + words, help);
+    const auto button = [&](const char* words, const char* help, const char* what, auto&& edit) {
+        if (!line.button(words, std::string("coords:") + words, help))
+            return;
+        TexCoords coords =
+            effectiveTexCoords(*selectedModel(session), selectedMesh(session), session.look.selection.unit);
+        edit(coords);
+        submitTexCoords(session, what, std::move(coords));
     };
-    if (button("× 2", "Multiplies all coordinates by 2: the image appears twice as often at half the size"))
-        editAll(session, "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
-    if (button("÷ 2", "Divides all coordinates by 2"))
-        editAll(session, "Coordinates ÷ 2", [](TexCoords& c) { scaleCoords(c, 0.5F); });
-    if (button("Flip s", "s becomes 1 − s"))
-        editAll(session, "Flip s", flipS);
-    if (button("Flip t", "t becomes 1 − t"))
-        editAll(session, "Flip t", flipT);
-    if (button("90°", "Rotates all coordinates by 90° about (0.5, 0.5)"))
-        editAll(session, "Rotate coordinates", rotateQuarter);
-    if (button("Reset", "Resets to the coordinates of the mesh"))
-        submitTexCoords(session, "Reset coordinates", {});
+    button("× 2", "Multiplies all coordinates by 2: the image appears twice as often at half the size",
+           "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
+    button("÷ 2", "Divides all coordinates by 2", "Coordinates ÷ 2",
+           [](TexCoords& c) { scaleCoords(c, 0.5F); });
+    button("Flip s", "s becomes 1 − s", "Flip s", flipS);
+    button("Flip t", "t becomes 1 − t", "Flip t", flipT);
+    button("90°", "Rotates all coordinates by 90° about (0.5, 0.5)", "Rotate coordinates", rotateQuarter);
+    button("Reset", "Resets to the coordinates of the mesh", "Reset coordinates",
+           [](TexCoords& c) { c.clear(); });
 }
 
 /// Shows the positions of its vertices, which are edited most.
@@ -347,8 +339,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     bool showRq = session.window.showRq;
     if (ImGui::Checkbox("r, q", &showRq))
         act(session, [showRq](Session& changed) { changed.window.showRq = showRq; });
-    noteItem("show r, q");
-    helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
+    item("show r, q", "Shows the third and fourth coordinate: r for volumes, q for projected textures");
     partButtons(session, state);
     const bool own = selectedModel(session)->shape == Shape::Mesh;
     const VertexPartRow& part = rowOf(own ? state.part : VertexPart::Coordinates);

@@ -191,7 +191,7 @@ bool reloadChanged(Session& session) {
     }
     std::optional<LessonRun>& lesson = session.lesson;
     bool lessonHasChanged = false;
-    for (const fs::path& changed : session.services.files.changed()) {
+    for (const fs::path& changed : session.services.files->changed()) {
         if (changed == session.look.fileView.shown)
             refreshInspected(session);
         if (lesson && std::ranges::find(lesson->files, changed) != lesson->files.end())
@@ -228,7 +228,7 @@ void watchFiles(Session& session) {
         paths.push_back(session.look.fileView.shown);
     if (session.lesson)
         std::ranges::copy(session.lesson->files, std::back_inserter(paths));
-    session.services.files.watch(std::move(paths));
+    session.services.files->watch(std::move(paths));
 }
 
 } // namespace
@@ -236,9 +236,9 @@ void watchFiles(Session& session) {
 bool receiveFiles(Session& session) {
     Services& services = session.services;
     loadUsed(session);
-    bool news = services.levels.receive();
-    news |= services.files.receiveThumbnails();
-    for (ImageLoader::Loaded& loaded : services.files.take()) {
+    bool news = services.levels->receive();
+    news |= services.files->receiveThumbnails();
+    for (ImageLoader::Loaded& loaded : services.files->take()) {
         receive(session, std::move(loaded));
         news = true;
     }
@@ -250,7 +250,7 @@ bool receiveFiles(Session& session) {
 }
 
 void waitForFiles(Session& session) {
-    session.services.files.wait();
+    session.services.files->wait();
     (void)receiveFiles(session);
 }
 

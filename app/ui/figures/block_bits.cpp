@@ -1,4 +1,4 @@
-#include "app/ui/figures/block_columns.h"
+#include "app/ui/figures/block_microscope.h"
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -14,33 +14,33 @@
 namespace texplorer::ui {
 namespace {
 
+/// Red, green or blue, of a bit of an end colour.
+int componentOf(const BlockField& field, int bit) {
+    const int place = bit - field.first;
+    return place >= 11 ? 0 : place >= 5 ? 1 : 2;
+}
+
 /// The layout of a line of bits: its name, its bytes, and its number, the highest bit first.
 struct BitLine {
-    float letter; ///< width of a bit
-    float names;
-    float bytes;
-    float gap; ///< between fields
+    float letter = 0; ///< width of a bit
+    float names = 0;
+    float bytes = 0;
+    float gap = 0; ///< between fields
 
-    BitLine(BlockFormat format, float spread)
-        : letter(0)
-        , names(0)
-        , bytes(0)
-        , gap(0) {
+    BitLine(BlockFormat format, float spread) {
         for (const char* name : {"colour 0", "index row 0", "α rows 0, 1"})
             names = std::max(names, ImGui::CalcTextSize(tr(name)).x);
         names += ImGui::GetFontSize() * 0.5F;
-        ImGui::PushFont(codeFont());
-        const float digit = ImGui::CalcTextSize("0").x;
-        ImGui::PopFont();
+        const float digit = codeLetter();
         letter = std::floor(digit * spread);
         bytes = digit * (format == BlockFormat::Dxt5 ? 9.0F : 6.0F);
         gap = std::floor(digit * 0.6F);
     }
     /// The left edge of a bit, counted from the field's left end.
     [[nodiscard]] float placeOf(const BlockField& field, int bit) const {
-        const int place = bit - field.first;
-        const int components = field.part != BlockPart::Color ? 0 : place >= 11 ? 0 : place >= 5 ? 1 : 2;
-        return letter * static_cast<float>(field.bits - 1 - place) + gap * static_cast<float>(components);
+        const int before = field.part == BlockPart::Color ? componentOf(field, bit) : 0;
+        return letter * static_cast<float>(field.bits - 1 - (bit - field.first)) +
+               gap * static_cast<float>(before);
     }
     [[nodiscard]] float widthOf(const BlockField& field) const {
         return placeOf(field, field.first) + letter;
@@ -76,38 +76,27 @@ std::string nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
                                        : fmt::format("α rows {}, {}", row, row + 1);
 }
 
+constexpr std::array componentTips{"Bit {} of byte {}: red of colour {}",
+                                   "Bit {} of byte {}: green of colour {}",
+                                   "Bit {} of byte {}: blue of colour {}"};
+
 /// The meaning of a bit in words.
 std::string tipOf(BlockFormat format, int bit, const BlockField& field) {
-    const int inByte = bit % 8;
-    const int byte = bit / 8;
-    const int column = field.number % 4;
-    const int row = field.number / 4;
-    switch (field.part) {
-    case BlockPart::Color: {
-        const int place = bit - field.first;
-        if (place >= 11)
-            return fmt::format("Bit {} of byte {}: red of colour {}", inByte, byte, field.number);
-        return place >= 5 ? fmt::format("Bit {} of byte {}: green of colour {}", inByte, byte, field.number)
-                          : fmt::format("Bit {} of byte {}: blue of colour {}", inByte, byte, field.number);
-    }
-    case BlockPart::ColorIndex:
-        return fmt::format("Bit {} of byte {}: the colour index of texel {}, {}", inByte, byte, column, row);
-    case BlockPart::AlphaEnd:
-        return fmt::format("Bit {} of byte {}: alpha {}", inByte, byte, field.number);
-    case BlockPart::Alpha:
-        break;
-    }
-    return format == BlockFormat::Dxt3
-               ? fmt::format("Bit {} of byte {}: the alpha of texel {}, {}", inByte, byte, column, row)
-               : fmt::format("Bit {} of byte {}: the alpha index of texel {}, {}", inByte, byte, column, row);
+    const bool isEnd = field.part == BlockPart::Color || field.part == BlockPart::AlphaEnd;
+    const char* words =
+        field.part == BlockPart::Color ? componentTips.at(static_cast<std::size_t>(componentOf(field, bit)))
+        : field.part == BlockPart::AlphaEnd   ? "Bit {} of byte {}: alpha {}"
+        : field.part == BlockPart::ColorIndex ? "Bit {} of byte {}: the colour index of texel {}, {}"
+        : format == BlockFormat::Dxt3         ? "Bit {} of byte {}: the alpha of texel {}, {}"
+                                              : "Bit {} of byte {}: the alpha index of texel {}, {}";
+    return fmt::format(fmt::runtime(words), bit % 8, bit / 8, isEnd ? field.number : field.number % 4,
+                       field.number / 4);
 }
 
 /// The colour of a bit: red, green and blue of an end have their own.
 ImU32 inkOf(const BlockField& field, int bit) {
-    if (field.part == BlockPart::Color) {
-        const int place = bit - field.first;
-        return componentColor(place >= 11 ? 0 : place >= 5 ? 1 : 2);
-    }
+    if (field.part == BlockPart::Color)
+        return componentColor(componentOf(field, bit));
     return field.part == BlockPart::AlphaEnd ? componentColor(3) : static_cast<ImU32>(color::text);
 }
 
@@ -137,7 +126,7 @@ void drawField(BlockMicroscopeState& state, const BlockLook& look, const BitLine
     const float stripe = std::max(2.0F, std::round(em / 7));
     if (look.lit.fields.test(number))
         draw.AddRectFilled({at.x - 1, at.y}, {at.x + width + 1, at.y + em}, color::lit);
-    drawSwatch(draw, {at.x, at.y + em - 1}, {at.x + width, at.y + em - 1 + stripe}, meaningOf(field, look));
+    drawSwatch({at.x, at.y + em - 1}, {at.x + width, at.y + em - 1 + stripe}, meaningOf(field, look));
     const float indent = (line.letter - ImGui::CalcTextSize("0").x) / 2;
     for (int bit = field.first + field.bits - 1; bit >= field.first; --bit) {
         const ImVec2 place(at.x + line.placeOf(field, bit), at.y);

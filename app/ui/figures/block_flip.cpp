@@ -3,9 +3,11 @@
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/figures/figure_columns.h"
 #include "app/ui/figures/flip_words.h"
+#include "app/ui/figures/plot.h"
 #include "app/ui/figures/striped_blocks.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/s3tc/flip.h"
@@ -36,8 +38,8 @@ void chooseFormat(BlockFlipState& state) {
     if (const auto pressed =
             drawSegments(segmentsOf(flipFormats, &FlipFormat::label), width,
                          indexIn(flipFormats, state.format, &FlipFormat::format), [](std::size_t i) {
-                             noteItem(fmt::format("flip:format {}", flipFormats.at(i).label));
-                             helpTip(rowOf(flipFormats.at(i).format).help);
+                             item(fmt::format("flip:format {}", flipFormats.at(i).label),
+                                  rowOf(flipFormats.at(i).format).help);
                          }))
         state.format = flipFormats.at(*pressed).format;
 }
@@ -47,16 +49,14 @@ std::string numberText(std::size_t number) {
 }
 
 void chooseHeight(BlockFlipState& state) {
-    ImGui::AlignTextToFramePadding();
-    dimText("Height");
-    ImGui::SameLine();
+    rowName("Height");
     const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 16);
     if (const auto pressed = drawSegments(segmentsOf(flipHeights, numberText), width,
                                           indexIn(flipHeights, state.height), [](std::size_t i) {
-                                              noteItem(fmt::format("flip:height {}", flipHeights.at(i)));
-                                              helpTip(flipsWithoutLoss(flipHeights.at(i))
-                                                          ? "This height is flipped without loss."
-                                                          : "This height can't be flipped in blocks.");
+                                              item(fmt::format("flip:height {}", flipHeights.at(i)),
+                                                   flipsWithoutLoss(flipHeights.at(i))
+                                                       ? "This height is flipped without loss."
+                                                       : "This height can't be flipped in blocks.");
                                           })) {
         state.height = flipHeights.at(*pressed);
         state.step = 0;
@@ -82,8 +82,7 @@ void chooseStep(BlockFlipState& state) {
     const float width = std::min(ImGui::GetContentRegionAvail().x,
                                  ImGui::GetFontSize() * 1.8F * static_cast<float>(numbers.size()));
     if (const auto pressed = drawSegments(segmentsOf(numbers, numberText), width, now, [](std::size_t i) {
-            noteItem(fmt::format("flip:step {}", i));
-            helpTip("The step; 0 is the image as stored.");
+            item(fmt::format("flip:step {}", i), "The step; 0 is the image as stored.");
         }))
         state.step = *pressed;
     ImGui::SameLine();
@@ -134,41 +133,41 @@ void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook
     const auto rows = 4 * static_cast<int>(image.blockRows());
     const float left = corner.x + look.names;
     const float alphaFrom = left + look.width * (hasAlpha ? 0.62F : 1.0F);
+    const float em = ImGui::GetFontSize();
     for (int row = 0; row < rows; ++row) {
         const bool isInside = row < image.height;
         const BlockColor color =
-            texelsOf(image.format, blockAt(image, row / 4))[static_cast<std::size_t>(row % 4) * 4];
+            texelsOf(image.format, blockAt(image, 0, row / 4))[static_cast<std::size_t>(row % 4) * 4];
         const ImVec2 low(left, corner.y + look.topOf(row));
-        const ImVec2 high(left + look.width, low.y + look.row - 1);
-        drawSwatch(draw, low, {alphaFrom, high.y}, {color[0], color[1], color[2], 255});
+        const ImVec2 high = low + ImVec2(look.width, look.row - 1);
+        drawSwatch(low, {alphaFrom, high.y}, {color[0], color[1], color[2], 255});
         if (hasAlpha)
-            drawSwatch(draw, {alphaFrom, low.y}, high, {color[3], color[3], color[3], 255});
+            drawSwatch({alphaFrom, low.y}, high, {color[3], color[3], color[3], 255});
         const int from = again ? image.height - 1 - row : stripeAt(image, stored, row);
         const bool wasInside = from >= 0 && from < image.height;
         const std::string name = wasInside ? std::to_string(from) : "✕";
-        drawOnSwatch(draw, low, {alphaFrom, high.y}, name.c_str());
-        if (hasAlpha && look.width * 0.38F > ImGui::GetFontSize() * 1.6F)
-            drawOnSwatch(draw, {alphaFrom, low.y}, high, std::to_string(color[3]).c_str());
+        drawOnSwatch(low, {alphaFrom, high.y}, name.c_str());
+        if (hasAlpha && look.width * 0.38F > em * 1.6F)
+            drawOnSwatch({alphaFrom, low.y}, high, std::to_string(color[3]).c_str());
         if (!isInside)
             draw.AddRectFilled(low, high, color::shade);
         const std::string place = std::to_string(row);
-        const float letters = std::min(ImGui::GetFontSize(), look.row);
-        const float wide = ImGui::CalcTextSize(place.c_str()).x * letters / ImGui::GetFontSize();
-        draw.AddText(
-            ImGui::GetFont(), letters,
-            {left - wide - ImGui::GetFontSize() * 0.3F, std::floor(low.y + (look.row - letters) / 2)},
-            isInside ? color::dim : color::faint, place.c_str());
+        const float letters = std::min(em, look.row);
+        const float wide = ImGui::CalcTextSize(place.c_str()).x * letters / em;
+        draw.AddText(ImGui::GetFont(), letters,
+                     {left - wide - em * 0.3F, std::floor(low.y + (look.row - letters) / 2)},
+                     isInside ? color::dim : color::faint, place.c_str());
         noteDrawn(fmt::format("flip:row {} of step {} is {}", row, step, isInside ? name : "outside"), low,
                   high);
     }
     for (int block = 0; block < rows / 4; ++block)
         draw.AddRect({left - 2, corner.y + look.topOf(4 * block) - 2},
                      {left + look.width + 2, corner.y + look.topOf(4 * block + 3) + look.row + 1},
-                     color::outline, 0, 0, std::max(1.0F, ImGui::GetFontSize() / 12));
+                     color::outline, 0, 0, plotLine());
     if (image.height < rows) {
         const float y = corner.y + look.topOf(image.height) - 1;
         draw.AddLine({corner.x, y}, {left + look.width + look.names / 2, y}, color::chosen,
-                     std::max(1.5F, ImGui::GetFontSize() / 8));
+                     std::max(1.5F, em / 8));
     }
     ImGui::Dummy({look.names + look.width, look.topOf(rows - 1) + look.row + 2});
 }
@@ -202,9 +201,9 @@ void drawBrackets(const FlipStep& step, ImVec2 corner, const StripeLook& look) {
     if (step.act != Act::TurnRows)
         return;
     const auto middle = [&](int row) { return corner.y + look.topOf(4 * step.first + row) + look.row / 2; };
-    for (const RowPair& pair : rowPairs(turnedRows(step.after.height)))
-        drawBracket(draw, x, middle(pair.first), middle(pair.second),
-                    out * (pair.second - pair.first == 1 && pair.first == 1 ? 0.8F : 1.4F));
+    const int rows = turnedRows(step.after.height);
+    for (int row = 0; row < rows / 2; ++row)
+        drawBracket(draw, x, middle(row), middle(rows - 1 - row), out * (row == 1 ? 0.8F : 1.4F));
 }
 
 /// The texel row of the block to which a byte belongs; -1: to all, or to two rows.
@@ -234,10 +233,7 @@ float bytesNames() {
 }
 
 float bytesWidth() {
-    ImGui::PushFont(codeFont());
-    const float letter = ImGui::CalcTextSize("0").x;
-    ImGui::PopFont();
-    return bytesNames() + letter * 25;
+    return bytesNames() + codeLetter() * 25;
 }
 
 /// The bytes of every row of blocks; for DXT5 also the twelve bits of each row of alphas.
@@ -248,14 +244,14 @@ void drawFlipBytes(const BlockFlipState& state) {
     const bool hasAlpha = alphaCount(format) > 0;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (int block = 0; block < static_cast<int>(step.after.blockRows()); ++block) {
-        const BlockBytes bytes = blockAt(step.after, block);
-        const BlockBytes old = blockAt(before, block);
+        const BlockBytes bytes = blockAt(step.after, 0, block);
+        const BlockBytes old = blockAt(before, 0, block);
         const std::array<BlockColor, 16> texels = texelsOf(format, bytes);
         ImVec2 corner = ImGui::GetCursorScreenPos();
         const ImVec2 top = corner;
         draw.AddText(corner, color::dim, tr(fmt::format("block {}", block)).c_str());
         ImGui::PushFont(codeFont());
-        const float letter = ImGui::CalcTextSize("0").x;
+        const float letter = codeLetter();
         const float line = std::floor(ImGui::GetFontSize() * 1.2F);
         const float names = bytesNames();
         for (int i = 0; i < static_cast<int>(bytesPerBlock(format)); ++i) {
@@ -285,12 +281,12 @@ void drawFlipBytes(const BlockFlipState& state) {
         }
         ImGui::PopFont();
         ImGui::Dummy({bytesWidth(), corner.y - top.y + line});
-        noteItem(fmt::format("flip:bytes {}", block));
-        helpTip(format == BlockFormat::Dxt5
-                    ? "The bytes of the alphas, the 12 bits of each alpha row as three digits, and the bytes "
-                      "of the colours. The stripe is the row's alpha or colour; changes are highlighted."
-                    : "The stripe is the alpha or the colour of the byte's row. Changes of the step are "
-                      "highlighted.");
+        item(fmt::format("flip:bytes {}", block),
+             format == BlockFormat::Dxt5
+                 ? "The bytes of the alphas, the 12 bits of each alpha row as three digits, and the bytes "
+                   "of the colours. The stripe is the row's alpha or colour; changes are highlighted."
+                 : "The stripe is the alpha or the colour of the byte's row. Changes of the step are "
+                   "highlighted.");
     }
 }
 

@@ -53,8 +53,8 @@ void drawChoices(BlockMicroscopeState& state) {
             drawSegments(segmentsOf(formatChoices, &FormatChoice::label), formats,
                          indexIn(formatChoices, state.format, &FormatChoice::format), [](std::size_t i) {
                              const EnumRow& row = rowOf(formatChoices.at(i).format);
-                             noteItem(fmt::format("block:format {}", formatChoices.at(i).label));
-                             helpTip(fmt::format("{}\n{}", row.name, row.help));
+                             item(fmt::format("block:format {}", formatChoices.at(i).label),
+                                  fmt::format("{}\n{}", row.name, row.help));
                          })) {
         const BlockFormat wanted = formatChoices.at(*pressed).format;
         state.block = inFormat(state.block, state.format, wanted);
@@ -63,12 +63,11 @@ void drawChoices(BlockMicroscopeState& state) {
     }
     if (formats + gap + sources <= room)
         ImGui::SameLine(0, gap);
-    if (const auto pressed =
-            drawSegments(segmentsOf(sourceChoices, &SourceChoice::label), sources,
-                         static_cast<std::size_t>(state.source.kind), [](std::size_t i) {
-                             noteItem(fmt::format("block:source {}", sourceChoices.at(i).name));
-                             helpTip(sourceChoices.at(i).help);
-                         }))
+    if (const auto pressed = drawSegments(segmentsOf(sourceChoices, &SourceChoice::label), sources,
+                                          static_cast<std::size_t>(state.source.kind), [](std::size_t i) {
+                                              item(fmt::format("block:source {}", sourceChoices.at(i).name),
+                                                   sourceChoices.at(i).help);
+                                          }))
         state.source.kind = static_cast<BlockSource::Kind>(*pressed);
 }
 

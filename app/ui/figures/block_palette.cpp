@@ -1,4 +1,4 @@
-#include "app/ui/figures/block_columns.h"
+#include "app/ui/figures/block_microscope.h"
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
@@ -14,25 +14,25 @@ namespace {
 constexpr std::array componentBits{5, 6, 5};
 constexpr std::array componentShift{11, 5, 0};
 
-SwatchFrame frameOf(bool chosen, bool lit) {
-    return chosen ? SwatchFrame::Chosen : lit ? SwatchFrame::Lit : SwatchFrame::None;
-}
-
-/// A draggable integer, with the bar of its component on the left, none for -1.
+/// A draggable integer, with the bar of its component on the left.
 bool dragInteger(const std::string& name, int& value, int max, float width, int component) {
     ImGui::SetNextItemWidth(width);
     const bool changed = ImGui::DragInt(fmt::format("##{}", name).c_str(), &value, 0.15F, 0, max, "%d",
                                         ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (component >= 0) {
-        const ImVec2 low = ImGui::GetItemRectMin();
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            low, {low.x + ImGui::GetFontSize() * 0.2F, ImGui::GetItemRectMax().y}, componentColor(component),
-            ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
-    }
+    const ImVec2 low = ImGui::GetItemRectMin();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        low, {low.x + ImGui::GetFontSize() * 0.2F, ImGui::GetItemRectMax().y}, componentColor(component),
+        ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
     noteItem(name);
     return changed;
+}
+
+/// Gives a field of the selected texel another value.
+void setTexel(BlockMicroscopeState& state, BlockPart part, std::size_t value) {
+    writeField(state.block, blockField(state.format, part, static_cast<int>(state.texel)),
+               static_cast<unsigned>(value));
 }
 
 void hoverEnd(BlockMicroscopeState& state, BlockPart part, int end) {
@@ -94,22 +94,18 @@ const char* recipeOf(std::size_t index, bool fourColors, BlockFormat format) {
 
 void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_t index) {
     const float em = ImGui::GetFontSize();
-    const bool fourColors = hasFourColors(state.format, look.fields);
     const Spot spot = spotHere(fmt::format("entry {}", index).c_str(), {em * 2.2F, ImGui::GetFrameHeight()});
     noteItem(fmt::format("block:entry {}", index));
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    drawSwatch(draw, spot.low, spot.high, look.colors.at(index));
-    drawOnSwatch(draw, spot.low, spot.high, fmt::format("{:02b}", index).c_str());
-    drawSwatchFrame(draw, spot.low, spot.high,
-                    frameOf(look.fields.indices[state.texel] == index, look.lit.colors.test(index)));
+    drawSwatch(spot.low, spot.high, look.colors.at(index));
+    drawOnSwatch(spot.low, spot.high, fmt::format("{:02b}", index).c_str());
+    drawSwatchFrame(spot.low, spot.high,
+                    swatchFrame(look.fields.indices[state.texel] == index, look.lit.colors.test(index)));
     if (spot.hovered) {
         state.hovering = BlockMark{BlockMark::Kind::Color, index};
         helpTip("Gives the selected texel this index.");
     }
     if (spot.pressed)
-        writeField(state.block,
-                   blockField(state.format, BlockPart::ColorIndex, static_cast<int>(state.texel)),
-                   static_cast<unsigned>(index));
+        setTexel(state, BlockPart::ColorIndex, index);
     ImGui::SameLine();
     if (index < 2)
         return drawColorEnd(state, look, static_cast<int>(index));
@@ -118,22 +114,19 @@ void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_
     ImGui::TextUnformatted(fmt::format("{} {} {}", color[0], color[1], color[2]).c_str());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    fittedText(recipeOf(index, fourColors, state.format), color::dim);
+    fittedText(recipeOf(index, hasFourColors(state.format, look.fields), state.format), color::dim);
 }
 
 /// Which of the two meanings the indices have, and why.
 void modeSentence(const BlockMicroscopeState& state, const BlockLook& look) {
     const auto [first, second] = look.fields.colors;
     const bool isDxt1 = alphaCount(state.format) == 0;
-    const std::string words =
-        !isDxt1          ? fmt::format("{} always has four colours.", rowOf(state.format).label)
-        : first > second ? fmt::format("c0 = {:04X} is larger than c1 = {:04X}: four colours.", first, second)
-        : state.format == BlockFormat::Dxt1Alpha
-            ? fmt::format("c0 = {:04X} is not larger than c1 = {:04X}: three colours and a hole.", first,
-                          second)
-            : fmt::format("c0 = {:04X} is not larger than c1 = {:04X}: three colours and black.", first,
-                          second);
-    wrappedText(words);
+    const char* words = first > second ? "c0 = {:04X} is larger than c1 = {:04X}: four colours."
+                        : state.format == BlockFormat::Dxt1Alpha
+                            ? "c0 = {:04X} is not larger than c1 = {:04X}: three colours and a hole."
+                            : "c0 = {:04X} is not larger than c1 = {:04X}: three colours and black.";
+    wrappedText(isDxt1 ? fmt::format(fmt::runtime(words), first, second)
+                       : fmt::format("{} always has four colours.", rowOf(state.format).label));
     noteItem("block:mode");
 }
 
@@ -161,8 +154,8 @@ void drawAlphaEnds(BlockMicroscopeState& state, const BlockLook& look) {
     const char* words = hasEightAlphas(look.fields) ? "Swap (eight)" : "Swap (six)";
     if (ImGui::Button(label(fmt::format("{}##alphas", words)).c_str(), {ImGui::GetContentRegionAvail().x, 0}))
         swapEnds(state, BlockPart::AlphaEnd);
-    noteItem("block:swap alphas");
-    helpTip("Swaps the two ends. The larger one first means eight alphas, else six, 0 and 255.");
+    item("block:swap alphas",
+         "Swaps the two ends. The larger one first means eight alphas, else six, 0 and 255.");
 }
 
 /// Each possible alpha of a texel, in lines of this many; a click sets it on the selected texel.
@@ -171,7 +164,6 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
     const std::size_t perLine = count == 16 ? 8 : 4;
     const float width = std::floor(ImGui::GetContentRegionAvail().x / static_cast<float>(perLine));
     const ImVec2 size(width, ImGui::GetFontSize() * 1.15F);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
     for (std::size_t i = 0; i < count; ++i) {
         if (i % perLine != 0)
@@ -179,18 +171,17 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
         const std::uint8_t alpha = look.alphas[i];
         const Spot spot = spotHere(fmt::format("alpha {}", i).c_str(), size);
         noteItem(fmt::format("block:alpha entry {}", i));
-        drawSwatch(draw, spot.low, {spot.high.x - 1, spot.high.y}, {alpha, alpha, alpha, 255});
-        drawOnSwatch(draw, spot.low, spot.high, std::to_string(alpha).c_str());
-        drawSwatchFrame(draw, spot.low, {spot.high.x - 1, spot.high.y},
-                        frameOf(look.fields.alphas[state.texel] == i, look.lit.alphas.test(i)));
+        drawSwatch(spot.low, {spot.high.x - 1, spot.high.y}, {alpha, alpha, alpha, 255});
+        drawOnSwatch(spot.low, spot.high, std::to_string(alpha).c_str());
+        drawSwatchFrame(spot.low, {spot.high.x - 1, spot.high.y},
+                        swatchFrame(look.fields.alphas[state.texel] == i, look.lit.alphas.test(i)));
         if (spot.hovered) {
             state.hovering = BlockMark{BlockMark::Kind::Alpha, i};
             const std::string bits = count == 16 ? fmt::format("{:04b}", i) : fmt::format("{:03b}", i);
             helpTip(fmt::format("Gives the selected texel the alpha {}, stored as {}.", alpha, bits));
         }
         if (spot.pressed)
-            writeField(state.block, blockField(state.format, BlockPart::Alpha, static_cast<int>(state.texel)),
-                       static_cast<unsigned>(i));
+            setTexel(state, BlockPart::Alpha, i);
     }
     ImGui::PopStyleVar();
 }
@@ -210,9 +201,9 @@ void drawBlockPalette(BlockMicroscopeState& state, const BlockLook& look) {
     if (alphaCount(state.format) == 0) {
         if (ImGui::Button(label("Swap the ends")))
             swapEnds(state, BlockPart::Color);
-        noteItem("block:swap");
-        helpTip("Swaps the two end colours. The larger number first means four colours, else three and a "
-                "hole.");
+        item("block:swap",
+             "Swaps the two end colours. The larger number first means four colours, else three and a "
+             "hole.");
         return;
     }
     if (state.format == BlockFormat::Dxt5)

@@ -1,9 +1,12 @@
-#include "app/ui/figures/block_columns.h"
+#include "app/ui/figures/block_microscope.h"
 #include "app/ui/figures/block_swatch.h"
+#include "app/ui/figures/striped_blocks.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/image/convert.h"
 #include "texplorer/s3tc/encode.h"
@@ -20,38 +23,25 @@ namespace {
 
 using SourceKind = BlockSource::Kind;
 
-std::optional<LevelsRequest> levelsOfBoundTexture(const Session& session, std::string& problem) {
-    const Texture* texture = boundTexture(session);
-    if (!texture) {
-        problem = "No texture is bound to this unit.";
-        return std::nullopt;
-    }
-    LevelsRequest request{session.document.images.picturesOf(*texture), imageSettings(*texture),
-                          selectedUnit(session).target};
-    if (request.pictures.base)
-        return request;
-    problem = "The image is not loaded.";
-    return std::nullopt;
-}
-
 /// Freeing large levels takes a while.
-void giveLevelsBack(const Session& session, BlockSource& source) {
+void giveLevelsBack(Session& session, BlockSource& source) {
     if (source.levels && source.request)
-        session.services.levels.uploaded(*source.request, std::exchange(source.levels, nullptr), {});
+        workers(session).levels->uploaded(*source.request, std::exchange(source.levels, nullptr), {});
     source.levels.reset();
     source.request.reset();
     source.taken.reset();
 }
 
 /// Requests the levels until they are ready. Until then no block is read.
-void followLevels(const Session& session, BlockSource& source) {
-    std::optional<LevelsRequest> request = levelsOfBoundTexture(session, source.problem);
+void followLevels(Session& session, BlockSource& source) {
+    std::optional<LevelsRequest> request = boundLevels(session);
     if (!request) {
-        giveLevelsBack(session, source);
-        return;
+        source.problem =
+            boundTexture(session) ? "The image is not loaded." : "No texture is bound to this unit.";
+        return giveLevelsBack(session, source);
     }
     if (!source.levels || source.request != request) {
-        std::shared_ptr<const PreparedLevels> levels = session.services.levels.prepare(*request);
+        std::shared_ptr<const PreparedLevels> levels = workers(session).levels->prepare(*request);
         const bool cancelled = levels && !*levels && levels->error().code == ErrorCode::Cancelled;
         if (!levels || cancelled) {
             source.problem = cancelled ? levels->error().message : "The levels are being made…";
@@ -90,16 +80,6 @@ std::array<BlockColor, 16> texelsAround(const Image& image, int blockX, int bloc
         texels[static_cast<std::size_t>(i)] = rgbaOf(image.format, image.at(x, y).data());
     }
     return texels;
-}
-
-BlockBytes bytesAt(const BlockImage& image, int blockX, int blockY) {
-    const std::size_t size = bytesPerBlock(image.format);
-    BlockBytes block{};
-    std::copy_n(image.blocks.begin() +
-                    static_cast<std::ptrdiff_t>(static_cast<std::size_t>(blockY) * image.blockRowBytes() +
-                                                static_cast<std::size_t>(blockX) * size),
-                size, block.begin());
-    return block;
 }
 
 BlockBytes compressed(const std::array<BlockColor, 16>& texels, BlockFormat format, EncodeQuality quality) {
@@ -142,7 +122,7 @@ void takeBlock(BlockMicroscopeState& state, int face) {
     source.original.reset();
     if (base.before || image)
         source.original = texelsAround(base.before ? *base.before : *image, source.x, source.y);
-    const BlockBytes found = blocks ? bytesAt(*blocks, source.x, source.y) : BlockBytes{};
+    const BlockBytes found = blocks ? blockAt(*blocks, source.x, source.y) : BlockBytes{};
     source.block = source.stored
                        ? found
                        : compressed(source.original ? *source.original : texelsOf(blocks->format, found),
@@ -158,8 +138,7 @@ void drawExamples(BlockMicroscopeState& state, float width) {
             state.format = example.format;
             state.block = blockOfHex(example.format, example.hex).value();
         }
-        noteItem(fmt::format("block:example {}", example.label));
-        helpTip(example.help);
+        item(fmt::format("block:example {}", example.label), example.help);
     }
 }
 
@@ -196,8 +175,8 @@ void drawQuality(BlockSource& source, float width) {
     if (const auto pressed =
             drawSegments(segmentsOf(encodeQualityRows, &EnumRow::label), width,
                          static_cast<std::size_t>(source.quality), [](std::size_t i) {
-                             noteItem(fmt::format("block:quality {}", encodeQualityRows.at(i).name));
-                             helpTip(encodeQualityRows.at(i).help);
+                             item(fmt::format("block:quality {}", encodeQualityRows.at(i).name),
+                                  encodeQualityRows.at(i).help);
                          }))
         source.quality = static_cast<EncodeQuality>(*pressed);
 }
@@ -207,17 +186,14 @@ void drawOriginal(const BlockMicroscopeState& state) {
     const BlockSource& source = state.source;
     const float cell = std::floor(ImGui::GetFontSize() * 1.1F);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (int i = 0; i < 16; ++i) {
         if (i % 4 >= source.width || i / 4 >= source.height)
             continue;
-        const ImVec2 at(low.x + cell * static_cast<float>(i % 4), low.y + cell * static_cast<float>(i / 4));
-        drawSwatch(draw, at, {at.x + cell - 1, at.y + cell - 1},
-                   source.original->at(static_cast<std::size_t>(i)));
+        const ImVec2 at = low + ImVec2(static_cast<float>(i % 4), static_cast<float>(i / 4)) * cell;
+        drawSwatch(at, at + ImVec2(cell - 1, cell - 1), source.original->at(static_cast<std::size_t>(i)));
     }
     ImGui::Dummy({4 * cell, 4 * cell});
-    noteItem("block:original");
-    helpTip("The texels that the block was compressed from, in the same order");
+    item("block:original", "The texels that the block was compressed from, in the same order");
     const double error = rootMeanSquare(*source.original, texelsOf(state.format, state.block), source.width,
                                         source.height, state.format != BlockFormat::Dxt1);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -226,13 +202,11 @@ void drawOriginal(const BlockMicroscopeState& state) {
     dimText("RMS error");
     ImGui::TextUnformatted(fmt::format("{:.2f}", error).c_str());
     ImGui::EndGroup();
-    noteItem("block:error");
-    helpTip("The root mean square of the differences between the original and the block's texels, in 255ths");
+    item("block:error",
+         "The root mean square of the differences between the original and the block's texels, in 255ths");
 }
 
-} // namespace
-
-void followBlockSource(const Session& session, BlockMicroscopeState& state) {
+void follow(Session& session, BlockMicroscopeState& state) {
     BlockSource& source = state.source;
     source.problem.clear();
     if (source.kind == SourceKind::Own)
@@ -265,6 +239,16 @@ void followBlockSource(const Session& session, BlockMicroscopeState& state) {
         return;
     takeBlock(state, face);
     source.taken = now;
+}
+
+} // namespace
+
+void followBlockSource(const Session& session, BlockMicroscopeState& state) {
+    ask(session, [&state](Session& changed) {
+        const std::pair before(state.source.problem, state.source.taken);
+        follow(changed, state);
+        return before != std::pair(state.source.problem, state.source.taken);
+    });
 }
 
 float blockSourceWidth() {

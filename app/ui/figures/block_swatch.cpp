@@ -1,6 +1,7 @@
 #include "app/ui/figures/block_swatch.h"
 
 #include "app/ui/widgets/board.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 
 #include <algorithm>
@@ -8,26 +9,36 @@
 
 namespace texplorer::ui {
 
-void drawSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const BlockColor& color) {
+void drawSwatch(ImVec2 low, ImVec2 high, const BlockColor& color) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (color[3] < 255)
         drawBoard(draw, low, high, std::max(2.0F, std::floor((high.y - low.y) / 4)));
     draw.AddRectFilled(low, high, IM_COL32(color[0], color[1], color[2], color[3]));
 }
 
-void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame frame) {
+float codeLetter() {
+    ImGui::PushFont(codeFont());
+    const float width = ImGui::CalcTextSize("0").x;
+    ImGui::PopFont();
+    return width;
+}
+
+void drawSwatchFrame(ImVec2 low, ImVec2 high, SwatchFrame frame) {
     if (frame == SwatchFrame::None)
         return;
     const float em = ImGui::GetFontSize();
     const bool isSmall = high.y - low.y < em * 1.3F; // and the frame leaves the text readable
     const float thick = isSmall ? 1.0F : std::max(1.0F, std::round(em / 8));
     const auto ring = [&](float inset, float width, ImU32 tint) {
-        draw.AddRect({low.x + inset, low.y + inset}, {high.x - inset, high.y - inset}, tint, 0, 0, width);
+        ImGui::GetWindowDrawList()->AddRect(low + ImVec2(inset, inset), high - ImVec2(inset, inset), tint, 0,
+                                            0, width);
     };
     ring(thick, 3 * thick, color::shade);
     ring(thick, thick, frame == SwatchFrame::Chosen ? color::chosen : color::text);
 }
 
-void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words) {
+void drawOnSwatch(ImVec2 low, ImVec2 high, const char* words) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize();
     const float letters = std::min(em, high.y - low.y);
     const ImVec2 whole = ImGui::CalcTextSize(words);
@@ -39,8 +50,8 @@ void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words) 
 }
 
 Spot spotHere(const char* id, ImVec2 size) {
-    Spot spot{ImGui::GetCursorScreenPos(), {}, false, false};
-    spot.high = {spot.low.x + size.x, spot.low.y + size.y};
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    Spot spot{low, low + size};
     spot.pressed = ImGui::InvisibleButton(id, size);
     const bool focused = ImGui::GetIO().NavVisible && ImGui::IsItemFocused();
     spot.hovered = ImGui::IsItemHovered() || focused;

@@ -9,15 +9,22 @@
 namespace texplorer::ui {
 
 /// A colour, with a board behind it if it is transparent.
-void drawSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const BlockColor& color);
+void drawSwatch(ImVec2 low, ImVec2 high, const BlockColor& color);
+
+/// The width of a letter of code.
+[[nodiscard]] float codeLetter();
 
 /// The frame around a swatch.
 enum class SwatchFrame { None, Lit, Chosen };
 
-void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame frame);
+[[nodiscard]] constexpr SwatchFrame swatchFrame(bool chosen, bool lit) {
+    return chosen ? SwatchFrame::Chosen : lit ? SwatchFrame::Lit : SwatchFrame::None;
+}
+
+void drawSwatchFrame(ImVec2 low, ImVec2 high, SwatchFrame frame);
 
 /// Centred text on a colour, readable on any; smaller if the swatch is low.
-void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words);
+void drawOnSwatch(ImVec2 low, ImVec2 high, const char* words);
 
 /// An invisible button of this size, for keyboard and pointer.
 struct Spot {

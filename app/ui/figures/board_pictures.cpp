@@ -1,7 +1,8 @@
 #include "app/ui/figures/board_pictures.h"
 
 #include "app/ui/figures/plot.h"
-#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/palette.h"
+#include "app/ui/widgets/points.h"
 #include "texplorer/reference/sampling/row_weights.h"
 
 #include <glm/vec4.hpp>
@@ -38,40 +39,37 @@ glm::vec4 boardColor(const objects::TextureObject& object, float s, float t) {
     return {sum, 1};
 }
 
-} // namespace
-
-void drawBoardImage(ImDrawList& draw, ImVec2 low, float side, const Board& board) {
-    const float cell = side / boardSide;
-    for (int j = 0; j < boardSide; ++j) {
-        for (int i = 0; i < boardSide; ++i) {
-            const ImVec2 at(low.x + cell * static_cast<float>(i),
-                            low.y + cell * static_cast<float>(boardSide - 1 - j));
-            draw.AddRectFilled(at, {at.x + cell, at.y + cell}, plotColor(boardTexel(board, i, j)));
-        }
-    }
-    draw.AddRect(low, {low.x + side, low.y + side}, color::outline);
-}
-
-/// A square drawn through the units up to this one, coordinates 0 to 1.
-void drawFragments(ImDrawList& draw, ImVec2 low, float side, const objects::TextureNames& names,
-                   std::size_t last) {
-    constexpr int cells = 12;
-    const float cell = side / cells;
+/// A square of cells, the first row at the bottom. `more`: pixels by which each is larger.
+template<class ColorOf>
+void drawCells(ImVec2 low, float side, int cells, float more, const ColorOf& colorOf) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float cell = side / static_cast<float>(cells);
     for (int j = 0; j < cells; ++j) {
         for (int i = 0; i < cells; ++i) {
-            const float s = (static_cast<float>(i) + 0.5F) / cells;
-            const float t = (static_cast<float>(j) + 0.5F) / cells;
-            glm::vec4 color = fragmentColor;
-            for (std::size_t unit = 0; unit <= last; ++unit) {
-                if (sampledBy(names, unit) == objects::Sampled::Textured)
-                    color = colorAfter(names, unit, color, boardColor(names.objectOf(unit), s, t));
-            }
-            const ImVec2 at(low.x + cell * static_cast<float>(i),
-                            low.y + cell * static_cast<float>(cells - 1 - j));
-            draw.AddRectFilled(at, {at.x + cell + 0.5F, at.y + cell + 0.5F}, plotColor(glm::vec3(color)));
+            const ImVec2 at = low + ImVec2(static_cast<float>(i), static_cast<float>(cells - 1 - j)) * cell;
+            draw.AddRectFilled(at, at + ImVec2(cell, cell) + ImVec2(more, more), plotColor(colorOf(i, j)));
         }
     }
-    draw.AddRect(low, {low.x + side, low.y + side}, color::outline);
+    draw.AddRect(low, low + ImVec2(side, side), color::outline);
+}
+
+} // namespace
+
+void drawBoardImage(ImVec2 low, float side, const Board& board) {
+    drawCells(low, side, boardSide, 0, [&](int i, int j) { return boardTexel(board, i, j); });
+}
+
+void drawFragments(ImVec2 low, float side, const objects::TextureNames& names, std::size_t last) {
+    constexpr int cells = 12;
+    drawCells(low, side, cells, 0.5F, [&](int i, int j) {
+        const float s = (static_cast<float>(i) + 0.5F) / cells;
+        const float t = (static_cast<float>(j) + 0.5F) / cells;
+        glm::vec4 color = fragmentColor;
+        for (std::size_t unit = 0; unit <= last; ++unit)
+            if (sampledBy(names, unit) == objects::Sampled::Textured)
+                color = colorAfter(names, unit, color, boardColor(names.objectOf(unit), s, t));
+        return glm::vec3(color);
+    });
 }
 
 } // namespace texplorer::ui

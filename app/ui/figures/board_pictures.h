@@ -20,11 +20,10 @@ inline constexpr std::array boards{
     Board{{0.10F, 0.25F, 0.75F}, {1, 0.85F, 0.30F}},
 };
 
-void drawBoardImage(ImDrawList& draw, ImVec2 low, float side, const Board& board);
+void drawBoardImage(ImVec2 low, float side, const Board& board);
 
 /// Draws a square with the coordinates 0 to 1 through the units up to `last`: pale blue if none has a
 /// texture.
-void drawFragments(ImDrawList& draw, ImVec2 low, float side, const objects::TextureNames& names,
-                   std::size_t last);
+void drawFragments(ImVec2 low, float side, const objects::TextureNames& names, std::size_t last);
 
 } // namespace texplorer::ui

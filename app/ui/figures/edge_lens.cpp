@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/reference/sampling/row_weights.h"
@@ -58,33 +59,36 @@ struct LensRow {
     }
 };
 
-void hatchLensBorder(ImDrawList& draw, const LensRow& row, std::span<const ImVec2> shape) {
-    hatch(draw, shape, ImGui::GetFontSize() * 0.45F, inkOn(row.border), plotLine() * 0.75F);
+void hatchLensBorder(const LensRow& row, std::span<const ImVec2> shape) {
+    hatch(shape, ImGui::GetFontSize() * 0.45F, inkOn(row.border), plotLine() * 0.75F);
+}
+
+/// A rectangle of a texel or the border, which is hatched.
+void drawLensTexel(const LensRow& row, int texel, ImVec2 low, ImVec2 high) {
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, plotColor(row.colorOf(texel)));
+    if (row.isBorder(texel))
+        hatchLensBorder(row, std::array{low, ImVec2(high.x, low.y), high, ImVec2(low.x, high.y)});
 }
 
 /// The texels with the border next to them.
 void drawLensRow(ImDrawList& draw, const PlotBox& box, const LensRow& row) {
-    const auto box4 = [&](float from, float to) {
-        return std::array{box.at(from, 1), box.at(to, 1), box.at(to, 0), box.at(from, 0)};
-    };
     for (const auto& [from, to] : {std::pair(lensFrom, 0.0F), std::pair(1.0F, lensTo)}) {
-        const auto shape = box4(from, to);
-        draw.AddRectFilled(shape[0], shape[2], plotColor(row.border));
-        hatchLensBorder(draw, row, shape);
+        const ImVec2 low = box.at(from, 1);
+        const ImVec2 high = box.at(to, 0);
+        drawLensTexel(row, -1, low, high);
         const std::string name = tr("border");
         const ImVec2 size = plotTextSize(name);
         const ImVec2 middle = box.at((from + to) / 2, 0.5F);
-        if (size.x + 6 < shape[1].x - shape[0].x) {
-            draw.AddRectFilled({middle.x - size.x / 2 - 3, shape[0].y},
-                               {middle.x + size.x / 2 + 3, shape[2].y}, plotColor(row.border));
-            plotText(draw, middle, {0.5F, 0.5F}, name, inkOn(row.border));
+        if (size.x + 6 < high.x - low.x) {
+            draw.AddRectFilled({middle.x - size.x / 2 - 3, low.y}, {middle.x + size.x / 2 + 3, high.y},
+                               plotColor(row.border));
+            plotText(middle, {0.5F, 0.5F}, name, inkOn(row.border));
         }
     }
     for (int i = 0; i < row.size; ++i) {
         const auto n = static_cast<float>(row.size);
-        const auto shape = box4(static_cast<float>(i) / n, static_cast<float>(i + 1) / n);
-        draw.AddRectFilled(shape[0], shape[2], plotColor(row.colorOf(i)));
-        plotText(draw, box.at((static_cast<float>(i) + 0.5F) / n, 0.5F), {0.5F, 0.5F}, std::to_string(i),
+        drawLensTexel(row, i, box.at(static_cast<float>(i) / n, 1), box.at(static_cast<float>(i + 1) / n, 0));
+        plotText(box.at((static_cast<float>(i) + 0.5F) / n, 0.5F), {0.5F, 0.5F}, std::to_string(i),
                  inkOn(row.colorOf(i)));
     }
     draw.AddRect(box.low, box.high, color::outline);
@@ -107,7 +111,7 @@ void drawLensWeights(ImDrawList& draw, const PlotBox& box, const LensRow& row, W
                                    box.at(piece.to, to), box.at(piece.from, from)};
             draw.AddQuadFilled(shape[0], shape[1], shape[2], shape[3], plotColor(row.colorOf(share.index)));
             if (row.isBorder(share.index))
-                hatchLensBorder(draw, row, shape);
+                hatchLensBorder(row, shape);
             from += share.from;
             to += share.to;
         }
@@ -132,40 +136,37 @@ void drawLensResult(ImDrawList& draw, const PlotBox& box, const LensRow& row, Wr
         const ImVec2 low = box.at(piece.from, 1);
         const ImVec2 high = box.at(piece.to, 0);
         draw.AddRectFilledMultiColor(low, high, left, right, right, left);
-        if (border > 0.99F) {
-            const std::array shape{low, ImVec2(high.x, low.y), high, ImVec2(low.x, high.y)};
-            hatchLensBorder(draw, row, shape);
-        }
+        if (border > 0.99F)
+            hatchLensBorder(row, std::array{low, ImVec2(high.x, low.y), high, ImVec2(low.x, high.y)});
     }
     draw.AddRect(box.low, box.high, color::outline);
 }
 
 /// The numbers -1, 0, 1 and 2, and the edges of texels.
 void drawLensScale(ImDrawList& draw, const PlotBox& box, float top) {
+    const float below = box.high.y + ImGui::GetFontSize() * 0.2F;
     for (int s = static_cast<int>(lensFrom); s <= static_cast<int>(lensTo); ++s) {
         const float x = box.atX(static_cast<float>(s));
         const bool isEdge = s == 0 || s == 1;
-        draw.AddLine({x, isEdge ? top : box.high.y}, {x, box.high.y + ImGui::GetFontSize() * 0.2F},
-                     isEdge ? color::text : color::dim, isEdge ? plotLine() * 1.5F : plotLine());
+        draw.AddLine({x, isEdge ? top : box.high.y}, {x, below}, isEdge ? color::text : color::dim,
+                     isEdge ? plotLine() * 1.5F : plotLine());
         const float anchor = s == static_cast<int>(lensFrom) ? 0.0F
                              : s == static_cast<int>(lensTo) ? 1.0F
                                                              : 0.5F;
-        plotText(draw, {x, box.high.y + ImGui::GetFontSize() * 0.2F}, {anchor, 0}, fmt::format("{}", s),
-                 color::dim);
+        plotText({x, below}, {anchor, 0}, std::to_string(s), color::dim);
     }
-    plotText(draw, {box.atX(0.5F), box.high.y + ImGui::GetFontSize() * 0.2F}, {0.5F, 0}, "s", color::s);
+    plotText({box.atX(0.5F), below}, {0.5F, 0}, "s", color::s);
 }
+
+constexpr std::array lensNames{"Texels", "Weights", "Colour"};
 
 /// The large drawing: row, weights and result one above the other. Dragging on it changes the coordinate.
 void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, float height) {
     const float em = ImGui::GetFontSize();
-    const float names = std::ceil(std::max({plotTextSize(tr("Texels")).x, plotTextSize(tr("Weights")).x,
-                                            plotTextSize(tr("Colour")).x}) +
-                                  em * 0.5F);
+    const float names = plotNamesWidth(lensNames);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("lens", {width, height});
-    noteItem("edge:lens");
-    helpTip("The weights of the texels at each coordinate, stacked. Drag to read one.");
+    item("edge:lens", "The weights of the texels at each coordinate, stacked. Drag to read one.");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float strip = em * 1.3F;
     const float scale = em * 1.2F;
@@ -183,11 +184,7 @@ void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, 
     drawLensWeights(draw, weights, row, wrap);
     drawLensResult(draw, result, row, wrap);
     drawLensScale(draw, result, texels.low.y);
-    const float middles[]{(texels.low.y + texels.high.y) / 2, (weights.low.y + weights.high.y) / 2,
-                          (result.low.y + result.high.y) / 2};
-    plotText(draw, {origin.x, middles[0]}, {0, 0.5F}, tr("Texels"), color::dim);
-    plotText(draw, {origin.x, middles[1]}, {0, 0.5F}, tr("Weights"), color::dim);
-    plotText(draw, {origin.x, middles[2]}, {0, 0.5F}, tr("Colour"), color::dim);
+    plotNames(origin.x, lensNames, std::array{texels, weights, result});
     const float x = weights.atX(state.s);
     draw.AddLine({x, texels.high.y}, {x, result.high.y}, color::shade, plotLine() * 3.5F);
     draw.AddLine({x, texels.high.y}, {x, result.high.y}, color::probed, plotLine() * 1.5F);
@@ -199,19 +196,10 @@ void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, 
 void lensSwatch(const LensRow& row, int texel) {
     const float side = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high = low + ImVec2(side, side);
     ImGui::Dummy({side, side});
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const std::array shape{low, ImVec2(low.x + side, low.y), ImVec2(low.x + side, low.y + side),
-                           ImVec2(low.x, low.y + side)};
-    draw.AddRectFilled(shape[0], shape[2], plotColor(row.colorOf(texel)));
-    if (row.isBorder(texel))
-        hatchLensBorder(draw, row, shape);
-    draw.AddRect(shape[0], shape[2], color::outline);
-}
-
-std::string lensBytes(glm::vec3 color) {
-    const glm::vec3 bytes = glm::round(glm::clamp(color, 0.0F, 1.0F) * 255.0F);
-    return fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b);
+    drawLensTexel(row, texel, low, high);
+    ImGui::GetWindowDrawList()->AddRect(low, high, color::outline);
 }
 
 /// The calculation for the current coordinate.
@@ -222,8 +210,7 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 6);
     dragNumber("##s", state.s, {lensFrom, lensTo, 0.01F, {}}, 0);
-    noteItem("edge:s");
-    helpTip("The coordinate that is read. Drag it, or double-click to type a number.");
+    item("edge:s", "The coordinate that is read. Drag it, or double-click to type a number.");
     const RowSample sample = reference::sampleRow(wrap, row.linear, state.s, row.size);
     ImGui::SameLine();
     dimText(fmt::format("s · {} = {:.2f}, wrapped: u = {:.2f}", row.size, sample.texels, sample.u));
@@ -247,8 +234,9 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
         ImGui::TextUnformatted(words.c_str());
         noteItem(fmt::format("edge:tap {} {:.2f}", tap.index, tap.weight));
     }
-    text(fmt::format("Colour {}; the border's share is {:.0f} %", lensBytes(row.colorOf(sample)),
-                     sample.border * 100));
+    const glm::vec3 bytes = glm::round(glm::clamp(row.colorOf(sample), 0.0F, 1.0F) * 255.0F);
+    text(fmt::format("Colour {}; the border's share is {:.0f} %",
+                     fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b), sample.border * 100));
     noteItem(fmt::format("edge:border {:.2f}", sample.border));
 }
 
@@ -285,8 +273,8 @@ void drawLensStrips(const Session& session, const ParamPlace& place, const LensR
         for (const float edge : {0.0F, 1.0F})
             draw.AddLine(box.at(edge, 1), box.at(edge, 0), color::text, plotLine());
         if (wrap == chosen)
-            draw.AddRect({box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}, color::chosen, 0,
-                         0, plotLine() * 2);
+            draw.AddRect(box.low - ImVec2(1, 1), box.high + ImVec2(1, 1), color::chosen, 0, 0,
+                         plotLine() * 2);
         ImGui::PopID();
     }
     if (wanted)
@@ -296,19 +284,14 @@ void drawLensStrips(const Session& session, const ParamPlace& place, const LensR
 /// The number of texels, and the filter of the scene's texture.
 void drawLensChoices(const Session& session, EdgeLensState& state, const ParamPlace& filter) {
     const float em = ImGui::GetFontSize();
-    ImGui::AlignTextToFramePadding();
-    dimText("Texels");
-    ImGui::SameLine();
+    rowName("Texels");
     const auto sizes = segmentsOf(lensSizes, [](int size) { return std::to_string(size); });
     if (const auto pressed = drawSegments(sizes, em * 6, indexIn(lensSizes, state.size), [](std::size_t i) {
-            noteItem(fmt::format("edge:size {}", lensSizes.at(i)));
-            helpTip("The number of texels in the row.");
+            item(fmt::format("edge:size {}", lensSizes.at(i)), "The number of texels in the row.");
         }))
         state.size = lensSizes.at(*pressed);
     sameLineFor(em * 11, em);
-    ImGui::AlignTextToFramePadding();
-    dimText("Filter");
-    ImGui::SameLine();
+    rowName("Filter");
     paramControl(session, filter.owner, *filter.row, em * 10);
 }
 

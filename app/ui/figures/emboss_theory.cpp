@@ -4,6 +4,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_place.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/image/patterns/pattern.h"
@@ -106,10 +107,9 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     const float em = ImGui::GetFontSize();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImVec2 sun = sunAt(box, figure.light);
-    ImGui::SetCursorScreenPos({sun.x - em, sun.y - em});
+    ImGui::SetCursorScreenPos(sun - ImVec2(em, em));
     ImGui::InvisibleButton("sun", {2 * em, 2 * em});
-    noteItem("emboss:sun");
-    helpTip("The distant light. Drag it.");
+    item("emboss:sun", "The distant light. Drag it.");
     const bool holdsSun = ImGui::IsItemActive();
     const bool overSun = holdsSun || ImGui::IsItemHovered();
     if (holdsSun) {
@@ -153,12 +153,10 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     // Towards the light, at the distance of the sun.
     sun = sunAt(box, figure.light);
     const ImVec2 way(std::sin(figure.light), -std::cos(figure.light));
-    const float reach = em * 3.2F;
-    const ImVec2 tip(here.x + way.x * reach, here.y + way.y * reach);
+    const ImVec2 tip = here + way * (em * 3.2F);
+    const ImVec2 side = ImVec2(-way.y, way.x) * em * 0.2F;
     draw.AddLine(here, tip, color::chosen, plotLine() * 1.5F);
-    draw.AddTriangleFilled({tip.x + way.x * em * 0.4F, tip.y + way.y * em * 0.4F},
-                           {tip.x - way.y * em * 0.2F, tip.y + way.x * em * 0.2F},
-                           {tip.x + way.y * em * 0.2F, tip.y - way.x * em * 0.2F}, color::chosen);
+    draw.AddTriangleFilled(tip + way * em * 0.4F, tip + side, tip - side, color::chosen);
     const float dot = em * 0.24F;
     draw.AddCircleFilled(there, dot, color::accent);
     draw.AddCircleFilled(here, dot, color::probed);
@@ -166,8 +164,7 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     for (int i = 0; i < 8; ++i) {
         const float turn = static_cast<float>(i) * glm::radians(45.0F);
         const ImVec2 ray(std::cos(turn), std::sin(turn));
-        draw.AddLine({sun.x + ray.x * em * 0.65F, sun.y + ray.y * em * 0.65F},
-                     {sun.x + ray.x * em * 0.95F, sun.y + ray.y * em * 0.95F}, color::chosen, plotLine());
+        draw.AddLine(sun + ray * em * 0.65F, sun + ray * em * 0.95F, color::chosen, plotLine());
     }
     draw.PopClipRect();
     draw.AddRect(box.low, box.high, color::outline);
@@ -178,7 +175,7 @@ void drawGrey(const EmbossTheoryState& state, const EmbossFigure& figure, const 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(box.low, box.high, color::ground);
     for (const auto& [grey, anchor] : {std::pair(box.yFrom, 1.0F), std::pair(box.yTo, 0.0F)})
-        plotText(draw, {box.high.x - plotLine() * 3, box.atY(grey)}, {1, anchor}, fmt::format("{:.2f}", grey),
+        plotText({box.high.x - plotLine() * 3, box.atY(grey)}, {1, anchor}, fmt::format("{:.2f}", grey),
                  color::dim);
     draw.AddLine(box.at(0, 0.5F), box.at(1, 0.5F), color::faint, plotLine());
     drawEmbossCurve(draw, box, color::changed, plotLine() * 1.5F, [&](float s) { return figure.at(s).grey; });
@@ -217,13 +214,9 @@ void drawEmbossStrip(const EmbossTheoryState& state, const PlotBox& box, const C
 
 void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, ImVec2 size) {
     const float em = ImGui::GetFontSize();
-    const std::array names{std::string(tr("Heights")), std::string(tr("Relief")), std::string(tr("Grey")),
-                           std::string(tr("Lit"))};
-    float column = 0;
-    for (const std::string& name : names)
-        column = std::max(column, plotTextSize(name).x);
+    constexpr std::array names{"Heights", "Relief", "Grey", "Lit"};
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float left = origin.x + std::ceil(column + em * 0.5F);
+    const float left = origin.x + plotNamesWidth(names);
     const float right = origin.x + size.x;
     const float strip = em * 1.1F;
     const float gap = em * 0.25F;
@@ -246,14 +239,10 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
     drawGrey(state, figure, grey);
     drawEmbossStrip(state, greys, [&](float s) { return glm::vec3(figure.at(s).grey); });
     drawEmbossStrip(state, lit, [&](float s) { return figure.at(s).color; });
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const std::array<const PlotBox*, 4> boxes{&heights, &grey, &greys, &lit};
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        plotText(draw, {origin.x, (boxes.at(i)->low.y + boxes.at(i)->high.y) / 2}, {0, 0.5F}, names.at(i),
-                 color::dim);
-    plotText(draw, {left, lit.high.y + 1}, {0, 0}, "0", color::dim);
-    plotText(draw, {(left + right) / 2, lit.high.y + 1}, {0.5F, 0}, "s", color::s);
-    plotText(draw, {right, lit.high.y + 1}, {1, 0}, "1", color::dim);
+    plotNames(origin.x, names, std::array{heights, grey, greys, lit});
+    plotText({left, lit.high.y + 1}, {0, 0}, "0", color::dim);
+    plotText({(left + right) / 2, lit.high.y + 1}, {0.5F, 0}, "s", color::s);
+    plotText({right, lit.high.y + 1}, {1, 0}, "1", color::dim);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({size.x, y + scale - origin.y});
 }
@@ -278,8 +267,8 @@ void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::op
     if (const auto pressed =
             drawSegments(lines, std::min(em * 15, ImGui::GetContentRegionAvail().x),
                          static_cast<std::size_t>(state.line), [](std::size_t i) {
-                             noteItem(i == 0 ? "emboss:sketch" : "emboss:bricks");
-                             helpTip("The surface that the line crosses: a sketch or the program's bricks.");
+                             item(i == 0 ? "emboss:sketch" : "emboss:bricks",
+                                  "The surface that the line crosses: a sketch or the program's bricks.");
                          }))
         state.line = static_cast<EmbossTheoryState::Line>(*pressed);
     numberLine("s", color::s);
@@ -288,8 +277,7 @@ void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::op
     ImGui::SameLine(0, em * 0.7F);
     numberLine(tr("Light"), color::chosen);
     dragNumber("##light", state.angle, angleRange, -1);
-    noteItem("emboss:light");
-    helpTip("The angle of the light from the normal, towards increasing s.");
+    item("emboss:light", "The angle of the light from the normal, towards increasing s.");
     sameLineFor(em * 11, em * 0.7F);
     numberLine("MAX_EMBOSS", color::text);
     float shift = depth ? numberAt(*depth, 0) : state.depth;
@@ -326,8 +314,9 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
     ImGui::SameLine(0, em * 0.4F);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::Dummy({em * 1.6F, em});
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + em * 1.6F, low.y + em}, plotColor(point.color));
-    ImGui::GetWindowDrawList()->AddRect(low, {low.x + em * 1.6F, low.y + em}, color::outline);
+    const ImVec2 high = low + ImVec2(em * 1.6F, em);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, plotColor(point.color));
+    ImGui::GetWindowDrawList()->AddRect(low, high, color::outline);
     const char* seen = point.grey < 0.497F   ? "The surface rises towards the light: H1 is larger, so it "
                                                "is darker."
                        : point.grey > 0.503F ? "The surface falls towards the light: H0 is larger, so it "
@@ -349,16 +338,15 @@ void drawEmbossTheory(const Session& session, EmbossTheoryState& state) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x > em * 44;
     const float right = beside ? std::max(em * 27, room.x * 0.38F) : room.x;
-    const float gap = em;
     const ImVec2 top = ImGui::GetCursorPos();
     const float light = glm::radians(state.angle);
     const EmbossFigure figure{profileOf(state), light, depth ? numberAt(*depth, 0) : state.depth,
                               brightnessOf(presentScene(session), light)};
-    const ImVec2 size(beside ? room.x - right - gap : room.x,
+    const ImVec2 size(beside ? room.x - right - em : room.x,
                       beside ? std::max(room.y - ImGui::GetStyle().ItemSpacing.y, em * 10) : em * 12);
     drawEmbossDrawings(state, figure, size);
     if (beside)
-        ImGui::SetCursorPos({top.x + size.x + gap, top.y});
+        ImGui::SetCursorPos({top.x + size.x + em, top.y});
     ImGui::BeginGroup();
     drawEmbossChoices(session, state, depth);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1});

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/board.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
@@ -62,12 +63,12 @@ std::string withoutBlanks(std::string equation) {
     return equation;
 }
 
-/// Two lines for a sum of products.
-std::vector<std::string> tightLines(const std::string& equation) {
+/// The equation in a plan's form; if that is tight, two lines for a sum of products.
+std::vector<std::string> equationLines(const CellPlan& plan, const std::string& equation) {
     const std::size_t sign = equation.find(" + ");
-    if (sign == std::string::npos || equation.find('(') == std::string::npos)
-        return {withoutBlanks(equation)};
-    return {withoutBlanks(equation.substr(0, sign)), withoutBlanks(equation.substr(sign))};
+    if (plan.tight && sign != std::string::npos && equation.find('(') != std::string::npos)
+        return {withoutBlanks(equation.substr(0, sign)), withoutBlanks(equation.substr(sign))};
+    return {plan.tight || plan.dense ? withoutBlanks(equation) : equation};
 }
 
 constexpr const char* longest = "Cp (1 − Cs) + Cc Cs";
@@ -97,27 +98,17 @@ public:
         : at_(at)
         , size_(size) {}
 
-    void line(const std::string& words, ImU32 ink) {
-        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size_, {std::round(at_.x), std::round(at_.y)},
-                                            ink, words.c_str());
-        at_.y += size_ * lineHeight;
+    /// `indent`: space on its left.
+    void line(const std::string& words, ImU32 ink, float indent = 0) {
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size_, rounded(at_ + ImVec2(indent, 0)), ink,
+                                            words.c_str());
+        skipLine();
     }
-    void patch(float width, glm::vec4 color) {
-        const ImVec2 low(std::round(at_.x), std::round(at_.y + size_ * 0.1F));
-        colorPatch(*ImGui::GetWindowDrawList(), low, {low.x + width, low.y + std::round(size_ * 0.9F)},
-                   color);
+    void patch(float width, glm::vec4 color) const {
+        const ImVec2 low = rounded(at_ + ImVec2(0, size_ * 0.1F));
+        colorPatch(low, low + ImVec2(width, std::round(size_ * 0.9F)), color);
     }
-    void patchedLine(const std::string& words, glm::vec4 color) {
-        const float width = size_ * 1.2F;
-        patch(width, color);
-        at_.x += width + cellPad();
-        line(words, color::text);
-        at_.x -= width + cellPad();
-    }
-    void patchLine(float width, glm::vec4 color) {
-        patch(width, color);
-        at_.y += size_ * lineHeight;
-    }
+    void skipLine() { at_.y += size_ * lineHeight; }
 
 private:
     ImVec2 at_;
@@ -125,23 +116,21 @@ private:
 };
 
 void writeSymbols(CellWriter& writer, const CellPlan& plan, const PrintedCell& printed) {
-    if (!plan.tight) {
-        writer.line(plan.dense ? withoutBlanks(printed.color) : printed.color, color::text);
-        writer.line(plan.dense ? withoutBlanks(printed.alpha) : printed.alpha, color::dim);
-        return;
-    }
-    for (const std::string& line : tightLines(printed.color))
+    for (const std::string& line : equationLines(plan, printed.color))
         writer.line(line, color::text);
-    for (const std::string& line : tightLines(printed.alpha))
+    for (const std::string& line : equationLines(plan, printed.alpha))
         writer.line(line, color::dim);
 }
 
 void writeNumbers(CellWriter& writer, const CellPlan& plan, glm::vec4 color) {
     const std::string bytes = bytesText(color);
-    if (!plan.tight)
-        return writer.patchedLine(bytes, color);
+    if (!plan.tight) {
+        writer.patch(plan.text * 1.2F, color);
+        return writer.line(bytes, color::text, plan.text * 1.2F + cellPad());
+    }
     const std::size_t middle = bytes.find(' ', bytes.find(' ') + 1);
-    writer.patchLine(textWidth(plan), color);
+    writer.patch(textWidth(plan), color);
+    writer.skipLine();
     writer.line(bytes.substr(0, middle), color::text);
     writer.line(bytes.substr(middle + 1), color::text);
 }
@@ -152,9 +141,8 @@ void drawPicture(const CellPlan& plan, ImVec2 low, std::size_t column, std::size
     const float larger = std::max({pictures.width, pictures.height, 1.0F});
     const ImVec2 size(std::max(1.0F, std::round(plan.side * pictures.width / larger)),
                       std::max(1.0F, std::round(plan.side * pictures.height / larger)));
-    const ImVec2 at(std::round(low.x + (plan.side - size.x) / 2),
-                    std::round(low.y + (plan.side - size.y) / 2));
-    const ImVec2 end(at.x + size.x, at.y + size.y);
+    const ImVec2 at = rounded(low + (ImVec2(plan.side, plan.side) - size) * 0.5F);
+    const ImVec2 end = at + size;
     drawBoard(draw, at, end, std::max(2.0F, std::floor(plan.side / 6)));
     if (pictures.all == view::PictureHandle::None)
         return;
@@ -215,7 +203,8 @@ std::string bytesText(glm::vec4 color) {
     return fmt::format("{} {} {} {}", byte(0), byte(1), byte(2), byte(3));
 }
 
-void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value) {
+void colorPatch(ImVec2 low, ImVec2 high, glm::vec4 value) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     const glm::vec4 c = glm::clamp(value, 0.0F, 1.0F);
     const float middle = std::round((low.x + high.x) / 2);
     const auto ink = [&](float alpha) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, alpha}); };
@@ -261,9 +250,8 @@ void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, s
     if (printed.undefined) {
         const std::string word = tr("undefined");
         const float width = std::min(plan.size.x, widthOf(word, plan.text));
-        CellWriter({low.x + (plan.size.x - width) / 2, low.y + (plan.size.y - plan.text) / 2}, plan.text)
-            .line(word, color::dim);
-        return;
+        CellWriter centred(low + (plan.size - ImVec2(width, plan.text)) * 0.5F, plan.text);
+        return centred.line(word, color::dim);
     }
     if (plan.side > 0) {
         const ImVec2 free(plan.size.x - 2 * pad - plan.side, plan.size.y - 2 - plan.side);
@@ -277,10 +265,9 @@ void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, s
     if (plan.symbols)
         writeSymbols(writer, plan, printed);
     if (plan.numbers) {
-        const EnvMode mode = tableModes.at(column);
         const BaseFormat format = tableFormats.at(row);
-        writeNumbers(writer, plan,
-                     reference::evaluate(mode, format, reference::inputsOf(format, colors)).color);
+        const auto inputs = reference::inputsOf(format, colors);
+        writeNumbers(writer, plan, reference::evaluate(tableModes.at(column), format, inputs).color);
     }
 }
 

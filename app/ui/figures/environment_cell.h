@@ -47,7 +47,7 @@ void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, s
                          const reference::TableColors& colors, const CellPictures& pictures);
 
 /// A colour; its right half is blended over a board by its alpha.
-void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value);
+void colorPatch(ImVec2 low, ImVec2 high, glm::vec4 value);
 
 /// "230 77 51 255"
 [[nodiscard]] std::string bytesText(glm::vec4 color);

@@ -9,6 +9,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/reference/shading/equation_text.h"
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -66,12 +66,9 @@ void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float editor = em * 11.5F;
-    bool first = true;
     for (const ColorRow& row : colorRows) {
-        const float width = ImGui::CalcTextSize(row.symbol).x + inner + editor;
-        if (!first)
-            sameLineFor(width, em * 0.8F);
-        first = false;
+        if (&row != &colorRows.front())
+            sameLineFor(ImGui::CalcTextSize(row.symbol).x + inner + editor, em * 0.8F);
         ImGui::AlignTextToFramePadding();
         plainText(row.symbol, state.*row.own ? color::changed : color::text);
         helpTip(row.words);
@@ -84,8 +81,7 @@ void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
                                   ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_NoOptions))
             state.*row.own = glm::clamp(value, 0.0F, 1.0F);
         ImGui::PopID();
-        noteItem(fmt::format("table color:{}", row.symbol));
-        helpTip(row.words);
+        item(fmt::format("table color:{}", row.symbol), row.words);
     }
 }
 
@@ -103,12 +99,9 @@ std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords
         room += ImGui::CalcTextSize(tr(choice.words)).x + em * 0.8F;
     sameLineFor(room, em * 0.8F);
     ImGui::PushID(name);
-    const auto pressed =
-        drawSegments(segmentsOf(choices, &ChoiceWords::words),
-                     std::min(room, ImGui::GetContentRegionAvail().x), chosen, [&](std::size_t i) {
-                         noteItem(fmt::format("{}:{}", name, choices[i].words));
-                         helpTip(choices[i].tip);
-                     });
+    const auto pressed = drawSegments(
+        segmentsOf(choices, &ChoiceWords::words), std::min(room, ImGui::GetContentRegionAvail().x), chosen,
+        [&](std::size_t i) { item(fmt::format("{}:{}", name, choices[i].words), choices[i].tip); });
     ImGui::PopID();
     return pressed;
 }
@@ -133,14 +126,12 @@ void tools(EnvironmentTableState& state, const TableSubject& subject, const Cell
         if (const auto pressed = buttons("table picture", pictures, state.gradient ? 1 : 0))
             state.gradient = *pressed == 1;
     }
-    const float em = ImGui::GetFontSize();
     if (hasOwnColors(state)) {
         const char* words = subject.probed ? "Back to the pixel" : "Back to the scene";
-        sameLineFor(buttonWidth(words), em * 0.8F);
+        sameLineFor(buttonWidth(words), ImGui::GetFontSize() * 0.8F);
         if (ImGui::Button(label(words)))
             state.fragment = state.texel = state.constant = std::nullopt;
-        noteItem("table:reset");
-        helpTip("Resets the colours to those of the scene.");
+        item("table:reset", "Resets the colours to those of the scene.");
     }
 }
 
@@ -185,6 +176,11 @@ void take(Scene& scene, const Selection& selection, const TableSubject& subject,
         scene.textures[texture].internalFormat = internalFormat(cell.format());
 }
 
+std::string sourceText(BaseFormat format) {
+    const auto [source, alpha] = reference::sourceSymbols(format);
+    return fmt::format("Cs = {}, As = {}", source, alpha);
+}
+
 void cellTip(const Session& session, const CellPlace& cell, const TableColors& colors) {
     if (!ImGui::IsItemHovered())
         return;
@@ -197,8 +193,7 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
         return helpTip(words + "\n" +
                        tr("The specification leaves this undefined. Here the incoming colour stays; a "
                           "driver may do anything else."));
-    const auto [source, alpha] = reference::sourceSymbols(cell.format());
-    words += "\n" + fmt::format("Cs = {}, As = {}", source, alpha);
+    words += "\n" + sourceText(cell.format());
     constexpr std::array names{"red", "green", "blue"};
     using reference::withHandSigns;
     words += "\n" + withHandSigns(equations.color.symbols);
@@ -212,14 +207,13 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
 void drawCell(const Session& session, const TableSubject& subject, const TableColors& colors,
               const CellPlace& cell, const CellPlan& plan, const CellPictures& pictures) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high(low.x + plan.size.x, low.y + plan.size.y);
+    const ImVec2 high = low + plan.size;
     const bool pressed = ImGui::InvisibleButton(nameOf(cell).c_str(), plan.size);
     noteItem("cell:" + nameOf(cell));
     const bool hovered = ImGui::IsItemHovered();
     if (!ImGui::IsItemVisible())
         return;
-    const Unit& unit = selectedUnit(session);
-    const bool own = unit.envMode == cell.mode() && subject.format == cell.format();
+    const bool own = selectedUnit(session).envMode == cell.mode() && subject.format == cell.format();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
     draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border));
@@ -232,15 +226,14 @@ void drawCell(const Session& session, const TableSubject& subject, const TableCo
     if (own)
         noteItem("cell:own");
     cellTip(session, cell, colors);
-    const Selection& selection = session.look.selection;
-    if (hovered && !own)
-        preview(session, "cell:" + nameOf(cell), wordsOf(cell),
-                [&](Scene& scene) { take(scene, selection, subject, cell); });
-    if (!pressed || own)
+    if (own)
         return;
-    submit(
-        session, wordsOf(cell), [&](Scene& scene) { take(scene, selection, subject, cell); },
-        selectedUnitPath(session) + "." + keyOf<&Unit::envMode>());
+    const auto apply = [&](Scene& scene) { take(scene, session.look.selection, subject, cell); };
+    if (hovered)
+        preview(session, "cell:" + nameOf(cell), wordsOf(cell), apply);
+    if (!pressed)
+        return;
+    submit(session, wordsOf(cell), apply, selectedUnitPath(session) + "." + keyOf<&Unit::envMode>());
 }
 
 /// The name of the format, and the texel in that format.
@@ -248,7 +241,6 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
                  ImVec2 size) {
     const float em = ImGui::GetFontSize();
     const EnumRow& row = texplorer::rowOf(format);
-    const auto [source, alpha] = reference::sourceSymbols(format);
     const float large = std::floor(std::min(em, size.y * 0.53F));
     const float small = std::floor(std::min(em * 0.8F, size.y * 0.44F));
     const float gap = em * 0.4F;
@@ -256,19 +248,17 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     const float top = std::round(low.y + std::max(0.0F, (size.y - large - small) / 2));
     shrunkText({low.x, top}, tr(shownName(session.settings, row)), large, size.x - gap, color::text);
     const ImVec2 at(low.x, top + large);
-    colorPatch(*ImGui::GetWindowDrawList(), {at.x, at.y + 1}, {at.x + patch, at.y + small},
-               reference::inputsOf(format, colors).source);
-    shrunkText({at.x + patch + gap, at.y}, fmt::format("Cs = {}, As = {}", source, alpha), small,
-               size.x - patch - 2 * gap, color::dim);
+    colorPatch({at.x, at.y + 1}, {at.x + patch, at.y + small}, reference::inputsOf(format, colors).source);
+    shrunkText({at.x + patch + gap, at.y}, sourceText(format), small, size.x - patch - 2 * gap, color::dim);
     ImGui::Dummy(size);
     choiceTip(row);
 }
 
-/// The width of the modes' names.
 float columnHeadHeight() {
     return std::ceil(ImGui::GetFontSize() * 1.12F);
 }
 
+/// The width of the formats' names.
 float headWidth(const Session& session) {
     const float em = ImGui::GetFontSize();
     float width = em * 1.6F + ImGui::CalcTextSize("Cs = Lt, As = At").x * 0.8F;
@@ -278,21 +268,17 @@ float headWidth(const Session& session) {
     return std::min(std::ceil(width + em * 0.4F), std::floor(ImGui::GetContentRegionAvail().x / 4));
 }
 
-/// The colour of a column or a row: the accent for the scene's own.
+/// The names of the modes; the scene's own has the accent's colour.
 void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap) {
-    const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const EnvMode own = presentScene(session)
-                            .passes[static_cast<std::size_t>(session.look.selection.pass)]
-                            .units[static_cast<std::size_t>(session.look.selection.unit)]
-                            .envMode;
+    const EnvMode own = selectedUnit(session).envMode;
     for (std::size_t column = 0; column < tableModes.size(); ++column) {
         const EnumRow& row = texplorer::rowOf(tableModes.at(column));
         const float left = origin.x + head + static_cast<float>(column) * (cell.x + gap);
         ImGui::SetCursorScreenPos({left, origin.y});
         ImGui::Dummy({cell.x, columnHeadHeight()});
         choiceTip(row);
-        shrunkText({left, origin.y}, tr(shownName(session.settings, row)), em, cell.x,
+        shrunkText({left, origin.y}, tr(shownName(session.settings, row)), ImGui::GetFontSize(), cell.x,
                    tableModes.at(column) == own ? color::accent : color::text);
     }
     ImGui::SetCursorScreenPos({origin.x, origin.y + columnHeadHeight()});
@@ -313,10 +299,12 @@ ImVec2 cellSize(float head, float height, float gap, CellText wanted) {
 void drawEnvironmentTable(const Session& session, EnvironmentTableState& state, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const float gap = std::max(1.0F, std::floor(em / 8));
-    const TableSubject subject = tableSubject(session, pictures.frames.front().frame.size);
+    const TableSubject subject = tableSubject(session);
     const TableColors colors = colorsOf(state, subject);
-    const auto atlas = session.services.environments.find(
-        {state.gradient ? nullptr : subject.texels, colors.fragment, colors.constant});
+    const EnvironmentPictures::Question question{state.gradient ? nullptr : subject.texels, colors.fragment,
+                                                 colors.constant};
+    ask(session, [question](Session& changed) { return workers(changed).environments->ask(question); });
+    const auto atlas = workers(session).environments->newest();
     CellPictures shown{pictures.show(atlas)};
     if (atlas) {
         shown.width = static_cast<float>(atlas->width) / static_cast<float>(tableModes.size());

@@ -15,10 +15,6 @@ namespace {
 
 using Act = FlipStep::Act;
 
-constexpr std::array pairsOfTwo{RowPair{0, 1}};
-constexpr std::array pairsOfThree{RowPair{0, 2}};
-constexpr std::array pairsOfFour{RowPair{0, 3}, RowPair{1, 2}};
-
 /// The bytes, for 2, 3 and 4 rows of a block.
 constexpr std::array<const char*, 3> bytesOfDxt1{"Swap rows 0 and 1: bytes 4 and 5.",
                                                  "Swap rows 0 and 2: bytes 4 and 6.",
@@ -90,19 +86,6 @@ std::vector<std::string> turning(std::span<const FlipStep> steps, std::size_t st
 }
 
 } // namespace
-
-std::span<const RowPair> rowPairs(int rows) {
-    switch (rows) {
-    case 2:
-        return pairsOfTwo;
-    case 3:
-        return pairsOfThree;
-    case 4:
-        return pairsOfFour;
-    default:
-        return {};
-    }
-}
 
 std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::size_t step) {
     const FlipStep& now = steps[step];

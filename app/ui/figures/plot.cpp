@@ -1,6 +1,10 @@
 #include "app/ui/figures/plot.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/palette.h"
+#include "app/ui/widgets/points.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -29,15 +33,33 @@ ImU32 inkOn(glm::vec3 color) {
     return light > 0.45F ? IM_COL32_BLACK : IM_COL32_WHITE;
 }
 
-void plotText(ImDrawList& draw, ImVec2 at, ImVec2 anchor, const std::string& text, ImU32 ink) {
+void plotText(ImVec2 at, ImVec2 anchor, const std::string& text, ImU32 ink) {
     const ImVec2 size = plotTextSize(text);
-    draw.AddText(ImGui::GetFont(), plotTextHeight(),
-                 {std::round(at.x - size.x * anchor.x), std::round(at.y - size.y * anchor.y)}, ink,
-                 text.c_str());
+    ImGui::GetWindowDrawList()->AddText(
+        ImGui::GetFont(), plotTextHeight(),
+        {std::round(at.x - size.x * anchor.x), std::round(at.y - size.y * anchor.y)}, ink, text.c_str());
 }
 
 ImVec2 plotTextSize(const std::string& text) {
     return ImGui::GetFont()->CalcTextSizeA(plotTextHeight(), FLT_MAX, 0, text.c_str());
+}
+
+float plotNamesWidth(std::span<const char* const> names) {
+    float width = 0;
+    for (const char* name : names)
+        width = std::max(width, plotTextSize(tr(name)).x);
+    return std::ceil(width + ImGui::GetFontSize() * 0.5F);
+}
+
+void plotNames(float left, std::span<const char* const> names, std::span<const PlotBox> boxes) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        plotText({left, boxes[i].middle()}, {0, 0.5F}, tr(names[i]), color::dim);
+}
+
+void rowName(const char* words, float x, float gap) {
+    ImGui::AlignTextToFramePadding();
+    dimText(words);
+    ImGui::SameLine(x, gap);
 }
 
 void shrunkText(ImVec2 at, const std::string& words, float size, float room, ImU32 ink) {
@@ -52,7 +74,7 @@ void shrunkText(ImVec2 at, const std::string& words, float size, float room, ImU
                                         shown.c_str());
 }
 
-void hatch(ImDrawList& draw, std::span<const ImVec2> polygon, float gap, ImU32 tint, float width) {
+void hatch(std::span<const ImVec2> polygon, float gap, ImU32 tint, float width) {
     if (polygon.size() < 3 || gap <= 0)
         return;
     // A line is where x + y = c; y points downwards.
@@ -69,10 +91,10 @@ void hatch(ImDrawList& draw, std::span<const ImVec2> polygon, float gap, ImU32 t
             if ((before <= 0) == (after <= 0))
                 continue;
             const float share = before / (before - after);
-            ends.at(found++) = {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
+            ends.at(found++) = a + (b - a) * share;
         }
         if (found == ends.size())
-            draw.AddLine(ends[0], ends[1], tint, width);
+            ImGui::GetWindowDrawList()->AddLine(ends[0], ends[1], tint, width);
     }
 }
 

@@ -8,14 +8,13 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/points.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
-#include <string>
 
 namespace texplorer::ui {
 namespace {
@@ -149,8 +148,7 @@ void drawPictures(const std::vector<CellBox>& boxes, const SheetPictures::Cells&
     if (pictures.setBlending)
         draw.AddCallback(pictures.setBlending, nullptr);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const view::PictureHandle shown =
-            cells[i].image ? pictures.show(cells[i].image) : view::PictureHandle::None;
+        const auto shown = cells[i].image ? pictures.show(cells[i].image) : view::PictureHandle::None;
         if (shown != view::PictureHandle::None)
             draw.AddImage(textureId(shown), boxes[i].low, boxes[i].high, {0, 1}, {1, 0});
     }
@@ -161,9 +159,9 @@ void drawPictures(const std::vector<CellBox>& boxes, const SheetPictures::Cells&
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const CellBox& box = boxes[i];
         if (!cells[i].problem.empty())
-            draw.AddText({box.low.x + em * 0.3F, box.low.y + em * 0.2F}, color::problem, "!");
+            draw.AddText(box.low + ImVec2(em * 0.3F, em * 0.2F), color::problem, "!");
         if (box.own || box.hovered)
-            draw.AddRect({box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1},
+            draw.AddRect(box.low - ImVec2(1, 1), box.high + ImVec2(1, 1),
                          box.own ? color::accent : color::text, 0, 0, box.own ? 2 * line : line);
     }
 }
@@ -202,7 +200,7 @@ void drawCells(const Session& session, const Axes& axes, const SheetPlan& plan,
             ImGui::SetCursorScreenPos(low);
             const bool own = ownRow == row && ownColumn == column;
             cellButton(session, axes, cells[row * axes.columns.count() + column], plan, row, column, own);
-            boxes.push_back({low, {low.x + plan.cell.x, low.y + plan.cell.y}, own, ImGui::IsItemHovered()});
+            boxes.push_back({low, low + plan.cell, own, ImGui::IsItemHovered()});
         }
     }
     drawPictures(boxes, cells, pictures);
@@ -263,7 +261,10 @@ void drawSheet(const Session& session, SheetState& state, const Pictures& pictur
     const float aspect =
         static_cast<float>(std::max(1, view.width)) / static_cast<float>(std::max(1, view.height));
     const SheetPlan plan = planSheet(axes->rows, axes->columns, aspect);
-    const SheetPictures::Cells& cells = session.services.sheet.cells(questionOf(session, *axes, plan));
+    ask(session, [question = questionOf(session, *axes, plan)](Session& changed) {
+        return workers(changed).sheet->ask(question);
+    });
+    const SheetPictures::Cells cells = workers(session).sheet->cells(axes->rows.axis, axes->columns.axis);
     const std::optional<std::size_t> ownRow = ownValue(session, axes->rows.axis);
     const std::optional<std::size_t> ownColumn = ownValue(session, axes->columns.axis);
     drawNames(axes->columns, plan, ownColumn);

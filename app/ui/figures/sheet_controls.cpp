@@ -1,3 +1,4 @@
+#include "app/ui/figures/plot.h"
 #include "app/ui/figures/sheet.h"
 #include "app/ui/files/sheet_file.h"
 #include "app/ui/files/texshot_command.h"
@@ -106,32 +107,26 @@ void fileOptions(const Session& session) {
                            ImGuiSliderFlags_AlwaysClamp))
             act(session, [member, value](Session& changed) { changed.sheet.*member = value; });
         markDraggable();
-        noteItem(fmt::format("sheet file:{}", name + 2));
-        helpTip("The size of each picture in pixels. Drag it, or double-click to type a number.");
+        item(fmt::format("sheet file:{}", name + 2),
+             "The size of each picture in pixels. Drag it, or double-click to type a number.");
     };
     const float names = em * 7;
-    ImGui::AlignTextToFramePadding();
-    dimText("Each picture");
-    ImGui::SameLine(names);
+    rowName("Each picture", names);
     number("##width", &SheetChoice::width);
     ImGui::SameLine(0, inner);
     ImGui::TextUnformatted("×");
     ImGui::SameLine(0, inner);
     number("##height", &SheetChoice::height);
-    ImGui::AlignTextToFramePadding();
-    dimText("Values");
-    ImGui::SameLine(names);
-    const std::span rows = EnumTable<sheet::LabelKind>::rows;
-    for (const EnumRow& row : rows) {
-        if (&row != &rows.front())
+    rowName("Values", names);
+    for (const EnumRow& row : EnumTable<sheet::LabelKind>::rows) {
+        if (&row != &EnumTable<sheet::LabelKind>::rows.front())
             ImGui::SameLine(0, em * 0.8F);
         if (ImGui::RadioButton(label(row.label).c_str(),
                                row.value == static_cast<std::uint32_t>(choice.labels)))
             act(session, [&row](Session& changed) {
                 changed.sheet.labels = static_cast<sheet::LabelKind>(row.value);
             });
-        noteItem(fmt::format("sheet file:{}", row.name));
-        helpTip(row.help);
+        item(fmt::format("sheet file:{}", row.name), row.help);
     }
 }
 
@@ -139,8 +134,8 @@ void fileOptions(const Session& session) {
 void fileControls(const Session& session) {
     if (ImGui::Button(label(saveWords)))
         ImGui::OpenPopup("file");
-    noteItem("sheet:save");
-    helpTip("Writes the sheet with every value as a PNG file, with labels and the reference's pictures.");
+    item("sheet:save",
+         "Writes the sheet with every value as a PNG file, with labels and the reference's pictures.");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(label(copyWords))) {
         if (const Result<std::string> command = sweepCommand(session); command) {
@@ -154,8 +149,8 @@ void fileControls(const Session& session) {
             });
         }
     }
-    noteItem("sheet:copy");
-    helpTip("Copies a \"texshot sweep\" command that writes the same file without a window, for scripts.");
+    item("sheet:copy",
+         "Copies a \"texshot sweep\" command that writes the same file without a window, for scripts.");
     if (!ImGui::BeginPopup("file"))
         return;
     fileOptions(session);
@@ -175,41 +170,41 @@ void fileControls(const Session& session) {
     ImGui::EndPopup();
 }
 
-/// A button with a parameter's name, and the field of its values.
+/// A button with a parameter's name, and the field of its values, both of this width.
 void axisControls(const Session& session, SheetState& state, const SheetAxes& shown, std::size_t side,
-                  float button, float field) {
+                  float width) {
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const SheetAxis& axis = shown.at(side);
     const auto choose = [&](SheetAxis chosen) {
-        act(session, [shown, side, chosen = std::move(chosen)](Session& changed) {
+        act(session, [shown, side, picked = std::move(chosen)](Session& changed) {
             std::optional<SheetAxes>& axes = changed.sheet.own;
             if (!axes)
                 axes = shown;
-            axes->at(side) = chosen;
+            axes->at(side) = picked;
         });
     };
     ImGui::PushID(sideNames.at(side));
-    const std::string name = fitted(labelAt(session, axis.path), button - ImGui::GetFontSize() * 0.6F);
-    if (ImGui::Button(fmt::format("{}###path", name).c_str(), {button, 0}))
+    const std::string name = fitted(labelAt(session, axis.path), width - ImGui::GetFontSize() * 0.6F);
+    if (ImGui::Button(fmt::format("{}###path", name).c_str(), {width, 0}))
         ImGui::OpenPopup("paths");
-    noteItem(fmt::format("sheet:{}", sideNames.at(side)));
-    helpTip(fmt::format("{}\n{}", axis.path, tr("Select another parameter.")));
+    item(fmt::format("sheet:{}", sideNames.at(side)),
+         fmt::format("{}\n{}", axis.path, tr("Select another parameter.")));
     if (ImGui::BeginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
             choose({*std::move(path), "*"});
         ImGui::EndPopup();
     }
     ImGui::SameLine(0, inner);
-    ImGui::SetNextItemWidth(field);
+    ImGui::SetNextItemWidth(width);
     if (state.typedOf.at(side) != axis) {
         state.typedOf.at(side) = axis;
         state.typed.at(side) = axis.values;
     }
     (void)textField("##values", state.typed.at(side), ImGuiInputTextFlags_AutoSelectAll, "*");
     const bool ended = ImGui::IsItemDeactivatedAfterEdit();
-    noteItem(fmt::format("sheet values:{}", sideNames.at(side)));
-    helpTip("The values: 1,2,4 or 0..4/5 (five numbers from 0 to 4). * means all values, or a few of a "
-            "number. Separate colours with semicolons.");
+    item(fmt::format("sheet values:{}", sideNames.at(side)),
+         "The values: 1,2,4 or 0..4/5 (five numbers from 0 to 4). * means all values, or a few of a "
+         "number. Separate colours with semicolons.");
     if (ended && state.typed.at(side) != axis.values)
         choose({axis.path, state.typed.at(side).empty() ? "*" : state.typed.at(side)});
     ImGui::PopID();
@@ -221,8 +216,8 @@ void pairChoice(const Session& session, float width) {
     ImGui::SetNextItemWidth(width);
     const std::string name = fitted(current, listRoom(width));
     const bool open = ImGui::BeginCombo("##pair", name.c_str(), ImGuiComboFlags_HeightLargest);
-    noteItem("sheet:pair");
-    helpTip("Useful pairs of parameters. Or select any two next to it, or in the panel with a right click.");
+    item("sheet:pair",
+         "Useful pairs of parameters. Or select any two next to it, or in the panel with a right click.");
     if (!open)
         return;
     for (std::size_t i = 0; i < sheetPairs().size(); ++i) {
@@ -232,8 +227,7 @@ void pairChoice(const Session& session, float width) {
                 changed.sheet.own.reset();
                 changed.sheet.pair = i;
             });
-        noteItem(fmt::format("sheet pair:{}", pair.name));
-        helpTip(pair.help);
+        item(fmt::format("sheet pair:{}", pair.name), pair.help);
     }
     ImGui::EndCombo();
 }
@@ -270,8 +264,7 @@ void drawSheetControls(const Session& session, SheetState& state, const SheetAxe
             else
                 choice.swapped = !choice.swapped;
         });
-    noteItem("sheet:swap");
-    helpTip("Swaps rows and columns.");
+    item("sheet:swap", "Swaps rows and columns.");
     ImGui::SameLine(0, inner);
     fileControls(session);
     if (inTwo) {
@@ -282,13 +275,11 @@ void drawSheetControls(const Session& session, SheetState& state, const SheetAxe
     for (std::size_t side = 0; side < shown.size(); ++side) {
         if (inLine || (inTwo && side > 0))
             ImGui::SameLine(0, gap);
-        ImGui::AlignTextToFramePadding();
-        dimText(sideNames.at(side));
-        ImGui::SameLine(0, inner);
+        rowName(sideNames.at(side), 0, inner);
         const float width = inLine  ? spare * 0.385F
                             : inTwo ? both / 2
                                     : ImGui::GetContentRegionAvail().x - inner;
-        axisControls(session, state, shown, side, std::floor(width * 0.5F), std::floor(width * 0.5F));
+        axisControls(session, state, shown, side, std::floor(width * 0.5F));
     }
     if (!inTwo)
         sentence();

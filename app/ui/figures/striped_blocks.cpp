@@ -19,7 +19,7 @@ constexpr std::array stripeEnds{StripeEnds{{200, 50, 40}, {255, 210, 40}},
                                 StripeEnds{{70, 80, 220}, {230, 120, 230}}};
 
 std::array<BlockColor, 4> rowOfTexels(const BlockImage& image, int row) {
-    const std::array<BlockColor, 16> texels = texelsOf(image.format, blockAt(image, row / 4));
+    const std::array<BlockColor, 16> texels = texelsOf(image.format, blockAt(image, 0, row / 4));
     std::array<BlockColor, 4> found{};
     std::copy_n(texels.begin() + static_cast<std::ptrdiff_t>(row % 4) * 4, 4, found.begin());
     return found;
@@ -52,10 +52,12 @@ BlockImage stripedBlocks(BlockFormat format, int height) {
     return image;
 }
 
-BlockBytes blockAt(const BlockImage& image, int blockRow) {
-    BlockBytes block{};
+BlockBytes blockAt(const BlockImage& image, int blockX, int blockY) {
     const std::size_t size = bytesPerBlock(image.format);
-    std::copy_n(image.blocks.begin() + static_cast<std::ptrdiff_t>(size) * blockRow, size, block.begin());
+    const std::size_t from =
+        static_cast<std::size_t>(blockY) * image.blockRowBytes() + static_cast<std::size_t>(blockX) * size;
+    BlockBytes block{};
+    std::copy_n(image.blocks.begin() + static_cast<std::ptrdiff_t>(from), size, block.begin());
     return block;
 }
 

@@ -10,8 +10,8 @@ namespace texplorer::ui {
 /// height. For heights up to 12.
 [[nodiscard]] BlockImage stripedBlocks(BlockFormat format, int height);
 
-/// One block row of such a picture.
-[[nodiscard]] BlockBytes blockAt(const BlockImage& image, int blockRow);
+/// A block of any picture.
+[[nodiscard]] BlockBytes blockAt(const BlockImage& image, int blockX, int blockY);
 
 /// The row of `original` that is at a texel row of a block row of `image`; -1: none.
 [[nodiscard]] int stripeAt(const BlockImage& image, const BlockImage& original, int row);

@@ -6,8 +6,10 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
@@ -33,23 +35,13 @@ constexpr std::size_t maxLoggedCalls = 100;
 
 void makeCall(TextureObjectsState& state, const Call& call) {
     state.before = state.names;
-    const objects::Answer answer = apply(state.names, call);
-    state.log.push_back({call, answer});
+    state.log.push_back(codeOf(call, apply(state.names, call)));
     if (state.log.size() > maxLoggedCalls)
         state.log.erase(state.log.begin());
 }
 
 /// A call by the user; it ends a running program.
-struct Wanted {
-    std::optional<Call> call;
-
-    void operator()(Call made) { call = std::move(made); }
-};
-
-/// The C code of a call as the tooltip of its button.
-void callTip(const Call& call) {
-    helpTip(objects::codeOf(call));
-}
+using Wanted = std::optional<Call>;
 
 /// Buttons of an enumeration, each of which makes a call; the tooltip has its C code.
 template<class Enum, class CallOf>
@@ -61,33 +53,28 @@ void enumCalls(const Session& session, std::string_view name, std::span<const En
         segments.back().text = "Blended mips"; // Nearest within each: the initial value
     ImGui::PushID(name.data());
     const auto pressed = drawSegments(segments, width, indexIn(choices, chosen), [&](std::size_t i) {
-        noteItem(fmt::format("objects:{}={}", name, rowOf(choices[i]).name));
-        callTip(callOf(choices[i]));
+        item(fmt::format("objects:{}={}", name, rowOf(choices[i]).name), codeOf(callOf(choices[i])));
     });
     ImGui::PopID();
     if (pressed)
-        wanted(callOf(choices[*pressed]));
+        wanted = callOf(choices[*pressed]);
 }
 
 /// A button that makes a call.
-void callButton(const char* words, std::string_view name, const Call& call, Wanted& wanted,
-                bool enabled = true, float width = 0) {
+void callButton(const char* words, std::string_view name, const Call& call, Wanted& wanted, float width = 0,
+                bool enabled = true) {
     ImGui::BeginDisabled(!enabled);
     if (ImGui::Button(words, {width, 0}))
-        wanted(call);
-    noteItem(name);
+        wanted = call;
     ImGui::EndDisabled();
-    callTip(call);
+    item(name, codeOf(call));
 }
 
 /// Highlights the last item if the last call changed it.
 void lightItem(bool changed, std::string_view name) {
     if (!changed)
         return;
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    ImGui::GetWindowDrawList()->AddRect({low.x - 2, low.y - 2}, {high.x + 2, high.y + 2}, color::changed, 3,
-                                        0, plotLine() * 1.5F);
+    frameItem(2, color::changed, 3, plotLine() * 1.5F);
     noteItem(fmt::format("objects:lit {}", name));
 }
 
@@ -116,27 +103,24 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float pad = em * 0.25F;
     const float side = 2 * ImGui::GetFrameHeight();
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::SetCursorScreenPos({low.x + pad, low.y + pad});
+    ImGui::SetCursorScreenPos(low + ImVec2(pad, pad));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.5F, 2});
     ImGui::BeginGroup();
     const float inner = width - side - 3 * pad;
-    ImGui::PushStyleColor(ImGuiCol_Text, isActive ? ImU32(color::chosen) : ImU32(color::text));
+    ImGui::PushStyleColor(ImGuiCol_Text, isActive ? color::chosen : color::text);
     const std::string title = fmt::format("Unit {}", number);
     if (ImGui::Button(label(fmt::format("{}###unit", tr(title))).c_str()))
-        wanted(objects::ActiveTexture{number});
+        wanted = objects::ActiveTexture{number};
     ImGui::PopStyleColor();
-    noteItem(fmt::format("objects:unit {}", number));
-    callTip(objects::ActiveTexture{number});
+    item(fmt::format("objects:unit {}", number), codeOf(objects::ActiveTexture{number}));
     lightItem(isActive && state.before.active != number, fmt::format("unit {}", number));
     ImGui::SameLine();
     ImGui::BeginDisabled(!isActive);
     const objects::EnableTexture toggle{!unit.enabled};
     bool on = unit.enabled;
     if (ImGui::Checkbox(rowOf(Target::Texture2D).name.data(), &on))
-        wanted(toggle);
-    noteItem(fmt::format("objects:enable {}", number));
-    callTip(toggle);
+        wanted = toggle;
+    item(fmt::format("objects:enable {}", number), codeOf(toggle));
     lightItem(unit.enabled != before.enabled, fmt::format("enable {}", number));
     constexpr std::array modes{EnvMode::Modulate, EnvMode::Replace, EnvMode::Decal};
     ImGui::BeginGroup();
@@ -149,18 +133,18 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
     const std::string remark =
         tr(fmt::format(fmt::runtime(sampledRemarks.at(static_cast<std::size_t>(sampled))), unit.bound));
     const bool isWrong = sampled == objects::Sampled::NoImage || sampled == objects::Sampled::NoMipmaps;
-    const ImVec2 said = ImGui::GetCursorScreenPos();
-    plotText(draw, said, {0, 0}, remark, isWrong ? color::problem : color::text);
+    plotText(ImGui::GetCursorScreenPos(), {0, 0}, remark, isWrong ? color::problem : color::text);
     ImGui::Dummy({inner, em});
     noteItem(fmt::format("objects:bound {} {}", number, unit.bound));
     ImGui::EndGroup();
     ImGui::PopStyleVar();
     const float bottom = ImGui::GetItemRectMax().y + pad;
-    drawFragments(draw, {low.x + width - pad - side, low.y + pad}, side, state.names, number);
-    noteDrawn(fmt::format("objects:fragments {}", number), {low.x + width - pad - side, low.y + pad},
-              {low.x + width - pad, low.y + pad + side});
-    draw.AddRect(low, {low.x + width, bottom}, isActive ? color::chosen : color::outline, em * 0.25F, 0,
-                 isActive ? plotLine() * 1.5F : plotLine());
+    const ImVec2 fragments = low + ImVec2(width - pad - side, pad);
+    drawFragments(fragments, side, state.names, number);
+    noteDrawn(fmt::format("objects:fragments {}", number), fragments, fragments + ImVec2(side, side));
+    ImGui::GetWindowDrawList()->AddRect(low, {low.x + width, bottom},
+                                        isActive ? color::chosen : color::outline, em * 0.25F, 0,
+                                        isActive ? plotLine() * 1.5F : plotLine());
     ends.units.at(number) = {low.x + width, bottom - pad - em / 2};
     ImGui::SetCursorScreenPos({low.x, bottom + em * 0.3F});
     ImGui::Dummy({0, 0});
@@ -195,9 +179,9 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
     if (name < ends.names.size())
         ends.names.at(name) = ImVec2(low.x, low.y + ImGui::GetFrameHeight() / 2);
     const bool isBound = state.names.activeUnit().bound == name;
-    ImGui::PushStyleColor(ImGuiCol_Text, isBound ? ImU32(color::chosen) : ImU32(color::text));
+    ImGui::PushStyleColor(ImGuiCol_Text, isBound ? color::chosen : color::text);
     callButton(label(fmt::format("{}###bind", tr(fmt::format("Bind {}", name)))).c_str(),
-               fmt::format("objects:bind {}", name), objects::BindTexture{name}, wanted, true,
+               fmt::format("objects:bind {}", name), objects::BindTexture{name}, wanted,
                ImGui::GetContentRegionAvail().x);
     ImGui::PopStyleColor();
     if (isNew || isMade)
@@ -209,11 +193,10 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::Dummy({side, side});
         if (object->picture) {
-            drawBoardImage(*ImGui::GetWindowDrawList(), at, side,
-                           boards.at(static_cast<std::size_t>(*object->picture)));
+            drawBoardImage(at, side, boards.at(static_cast<std::size_t>(*object->picture)));
             noteItem(fmt::format("objects:picture {} {}", name, *object->picture));
         } else {
-            plotText(*ImGui::GetWindowDrawList(), {at.x, at.y + side / 2}, {0, 0.5F}, tr("none"), color::dim);
+            plotText({at.x, at.y + side / 2}, {0, 0.5F}, tr("none"), color::dim);
         }
         if (changed([](const TextureObject& o) { return o.picture; }) && object->picture)
             ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, color::lit);
@@ -232,20 +215,16 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
                    changed([](const TextureObject& o) { return std::pair(o.state.wrapS, o.state.wrapT); }),
                    fmt::format("wrap {}", name));
     } else {
-        for (int column = 0; column < 4; ++column) {
-            ImGui::TableNextColumn();
-            if (column != 2)
-                continue;
-            ImGui::AlignTextToFramePadding();
-            dimText("a name only");
-            noteItem(fmt::format("objects:name only {}", name));
-        }
+        ImGui::TableSetColumnIndex(3);
+        ImGui::AlignTextToFramePadding();
+        dimText("a name only");
+        noteItem(fmt::format("objects:name only {}", name));
     }
-    ImGui::TableNextColumn();
-    callButton("?", fmt::format("objects:is {}", name), objects::IsTexture{name}, wanted, true,
+    ImGui::TableSetColumnIndex(5);
+    callButton("?", fmt::format("objects:is {}", name), objects::IsTexture{name}, wanted,
                ImGui::GetFrameHeight());
     ImGui::SameLine(0, 2);
-    callButton("✕", fmt::format("objects:delete {}", name), objects::DeleteTexture{name}, wanted, true,
+    callButton("✕", fmt::format("objects:delete {}", name), objects::DeleteTexture{name}, wanted,
                ImGui::GetFrameHeight());
     ImGui::PopID();
 }
@@ -255,18 +234,18 @@ void drawObjects(const Session& session, const TextureObjectsState& state, float
     const float em = ImGui::GetFontSize();
     if (!ImGui::BeginTable("objects", 6, ImGuiTableFlags_BordersInnerH, {width, 0}))
         return;
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed,
-                            ImGui::CalcTextSize(tr(fmt::format("Bind {}", 0)).c_str()).x +
-                                2 * ImGui::GetStyle().FramePadding.x);
-    ImGui::TableSetupColumn("image", ImGuiTableColumnFlags_WidthFixed, em * 2.8F);
-    ImGui::TableSetupColumn("mag", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("min", ImGuiTableColumnFlags_WidthStretch, 2.4F);
-    ImGui::TableSetupColumn("wrap", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("calls", ImGuiTableColumnFlags_WidthFixed, 2 * ImGui::GetFrameHeight() + 2);
+    constexpr auto fixed = ImGuiTableColumnFlags_WidthFixed;
+    constexpr auto stretched = ImGuiTableColumnFlags_WidthStretch;
+    ImGui::TableSetupColumn("name", fixed, buttonWidth(fmt::format("Bind {}", 0).c_str()));
+    ImGui::TableSetupColumn("image", fixed, em * 2.8F);
+    ImGui::TableSetupColumn("mag", stretched, 1);
+    ImGui::TableSetupColumn("min", stretched, 2.4F);
+    ImGui::TableSetupColumn("wrap", stretched, 1);
+    ImGui::TableSetupColumn("calls", fixed, 2 * ImGui::GetFrameHeight() + 2);
     ImGui::TableNextRow();
     for (const char* heading : {"Object", "Image", "Mag", "Min", "Wrap"}) {
         ImGui::TableNextColumn();
-        plotText(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), {0, 0},
+        plotText(ImGui::GetCursorScreenPos(), {0, 0},
                  fitted(tr(std::string(heading)), ImGui::GetContentRegionAvail().x * 1.15F), color::dim);
         ImGui::Dummy({0, em});
     }
@@ -304,16 +283,15 @@ void drawLog(const TextureObjectsState& state, ImVec2 size) {
     ImGui::PushFont(codeFont());
     ImGui::PushTextWrapPos(0);
     for (std::size_t i = state.log.size(); i-- > 0;) {
-        const std::string code = codeOf(state.log[i].call, state.log[i].answer);
+        const std::string& code = state.log[i];
         const bool isLast = i + 1 == state.log.size();
         if (isLast) {
             const ImVec2 low = ImGui::GetCursorScreenPos();
-            const ImVec2 extent =
-                ImGui::CalcTextSize(code.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x);
-            ImGui::GetWindowDrawList()->AddRectFilled(
-                low, {low.x + ImGui::GetContentRegionAvail().x, low.y + extent.y}, color::lit, 2);
+            const float width = ImGui::GetContentRegionAvail().x;
+            const float height = ImGui::CalcTextSize(code.c_str(), nullptr, false, width).y;
+            ImGui::GetWindowDrawList()->AddRectFilled(low, low + ImVec2(width, height), color::lit, 2);
         }
-        ImGui::PushStyleColor(ImGuiCol_Text, isLast ? ImU32(color::text) : ImU32(color::dim));
+        ImGui::PushStyleColor(ImGuiCol_Text, isLast ? color::text : color::dim);
         ImGui::TextUnformatted(code.c_str());
         ImGui::PopStyleColor();
         if (isLast)
@@ -329,7 +307,7 @@ void drawLog(const TextureObjectsState& state, ImVec2 size) {
 /// glGenTextures, the program of the slides, and a reset.
 void drawProgram(TextureObjectsState& state, Wanted& wanted) {
     const bool full = state.names.names.size() > maxNames;
-    callButton("glGenTextures", "objects:gen", objects::GenTexture{}, wanted, !full);
+    callButton("glGenTextures", "objects:gen", objects::GenTexture{}, wanted, 0, !full);
     ImGui::SameLine();
     const std::vector<ToldCall>& program = texbindCalls();
     const bool ended = state.played >= program.size();
@@ -341,15 +319,13 @@ void drawProgram(TextureObjectsState& state, Wanted& wanted) {
             state = {};
         makeCall(state, program[state.played].call);
         ++state.played;
-        wanted.call.reset();
+        wanted.reset();
     }
-    noteItem("objects:texbind");
-    helpTip("The next call of the program texbind.c in the slides. The first call restarts.");
+    item("objects:texbind", "The next call of the program texbind.c in the slides. The first call restarts.");
     ImGui::SameLine();
     if (ImGui::Button(label("Reset")))
         state = {};
-    noteItem("objects:reset");
-    helpTip("A new context, which has only the default object with name 0.");
+    item("objects:reset", "A new context, which has only the default object with name 0.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     if (state.played > 0)
@@ -365,11 +341,8 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
     const float em = ImGui::GetFontSize();
     const TextureObject& object = state.names.objectOf(state.names.active);
     const auto group = [&](const char* words, float width) {
-        const float needed = ImGui::CalcTextSize(tr(words)).x + width + em * 0.5F;
-        sameLineFor(needed, em * 0.8F);
-        ImGui::AlignTextToFramePadding();
-        dimText(words);
-        ImGui::SameLine();
+        sameLineFor(ImGui::CalcTextSize(tr(words)).x + width + em * 0.5F, em * 0.8F);
+        rowName(words);
     };
     ImGui::AlignTextToFramePadding();
     text(fmt::format("To object {}:", state.names.activeUnit().bound));
@@ -381,12 +354,10 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const objects::GiveImage call{static_cast<int>(i)};
         if (ImGui::InvisibleButton(fmt::format("image {}", i).c_str(), {side, side}))
-            wanted(call);
-        noteItem(fmt::format("objects:image {}", i));
-        callTip(call);
+            wanted = call;
+        item(fmt::format("objects:image {}", i), codeOf(call));
         const float inset = ImGui::IsItemHovered() ? 0 : 2;
-        drawBoardImage(*ImGui::GetWindowDrawList(), {low.x + inset, low.y + inset}, side - 2 * inset,
-                       boards.at(i));
+        drawBoardImage(low + ImVec2(inset, inset), side - 2 * inset, boards.at(i));
     }
     constexpr std::array magnify{MagFilter::Nearest, MagFilter::Linear};
     constexpr std::array minify{MinFilter::Nearest, MinFilter::Linear, MinFilter::NearestMipmapLinear};
@@ -429,9 +400,9 @@ void drawTextureObjects(const Session& session, TextureObjectsState& state) {
         ImGui::SetCursorPos({top.x + room.x - log, top.y});
     drawLog(state, {log, beside ? std::max(room.y, em * 9) : em * 8});
     drawBindings(state, ends);
-    if (wanted.call) {
+    if (wanted) {
         state.played = 0;
-        makeCall(state, *wanted.call);
+        makeCall(state, *wanted);
     }
 }
 

@@ -3,22 +3,17 @@
 #include "app/ui/model/session.h"
 #include "texplorer/reference/texture_calls.h"
 
+#include <string>
 #include <vector>
 
 namespace texplorer::ui {
-
-/// A call and its result.
-struct LoggedCall {
-    objects::Call call;
-    objects::Answer answer{};
-};
 
 /// The state: a separate context in its initial state; the scene is not changed.
 struct TextureObjectsState {
     objects::TextureNames names{};
     objects::TextureNames before{}; ///< before the last call
-    std::vector<LoggedCall> log{};
-    std::size_t played = 0; ///< the number of calls of texbind.c so far; 0: it is not running
+    std::vector<std::string> log{}; ///< the calls and their results as C code
+    std::size_t played = 0;         ///< the number of calls of texbind.c so far; 0: it is not running
 };
 
 /// Draws texture objects and units: each button makes a call, and its changes are highlighted.

@@ -20,32 +20,6 @@ void askAboutChanges(Session& session, Pending next) {
         finishPending(session);
 }
 
-/// Runs an action.
-struct Finish {
-    Session& session;
-
-    void operator()(std::monostate /*nothing*/) const {}
-    void operator()(pending::NewScene /*action*/) const { newScene(session); }
-    void operator()(const pending::Example& action) const {
-        report(session, openExample(session, action.file));
-    }
-    void operator()(const pending::Lesson& action) const {
-        report(session, openLessonNamed(session, action.nameOrFolder));
-    }
-    void operator()(pending::ChooseScene /*action*/) const { session.asking.dialog = Dialog::OpenScene; }
-    void operator()(const pending::OpenFiles& action) const {
-        report(session, openFiles(session, action.files), action.files.front());
-    }
-    void operator()(const pending::OpenScene& action) const {
-        report(session, openScene(session, action.file), action.file);
-    }
-    void operator()(const pending::ShowScene& action) const {
-        action.load->before = session.document.scene; // the user has answered
-        showLoadedScene(session, std::move(*action.load));
-    }
-    void operator()(pending::Quit /*action*/) const { session.asking.quitConfirmed = true; }
-};
-
 bool isLesson(const std::filesystem::path& folder) {
     std::error_code ignored;
     return std::filesystem::is_directory(folder, ignored) &&
@@ -55,15 +29,20 @@ bool isLesson(const std::filesystem::path& folder) {
 } // namespace
 
 void finishPending(Session& session) {
-    std::visit(Finish{session}, std::exchange(session.asking.pending, {}));
+    const Pending next = std::exchange(session.asking.pending, {});
+    if (const auto* action = std::get_if<Action>(&next))
+        (*action)(session);
+    else if (std::holds_alternative<pending::Quit>(next))
+        session.asking.quitConfirmed = true;
 }
 
 void askLesson(Session& session, std::string nameOrFolder) {
-    askAboutChanges(session, pending::Lesson{std::move(nameOrFolder)});
+    askAboutChanges(session,
+                    [name = std::move(nameOrFolder)](Session& s) { report(s, openLessonNamed(s, name)); });
 }
 
 void askOpenScene(Session& session) {
-    askAboutChanges(session, pending::ChooseScene{});
+    askAboutChanges(session, [](Session& s) { s.asking.dialog = Dialog::OpenScene; });
 }
 
 void askOpenImage(Session& session, std::string param) {
@@ -72,11 +51,11 @@ void askOpenImage(Session& session, std::string param) {
 }
 
 void askNewScene(Session& session) {
-    askAboutChanges(session, pending::NewScene{});
+    askAboutChanges(session, newScene);
 }
 
 void askExample(Session& session, std::string_view file) {
-    askAboutChanges(session, pending::Example{std::string(file)});
+    askAboutChanges(session, [name = std::string(file)](Session& s) { report(s, openExample(s, name)); });
 }
 
 void askSaveAnswers(Session& session) {
@@ -115,7 +94,9 @@ void requestQuit(Session& session) {
 }
 
 void askPictureScene(Session& session) {
-    askAboutChanges(session, pending::OpenScene{std::exchange(session.asking.picture, {}).file});
+    askAboutChanges(session, [file = std::exchange(session.asking.picture, {}).file](Session& s) {
+        report(s, openScene(s, file), file);
+    });
 }
 
 void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
@@ -130,13 +111,14 @@ void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
             return;
         }
     }
-    const bool replaces = std::ranges::any_of(
-        files, [](const std::filesystem::path& file) { return holdsScene(file).value_or(false); });
     if (files.empty())
         return;
+    const bool replaces = std::ranges::any_of(
+        files, [](const std::filesystem::path& file) { return holdsScene(file).value_or(false); });
+    Action open = [all = std::move(files)](Session& s) { report(s, openFiles(s, all), all.front()); };
     if (!replaces)
-        return report(session, openFiles(session, files), files.front());
-    askAboutChanges(session, pending::OpenFiles{std::move(files)});
+        return open(session);
+    askAboutChanges(session, std::move(open));
 }
 
 } // namespace texplorer::ui

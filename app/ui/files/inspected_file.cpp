@@ -8,20 +8,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct WantedFile {
-    fs::path path;
-    std::shared_ptr<const Bytes> inMemory = nullptr;
-};
-
-WantedFile wantedFile(const Session& session) {
-    if (!session.look.fileView.chosen.empty())
-        return {session.look.fileView.chosen};
+/// The file that the tab should show; not read yet.
+InspectedFile wantedFile(const Session& session) {
+    InspectedFile wanted;
+    wanted.chosen = wanted.shown = session.look.fileView.chosen;
     const Texture* texture = boundTexture(session);
-    if (!texture || texture->source != SourceKind::File || texture->file.empty())
-        return {};
-    if (auto bytes = session.document.images.fileInMemory(texture->file))
-        return {texture->file, std::move(bytes)};
-    return {session.document.images.directory() / texture->file};
+    if (!wanted.chosen.empty() || !texture || texture->source != SourceKind::File || texture->file.empty())
+        return wanted;
+    const ImageSource& images = session.document.images;
+    wanted.inMemory = images.fileInMemory(texture->file);
+    wanted.shown = wanted.inMemory ? fs::path(texture->file) : images.directory() / texture->file;
+    return wanted;
 }
 
 } // namespace
@@ -53,16 +50,12 @@ void refreshInspected(Session& session) {
 
 void followFile(Session& session) {
     InspectedFile& view = session.look.fileView;
-    WantedFile wanted = wantedFile(session);
-    if (wanted.path == view.shown && wanted.inMemory == view.inMemory)
+    InspectedFile wanted = wantedFile(session);
+    if (wanted.shown == view.shown && wanted.inMemory == view.inMemory)
         return;
     if (view.ticket != 0)
         cancelLoad(session, view.ticket);
-    InspectedFile next;
-    next.chosen = std::move(view.chosen);
-    next.shown = std::move(wanted.path);
-    next.inMemory = std::move(wanted.inMemory);
-    view = std::move(next);
+    view = std::move(wanted);
     refreshInspected(session);
 }
 

@@ -128,7 +128,7 @@ void followKeys(Session& session, LessonRun& run) {
 }
 
 void askPictures(Session& session, const LessonRun& run) {
-    session.services.lessons.askPictures(picturedScenes(run));
+    session.services.lessons->askPictures(picturedScenes(run));
 }
 
 void begin(Session& session) {
@@ -144,7 +144,7 @@ void begin(Session& session) {
     run.wantsHint = false;
     run.hintAsked.reset();
     run.hint.reset();
-    session.services.lessons.rest();
+    session.services.lessons->rest();
     run.target.reset();
     if (const auto* match = std::get_if<Match>(&stepOf(run).task)) {
         if (const Result<lesson::LessonScene> target = withEdits(run.start, match->edits))
@@ -186,11 +186,6 @@ void translateTexts(LessonRun& run) {
     run.language = wanted;
     run.catalogue = catalogueOfLesson(run.folder, wanted);
     run.files = filesOfLesson(run.folder, run.lesson, wanted);
-}
-
-/// Compares the parts of a step that restart it when they change.
-bool isSameStep(const lesson::Step& a, const lesson::Step& b) {
-    return a.look == b.look && a.task == b.task;
 }
 
 void tellProblem(Session& session, const Error& error) {
@@ -386,8 +381,9 @@ void reloadLesson(Session& session) {
         session.look.notice = {};
     run.problem.clear();
     run.catalogue = *std::move(catalogue);
-    const bool goesOn =
-        step == run.step && start->scene == run.start.scene && isSameStep(lesson->steps[step], stepOf(run));
+    const lesson::Step& shown = stepOf(run);
+    const bool goesOn = step == run.step && start->scene == run.start.scene &&
+                        lesson->steps[step].look == shown.look && lesson->steps[step].task == shown.task;
     run.lesson = *std::move(lesson);
     run.step = step;
     if (goesOn) {

@@ -2,7 +2,6 @@
 
 #include "app/ui/model/session.h"
 #include "texplorer/lesson/lesson_files.h"
-#include "texplorer/lesson/numbers.h"
 
 #include <cstddef>
 #include <optional>

@@ -2,9 +2,8 @@
 
 #include "app/ui/model/session.h"
 #include "texplorer/files/file_fingerprint.h"
-#include "texplorer/scene/params/keys.h"
 
-#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace texplorer::ui {
@@ -44,6 +43,15 @@ std::vector<std::vector<std::string>> missingBySpelling(const Session& session, 
     return missing;
 }
 
+void cancelThose(Session& session, const std::function<bool(const Load&)>& isMeant) {
+    std::erase_if(session.document.loads, [&](const Load& load) {
+        const bool cancels = isMeant(load);
+        if (cancels)
+            cancelWaiting(session, load);
+        return cancels;
+    });
+}
+
 } // namespace
 
 fs::path folderOf(const Session& session, const Load& load) {
@@ -52,43 +60,32 @@ fs::path folderOf(const Session& session, const Load& load) {
 
 void cancelWaiting(Session& session, const Load& load) {
     for (const auto& [ticket, spellings] : load.waits)
-        session.services.files.cancel(ticket);
+        session.services.files->cancel(ticket);
 }
 
 void start(Session& session, Load load) {
     const fs::path folder = folderOf(session, load);
     for (std::vector<std::string>& spellings : missingBySpelling(session, load)) {
-        const ImageLoader::Ticket ticket = session.services.files.load(folder / spellings.front());
+        const ImageLoader::Ticket ticket = session.services.files->load(folder / spellings.front());
         load.waits[ticket] = std::move(spellings);
     }
     if (load.kind == Load::Kind::Scene) { // the last requested scene is the wanted one
-        std::erase_if(session.document.loads, [&](const Load& each) {
-            if (each.kind == Load::Kind::Scene)
-                cancelWaiting(session, each);
-            return each.kind == Load::Kind::Scene;
-        });
+        cancelThose(session, [](const Load& each) { return each.kind == Load::Kind::Scene; });
     }
     session.document.loads.push_back(std::move(load));
 }
 
 void cancelLoad(Session& session, Files::Ticket ticket) {
-    session.services.files.cancel(ticket);
+    session.services.files->cancel(ticket);
     if (ticket == session.look.fileView.ticket) {
         session.look.fileView.ticket = 0;
         session.look.fileView.problem = "Reading was cancelled.";
     }
-    std::erase_if(session.document.loads, [&](const Load& load) {
-        const bool given = load.waits.contains(ticket);
-        if (given)
-            cancelWaiting(session, load);
-        return given;
-    });
+    cancelThose(session, [&](const Load& load) { return load.waits.contains(ticket); });
 }
 
 void cancelLoads(Session& session) {
-    for (const Load& load : session.document.loads)
-        cancelWaiting(session, load);
-    session.document.loads.clear();
+    cancelThose(session, [](const Load& /*all*/) { return true; });
 }
 
 } // namespace texplorer::ui

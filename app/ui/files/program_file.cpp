@@ -44,11 +44,11 @@ std::string programFileName(const Document& document, emit::Flavour flavour) {
     return stemOf(document) + std::string(emit::extensionOf(flavour));
 }
 
-std::optional<emit::ProgramWorker::Program> programNow(const Session& session, emit::Flavour flavour) {
+std::optional<emit::ProgramWorker::Program> programNow(Session& session, emit::Flavour flavour) {
     const Document& document = session.document;
     const emit::ProgramOptions options{.title = "Texplorer",
                                        .fileName = [](const std::string& file) { return file; }};
-    return session.services.programs.program(flavour, document.scene, document.images, options);
+    return session.services.programs->program(flavour, document.scene, document.images, options);
 }
 
 FileOrder programOrder(const Session& session, std::filesystem::path file) {
@@ -92,7 +92,7 @@ Result<void> saveProgram(Session& session, const std::filesystem::path& file,
                                                         extension, file.filename().string()));
     FileOrder order = programOrder(session, file);
     order.replaces = replaces;
-    session.services.writing.write(std::move(order));
+    session.services.writing->write(std::move(order));
     return {};
 }
 

@@ -14,8 +14,7 @@ namespace texplorer::ui {
 [[nodiscard]] std::string programFileName(const Document& document, emit::Flavour flavour);
 
 /// The scene's program, to display; nothing: its texels are still being made in the background.
-[[nodiscard]] std::optional<emit::ProgramWorker::Program> programNow(const Session& session,
-                                                                     emit::Flavour flavour);
+[[nodiscard]] std::optional<emit::ProgramWorker::Program> programNow(Session& session, emit::Flavour flavour);
 
 /// The scene as a program of Asking::flavour.
 [[nodiscard]] FileOrder programOrder(const Session& session, std::filesystem::path file);

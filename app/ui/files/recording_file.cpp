@@ -96,9 +96,7 @@ Result<Recording> recordingOf(const Session& session) {
 }
 
 std::string recordingFileName(const Session& session) {
-    const std::string name = nameOf(session.document);
-    const animation::FormatRow& format = animation::rowOf(session.recording.format);
-    return (name.empty() ? "scene" : name) + std::string(format.extension);
+    return fileNameOf(session.document, animation::rowOf(session.recording.format).extension);
 }
 
 Result<void> saveRecording(Session& session, const std::filesystem::path& file,
@@ -112,7 +110,7 @@ Result<void> saveRecording(Session& session, const std::filesystem::path& file,
                                                         format.extension, file.filename().string()));
     FileOrder order = fileOrder(*std::move(recording), file);
     order.replaces = replaces;
-    session.services.writing.write(std::move(order));
+    session.services.writing->write(std::move(order));
     return {};
 }
 

@@ -11,7 +11,7 @@ namespace texplorer::ui {
 
 void replaceDocument(Session& session, Document document) {
     if (session.look.fileView.ticket != 0)
-        session.services.files.cancel(session.look.fileView.ticket);
+        session.services.files->cancel(session.look.fileView.ticket);
     session.look = {};
     static_cast<ShownPart&>(session.view) = {};
     static_cast<RecordedTime&>(session.recording) = {};
@@ -44,7 +44,7 @@ void endLessonPictures(Session& session) {
 void closeLesson(Session& session, KeepsTab tab) {
     endLessonPictures(session);
     session.lesson.reset();
-    session.services.lessons.rest();
+    session.services.lessons->rest();
     if (tab == KeepsTab::No)
         closeTab(session.settings.workspace, Tab::Lesson);
 }

@@ -63,6 +63,75 @@ void replaceByUnsaved(Session& session, Load load) {
         unsaved->autosave.adopt(unsaved->recovery.takeRestored(), draft);
 }
 
+/// Reads the scene in a file; nothing if it is an image. Errors: why the file cannot be opened.
+Result<std::optional<SceneText>> sceneIn(const fs::path& file) {
+    const Result<bool> scene = holdsScene(file);
+    if (!scene)
+        return fail(scene.error());
+    if (*scene)
+        return readScene(file).map([](SceneText read) { return std::optional(std::move(read)); });
+    const Result<Bytes> start = readFileStart(file, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return std::nullopt;
+    if (const Result<TextureImage> refused = decodeTexture(*start); !refused)
+        return fail(refused.error().code, refused.error().message, file.string());
+    return std::nullopt;
+}
+
+/// Several files as one load: invalid files and a second scene are already refused.
+Load sorted(const Session& session, const std::vector<fs::path>& files) {
+    Load load{
+        .kind = Load::Kind::Add, .pass = session.look.selection.pass, .unit = session.look.selection.unit};
+    std::vector<fs::path> images;
+    for (const fs::path& file : files) {
+        Result<std::optional<SceneText>> read = sceneIn(file);
+        if (!read) {
+            load.refused.push_back(read.error());
+        } else if (!*read) {
+            images.push_back(file);
+        } else if (load.kind == Load::Kind::Scene) {
+            load.refused.push_back({ErrorCode::OutOfRange,
+                                    fmt::format("only one scene is shown at a time, and {} is opened",
+                                                load.path.filename().string()),
+                                    file.string()});
+        } else {
+            load.kind = Load::Kind::Scene;
+            load.path = absolutePath(file);
+            load.scene = std::move((*read)->scene);
+            load.fileHash = std::move((*read)->hash);
+            load.images = ImageSource(load.path.parent_path());
+            load.pass = load.unit = 0;
+        }
+    }
+    const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.document.images;
+    for (const fs::path& image : images)
+        load.added.push_back(nameIn(target, image));
+    load.goesOn = files.size() > 1;
+    load.before = session.document.scene;
+    return load;
+}
+
+bool opensNothing(const Load& load) {
+    return load.kind == Load::Kind::Add && load.added.empty();
+}
+
+Result<void> beginWith(Session& session, const std::vector<fs::path>& files) {
+    Load load = sorted(session, files);
+    if (opensNothing(load))
+        return fail(load.refused.front());
+    for (const fs::path& file : files)
+        rememberFile(session.settings, absolutePath(file));
+    if (load.kind == Load::Kind::Add) { // opening them first is not an edit
+        load.kind = Load::Kind::Scene;
+        load.scene = session.document.scene;
+        load.images = ImageSource(session.document.images.directory());
+    }
+    start(session, std::move(load));
+    return {};
+}
+
 } // namespace
 
 void bindFile(Scene& scene, int pass, int unit, std::string file) {
@@ -112,23 +181,24 @@ Result<void> openScene(Session& session, const fs::path& path) {
 }
 
 void showLoadedScene(Session& session, Load load) {
-    const bool changedMeanwhile = session.document.scene != load.before && isDirty(session.document);
-    if (!changedMeanwhile && load.restores)
-        return replaceByUnsaved(session, std::move(load));
-    if (!changedMeanwhile && load.reloads)
-        return replaceByFile(session, std::move(load));
-    if (!changedMeanwhile) {
-        Document document(std::move(load.scene), std::move(load.images), load.path);
-        document.fileHash = std::move(load.fileHash);
-        if (!load.suggested.empty())
-            document.needsFit =
-                document.scene.view == defaultScene().view; // it shows the same as the picture
-        document.suggested = std::move(load.suggested);
-        return replaceDocument(session, std::move(document));
+    if (session.document.scene != load.before && isDirty(session.document)) { // changed meanwhile
+        session.asking.pending = [later = std::make_shared<Load>(std::move(load))](Session& answered) {
+            later->before = answered.document.scene; // the answer is for this scene
+            showLoadedScene(answered, std::move(*later));
+        };
+        session.asking.dialog = Dialog::Discard;
+        return;
     }
-    load.before = session.document.scene; // the next answer is for this scene
-    session.asking.pending = pending::ShowScene{std::make_shared<Load>(std::move(load))};
-    session.asking.dialog = Dialog::Discard;
+    if (load.restores)
+        return replaceByUnsaved(session, std::move(load));
+    if (load.reloads)
+        return replaceByFile(session, std::move(load));
+    Document document(std::move(load.scene), std::move(load.images), load.path);
+    document.fileHash = std::move(load.fileHash);
+    if (!load.suggested.empty())
+        document.needsFit = document.scene.view == defaultScene().view; // it shows the same as the picture
+    document.suggested = std::move(load.suggested);
+    replaceDocument(session, std::move(document));
 }
 
 void restoreUnsaved(Session& session, UnsavedScene draft) {
@@ -210,70 +280,6 @@ Result<void> openFile(Session& session, const fs::path& path) {
     return {};
 }
 
-namespace {
-
-/// The kind of a file, or why it cannot be opened.
-Result<bool> checkFile(const fs::path& file) {
-    const Result<bool> scene = holdsScene(file);
-    if (!scene)
-        return fail(scene.error());
-    if (*scene) {
-        if (const Result<SceneText> parsed = readScene(file); !parsed)
-            return fail(parsed.error());
-        return true;
-    }
-    const Result<Bytes> start = readFileStart(file, recognisedBytes);
-    if (!start)
-        return fail(start.error());
-    if (recogniseImage(*start))
-        return false;
-    const Result<TextureImage> refused = decodeTexture(*start);
-    if (!refused)
-        return fail(refused.error().code, refused.error().message, file.string());
-    return false;
-}
-
-/// Several files as one load: invalid files and a second scene are already refused.
-Load sorted(const Session& session, const std::vector<fs::path>& files) {
-    Load load{
-        .kind = Load::Kind::Add, .pass = session.look.selection.pass, .unit = session.look.selection.unit};
-    std::vector<fs::path> images;
-    for (const fs::path& file : files) {
-        const Result<bool> isScene = checkFile(file);
-        if (!isScene) {
-            load.refused.push_back(isScene.error());
-        } else if (!*isScene) {
-            images.push_back(file);
-        } else if (load.kind == Load::Kind::Scene) {
-            load.refused.push_back({ErrorCode::OutOfRange,
-                                    fmt::format("only one scene is shown at a time, and {} is opened",
-                                                load.path.filename().string()),
-                                    file.string()});
-        } else if (Result<SceneText> read = readScene(file)) {
-            load.kind = Load::Kind::Scene;
-            load.path = absolutePath(file);
-            load.scene = std::move(read->scene);
-            load.fileHash = std::move(read->hash);
-            load.images = ImageSource(load.path.parent_path());
-            load.pass = load.unit = 0;
-        } else {
-            load.refused.push_back(read.error());
-        }
-    }
-    const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.document.images;
-    for (const fs::path& image : images)
-        load.added.push_back(nameIn(target, image));
-    load.goesOn = files.size() > 1;
-    load.before = session.document.scene;
-    return load;
-}
-
-bool opensNothing(const Load& load) {
-    return load.kind == Load::Kind::Add && load.added.empty();
-}
-
-} // namespace
-
 void addImages(Scene& scene, const ImageSource& images, Load& load) {
     bool first = true;
     for (const std::string& name : load.added) {
@@ -301,8 +307,8 @@ void addImages(Scene& scene, const ImageSource& images, Load& load) {
 std::vector<Error> checkArguments(const std::vector<fs::path>& files) {
     std::vector<Error> refused;
     for (const fs::path& file : files) {
-        if (const Result<bool> known = checkFile(file); !known)
-            refused.push_back(known.error());
+        if (const auto read = sceneIn(file); !read)
+            refused.push_back(read.error());
     }
     return refused;
 }
@@ -318,25 +324,6 @@ Result<void> openFiles(Session& session, const std::vector<fs::path>& files) {
     start(session, std::move(load));
     return {};
 }
-
-namespace {
-
-Result<void> beginWith(Session& session, const std::vector<fs::path>& files) {
-    Load load = sorted(session, files);
-    if (opensNothing(load))
-        return fail(load.refused.front());
-    for (const fs::path& file : files)
-        rememberFile(session.settings, absolutePath(file));
-    if (load.kind == Load::Kind::Add) { // opening them first is not an edit
-        load.kind = Load::Kind::Scene;
-        load.scene = session.document.scene;
-        load.images = ImageSource(session.document.images.directory());
-    }
-    start(session, std::move(load));
-    return {};
-}
-
-} // namespace
 
 Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
     if (files.empty())

@@ -38,23 +38,14 @@ struct LetteredSheet {
     sheet::Layout layout;
 };
 
-/// Fonts are opened once: a panel asks for the sheet's extent in every frame.
-const Result<std::shared_ptr<const sheet::Lettering>>& sheetPen() {
-    static const Result<std::shared_ptr<const sheet::Lettering>> pen =
-        openLettering().map([](std::unique_ptr<sheet::Lettering> opened) {
-            return std::shared_ptr<const sheet::Lettering>(std::move(opened));
-        });
-    return pen;
-}
-
 Result<LetteredSheet> letteredSheet(const sheet::Content& content) {
-    const auto& pen = sheetPen();
+    // Opened once: a panel asks for the sheet's extent in every frame.
+    static const Result<std::shared_ptr<const sheet::Lettering>> pen = openLettering();
     if (!pen)
         return fail(pen.error());
-    Result<sheet::Layout> layout = sheet::layoutOf(content, **pen);
-    if (!layout)
-        return fail(layout.error());
-    return LetteredSheet{*pen, *std::move(layout)};
+    return sheet::layoutOf(content, **pen).map([](sheet::Layout layout) {
+        return LetteredSheet{*pen, std::move(layout)};
+    });
 }
 
 Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const FileMaking& making) {
@@ -127,26 +118,23 @@ Result<SheetOrder> sheetOrder(const Session& session) {
 }
 
 std::string sheetFileName(const Document& document) {
-    const std::string name = nameOf(document);
-    return (name.empty() ? "scene" : name) + "-sheet.png";
+    return fileNameOf(document, "-sheet.png");
 }
 
 Result<FileOrder> fileOrder(SheetOrder sheet, std::filesystem::path file) {
-    Result<LetteredSheet> on = letteredSheet(sheet.content);
-    if (!on)
-        return fail(on.error());
-    const std::size_t pictures = on->layout.cells.size();
-    return FileOrder{std::move(file), "The sheet can't be written: {}.", pictures,
-                     [sheet = std::move(sheet), on = *std::move(on)](const FileMaking& making) {
-                         return madeOf(sheet, on, making);
-                     }};
+    return letteredSheet(sheet.content).map([&](LetteredSheet on) {
+        const std::size_t pictures = on.layout.cells.size();
+        return FileOrder{std::move(file), "The sheet can't be written: {}.", pictures,
+                         [order = std::move(sheet), lettered = std::move(on)](const FileMaking& making) {
+                             return madeOf(order, lettered, making);
+                         }};
+    });
 }
 
 Result<glm::ivec2> sheetExtent(const Session& session) {
-    const Result<SheetOrder> order = sheetOrder(session);
-    if (!order)
-        return fail(order.error());
-    return letteredSheet(order->content).map([](const LetteredSheet& on) { return on.layout.size; });
+    return sheetOrder(session)
+        .and_then([](const SheetOrder& order) { return letteredSheet(order.content); })
+        .map([](const LetteredSheet& on) { return on.layout.size; });
 }
 
 Result<void> saveSheet(Session& session, const std::filesystem::path& file,
@@ -157,12 +145,10 @@ Result<void> saveSheet(Session& session, const std::filesystem::path& file,
     if (file.extension() != ".png")
         return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with .png, found \"{}\"",
                                                         file.filename().string()));
-    Result<FileOrder> written = fileOrder(*std::move(order), file);
-    if (!written)
-        return fail(written.error());
-    written->replaces = replaces;
-    session.services.writing.write(*std::move(written));
-    return {};
+    return fileOrder(*std::move(order), file).map([&](FileOrder written) {
+        written.replaces = replaces;
+        session.services.writing->write(std::move(written));
+    });
 }
 
 } // namespace texplorer::ui

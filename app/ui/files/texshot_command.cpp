@@ -52,8 +52,8 @@ bool canBeMade(std::vector<edit::Set>& assignments, Scene base, const Scene& sce
     return base == scene;
 }
 
-/// " earth.json --set …", with " --time …" unless it is 0: the arguments for the session's scene.
-Result<std::string> sceneWords(const Session& session, double time) {
+/// A command for the session's scene: "texshot shot earth.json --set …", with " --time …" unless it is 0.
+Result<std::string> sceneCommand(std::string words, const Session& session, double time) {
     const Document& document = session.document;
     const bool hasFile = !document.file.empty();
     const Scene base = hasFile ? document.saved : defaultScene();
@@ -66,7 +66,6 @@ Result<std::string> sceneWords(const Session& session, double time) {
             ErrorCode::Unsupported,
             "models, textures or passes were added or removed, which --set can't express: save the scene "
             "first");
-    std::string words;
     if (hasFile)
         words += ' ' + shellWord(document.file.string());
     for (const edit::Set& each : assignments)
@@ -86,52 +85,46 @@ std::string referenceWords(const ViewSettings& view) {
     return words;
 }
 
+std::string withOutput(const std::string& command, view::Size picture, const std::string& file) {
+    return fmt::format("{} --size {}x{} -o {}", command, picture.width, picture.height, shellWord(file));
+}
+
 } // namespace
 
 Result<std::string> texshotCommand(const Session& session, view::Size picture) {
-    const Result<std::string> scene = sceneWords(session, session.look.playback.time);
-    if (!scene)
-        return fail(scene.error());
-    std::string command = "texshot shot" + *scene;
-    if (session.view.renderer == RendererKind::Reference)
-        command += referenceWords(session.view);
-    else if (session.view.renderer != RendererKind::Fixed)
-        command += fmt::format(" --renderer {}", rowOf(session.view.renderer).name);
-    const std::string name = nameOf(session.document);
-    return fmt::format("{} --size {}x{} -o {}", command, picture.width, picture.height,
-                       shellWord((name.empty() ? "scene" : name) + ".png"));
+    return sceneCommand("texshot shot", session, session.look.playback.time).map([&](std::string command) {
+        if (session.view.renderer == RendererKind::Reference)
+            command += referenceWords(session.view);
+        else if (session.view.renderer != RendererKind::Fixed)
+            command += fmt::format(" --renderer {}", rowOf(session.view.renderer).name);
+        return withOutput(command, picture, fileNameOf(session.document, ".png"));
+    });
 }
 
 Result<std::string> sweepCommand(const Session& session) {
     if (const Result<SheetOrder> order = sheetOrder(session); !order)
         return fail(order.error());
-    const Result<std::string> scene = sceneWords(session, session.look.playback.time);
-    if (!scene)
-        return fail(scene.error());
-    const SheetChoice& choice = session.sheet;
-    std::string command = "texshot sweep" + *scene;
-    for (const SheetAxis& axis : axesOf(session))
-        command += " --axis " + shellWord(axis.path + '=' + axis.values);
-    command += referenceWords(session.view);
-    if (choice.labels != sheet::LabelKind::Names)
-        command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
-    return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
-                       shellWord(sheetFileName(session.document)));
+    return sceneCommand("texshot sweep", session, session.look.playback.time).map([&](std::string command) {
+        const SheetChoice& choice = session.sheet;
+        for (const SheetAxis& axis : axesOf(session))
+            command += " --axis " + shellWord(axis.path + '=' + axis.values);
+        command += referenceWords(session.view);
+        if (choice.labels != sheet::LabelKind::Names)
+            command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
+        return withOutput(command, {choice.width, choice.height}, sheetFileName(session.document));
+    });
 }
 
 Result<std::string> animateCommand(const Session& session) {
     const Result<Recording> recording = recordingOf(session);
     if (!recording)
         return fail(recording.error());
-    const RecordingChoice& choice = session.recording;
-    const Result<std::string> scene = sceneWords(session, recording->picture.time);
-    if (!scene)
-        return fail(scene.error());
-    std::string command = "texshot animate" + *scene;
-    command += fmt::format(" --fps {} --seconds {}", choice.perSecond, recordedSeconds(session)) +
-               referenceWords(session.view);
-    return fmt::format("{} --size {}x{} -o {}", command, choice.width, choice.height,
-                       shellWord(recordingFileName(session)));
+    return sceneCommand("texshot animate", session, recording->picture.time).map([&](std::string command) {
+        const RecordingChoice& choice = session.recording;
+        command += fmt::format(" --fps {} --seconds {}", choice.perSecond, recordedSeconds(session)) +
+                   referenceWords(session.view);
+        return withOutput(command, {choice.width, choice.height}, recordingFileName(session));
+    });
 }
 
 } // namespace texplorer::ui

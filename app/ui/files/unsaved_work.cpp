@@ -14,7 +14,7 @@ void followEdits(Session& session) {
         if (std::optional<Captures::News> news = captures->takeNews())
             session.look.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isWritten};
     }
-    if (std::optional<FileNews> news = session.services.writing.takeNews())
+    if (std::optional<FileNews> news = session.services.writing->takeNews())
         session.look.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isGood};
     if (SettingsFile* settings = session.services.settings) {
         settings->keep(session.settings);

@@ -1,12 +1,13 @@
 #include "app/ui/language/catalogue.h"
 
 #include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <ranges>
 #include <utility>
 
 namespace texplorer::ui {
@@ -21,23 +22,31 @@ constexpr std::size_t maxPlaces = 32;      ///< of a key
 constexpr std::string_view colon = ": ";
 constexpr std::size_t minLetters = 3; ///< of a key with placeholders: "{} × {}" is too general
 
-/// "a {} b {}" → "a ", " b ", "". A format such as {:.2f} is a placeholder, and {{ a brace.
-std::vector<std::string> piecesOf(std::string_view key) {
-    std::vector<std::string> pieces(1);
-    for (std::size_t i = 0; i < key.size(); ++i) {
-        if ((key[i] == '{' || key[i] == '}') && i + 1 < key.size() && key[i + 1] == key[i]) {
-            pieces.back() += key[i++];
-        } else if (key[i] == '{') {
-            const std::size_t end = key.find('}', i);
+/// A text with placeholders: "a {} b {0}" → "a ", " b ", "" and 0, 0.
+struct Divided {
+    std::vector<std::string> pieces{1};
+    std::vector<std::size_t> places{}; ///< the index of the value: "{}" takes the next one, "{1}" the second
+};
+
+/// A format such as {:.2f} is a placeholder, and {{ a brace. Without a closing brace there are none.
+Divided divided(std::string_view text) {
+    Divided parts;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if ((text[i] == '{' || text[i] == '}') && i + 1 < text.size() && text[i + 1] == text[i]) {
+            parts.pieces.back() += text[i++];
+        } else if (text[i] == '{') {
+            const std::size_t end = text.find('}', i);
             if (end == std::string_view::npos)
-                return {std::string(key)};
-            pieces.emplace_back();
+                return {{std::string(text)}};
+            std::size_t& index = parts.places.emplace_back(parts.places.size());
+            std::from_chars(text.data() + i + 1, text.data() + end, index);
+            parts.pieces.emplace_back();
             i = end;
         } else {
-            pieces.back() += key[i];
+            parts.pieces.back() += text[i];
         }
     }
-    return pieces;
+    return parts;
 }
 
 bool isLetter(char byte) {
@@ -87,40 +96,20 @@ std::optional<std::vector<std::string_view>> partsOf(std::string_view text,
     return parts;
 }
 
-/// Inserts parts into a translation: "{}" takes the next one, "{1}" the second.
+/// Inserts parts into a translation.
 std::string filled(std::string_view form, std::span<const std::string> parts) {
-    std::string text;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < form.size(); ++i) {
-        if ((form[i] == '{' || form[i] == '}') && i + 1 < form.size() && form[i + 1] == form[i]) {
-            text += form[i++];
-        } else if (form[i] == '{') {
-            const std::size_t end = std::min(form.find('}', i), form.size());
-            std::size_t index = next++;
-            std::from_chars(form.data() + i + 1, form.data() + end, index);
-            if (index < parts.size())
-                text += parts[index];
-            i = end;
-        } else {
-            text += form[i];
-        }
-    }
+    const auto [pieces, places] = divided(form);
+    std::string text = pieces.front();
+    for (std::size_t i = 0; i < places.size(); ++i)
+        text += (places[i] < parts.size() ? parts[places[i]] : std::string()) + pieces[i + 1];
     return text;
 }
 
 /// Whether a translation has every placeholder of its key exactly once, by order or by number.
 bool hasPlaces(std::string_view form, std::size_t count) {
-    std::vector<std::string> names(count);
-    for (std::size_t i = 0; i < count; ++i)
-        names[i] = fmt::format("\x01{}\x02", i);
-    const std::string text = filled(form, names);
-    return std::ranges::all_of(names,
-                               [&](const std::string& name) {
-                                   const std::size_t at = text.find(name);
-                                   return at != std::string::npos &&
-                                          text.find(name, at + 1) == std::string::npos;
-                               }) &&
-           piecesOf(form).size() == count + 1;
+    std::vector<std::size_t> places = divided(form).places;
+    std::ranges::sort(places);
+    return std::ranges::equal(places, std::views::iota(std::size_t{0}, count));
 }
 
 std::optional<unsigned long> numberIn(std::string_view part) {
@@ -129,38 +118,30 @@ std::optional<unsigned long> numberIn(std::string_view part) {
     return std::from_chars(part.data(), end, number).ptr == end ? std::optional(number) : std::nullopt;
 }
 
-std::string withCapital(std::string text) {
-    if (text.empty())
-        return text;
-    const auto byte = [&text](std::size_t i) {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-    };
-    if (text.front() >= 'a' && text.front() <= 'z') {
-        text.front() = static_cast<char>(text.front() - 'a' + 'A');
-    } else if (byte(0) == 0xD0 && byte(1) >= 0xB0 && byte(1) <= 0xBF) { // а to п
-        text[1] = static_cast<char>(byte(1) - 0x20);
-    } else if (byte(0) == 0xD1 && byte(1) >= 0x80 && byte(1) <= 0x8F) { // р to я
-        text[0] = static_cast<char>(0xD0);
-        text[1] = static_cast<char>(byte(1) + 0x20);
-    }
-    return text;
+constexpr char32_t caseDistance = 0x20; // in ASCII and in Russian
+
+bool isCapital(char32_t letter) {
+    return (letter >= U'A' && letter <= U'Z') || (letter >= U'А' && letter <= U'Я');
+}
+
+/// Replaces the first letter of a text; both have at most 11 bits.
+std::string withFirst(std::string_view text, char32_t letter) {
+    const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
+    std::string first = letter < 0x80 ? std::string{byte(letter)}
+                                      : std::string{byte(0xC0 | (letter >> 6)), byte(0x80 | (letter & 0x3F))};
+    return first.append(text.substr(firstCharacter(text).bytes));
+}
+
+std::string withCapital(std::string_view text) {
+    const char32_t capital = firstCharacter(text).character - caseDistance;
+    return isCapital(capital) ? withFirst(text, capital) : std::string(text);
 }
 
 /// Not for a name with several capitals: "GL_REPEAT".
 std::string withoutCapital(std::string_view text) {
-    std::string small(text);
-    const auto byte = [&small](std::size_t i) {
-        return i < small.size() ? static_cast<unsigned char>(small[i]) : 0U;
-    };
-    if (byte(0) >= 'A' && byte(0) <= 'Z' && small.size() > 1 && (byte(1) < 'A' || byte(1) > 'Z')) {
-        small[0] = static_cast<char>(small[0] - 'A' + 'a');
-    } else if (byte(0) == 0xD0 && byte(1) >= 0x90 && byte(1) <= 0x9F) { // А to П
-        small[1] = static_cast<char>(byte(1) + 0x20);
-    } else if (byte(0) == 0xD0 && byte(1) >= 0xA0 && byte(1) <= 0xAF) { // Р to Я
-        small[0] = static_cast<char>(0xD1);
-        small[1] = static_cast<char>(byte(1) - 0x20);
-    }
-    return small;
+    const char32_t first = firstCharacter(text).character;
+    const bool isName = first < 0x80 && (text.size() < 2 || (text[1] >= 'A' && text[1] <= 'Z'));
+    return isCapital(first) && !isName ? withFirst(text, first + caseDistance) : std::string(text);
 }
 
 /// The text of a quoted line: "msgid \"a\\n\"" → a and a newline.
@@ -194,11 +175,12 @@ struct Catalogue::Draft {
 };
 
 void Catalogue::addKey(std::string_view key, const Draft& draft) {
-    std::vector<std::string> pieces = piecesOf(key);
+    std::vector<std::string> pieces = divided(key).pieces;
+    const Said says = saidBy(pieces);
     if (pieces.size() == 1)
         whole_.emplace(pieces.front(), filled(draft.forms.front(), {}));
-    else if (saidBy(pieces).first >= minLetters)
-        entries_.push_back({std::move(pieces), draft.forms, draft.pluralKey.has_value(),
+    else if (says.first >= minLetters)
+        entries_.push_back({std::move(pieces), draft.forms, says, draft.pluralKey.has_value(),
                             key.find('\n') != std::string_view::npos});
 }
 
@@ -208,7 +190,7 @@ Result<void> Catalogue::add(const Draft& draft, std::string_view file) {
     const auto isMissing = [](const std::string& form) { return form.empty(); };
     if (draft.forms.empty() || std::ranges::any_of(draft.forms, isMissing))
         return {};
-    const std::size_t places = piecesOf(*draft.key).size() - 1;
+    const std::size_t places = divided(*draft.key).places.size();
     if (places > maxPlaces)
         return fail(ErrorCode::Malformed,
                     fmt::format("expected a text with at most {} places, found {}", maxPlaces, places),
@@ -227,56 +209,52 @@ Result<void> Catalogue::add(const Draft& draft, std::string_view file) {
     return {};
 }
 
+Result<void> Catalogue::read(const CatalogueFile& file) {
+    Draft draft;
+    std::string* last = nullptr;
+    const auto finish = [&]() -> Result<void> {
+        if (!draft.key || draft.forms.empty())
+            return {};
+        last = nullptr;
+        return add(std::exchange(draft, {}), file.name);
+    };
+    std::size_t number = 0;
+    for (std::size_t from = 0; from <= file.text.size();) {
+        const std::size_t end = std::min(file.text.find('\n', from), file.text.size());
+        const std::string_view line = file.text.substr(from, end - from);
+        from = end + 1;
+        ++number;
+        const bool endsEntry = line.empty() || line.starts_with("#");
+        std::optional<std::string> text = quoted(line);
+        if (endsEntry || (text && line.starts_with("msgid "))) {
+            if (Result<void> added = finish(); !added)
+                return added;
+        }
+        if (endsEntry) {
+            draft.isFuzzy |= line.starts_with("#,") && line.find("fuzzy") != std::string_view::npos;
+        } else if (text && line.starts_with("msgid_plural ") && draft.key) {
+            last = &draft.pluralKey.emplace(*std::move(text));
+        } else if (text && line.starts_with("msgid ")) {
+            draft.line = number;
+            last = &draft.key.emplace(*std::move(text));
+        } else if (text && line.starts_with("msgstr") && draft.key) {
+            last = &draft.forms.emplace_back(*std::move(text));
+        } else if (text && line.starts_with("\"") && last) {
+            *last += *text;
+        } else {
+            return fail(ErrorCode::Malformed, "expected a line of a .po file, msgid or msgstr with its text",
+                        fmt::format("{}:{}", file.name, number));
+        }
+    }
+    return finish();
+}
+
 Result<Catalogue> Catalogue::parse(Language language, std::span<const CatalogueFile> files) {
     Catalogue catalogue;
     catalogue.language_ = language;
     for (const CatalogueFile& file : files) {
-        Draft draft;
-        std::string* last = nullptr;
-        std::size_t number = 0;
-        for (std::size_t from = 0; from <= file.text.size();) {
-            const std::size_t end = std::min(file.text.find('\n', from), file.text.size());
-            const std::string_view line = file.text.substr(from, end - from);
-            from = end + 1;
-            ++number;
-            const auto malformed = [&] {
-                return fail(ErrorCode::Malformed,
-                            "expected a line of a .po file, msgid or msgstr with its text",
-                            fmt::format("{}:{}", file.name, number));
-            };
-            if (line.empty() || line.starts_with("#")) {
-                if (draft.key && !draft.forms.empty()) {
-                    if (Result<void> added = catalogue.add(draft, file.name); !added)
-                        return fail(added.error());
-                    draft = {};
-                    last = nullptr;
-                }
-                draft.isFuzzy |= line.starts_with("#,") && line.find("fuzzy") != std::string_view::npos;
-                continue;
-            }
-            std::optional<std::string> text = quoted(line);
-            if (!text)
-                return malformed();
-            if (line.starts_with("msgid_plural ") && draft.key) {
-                last = &draft.pluralKey.emplace(*std::move(text));
-            } else if (line.starts_with("msgid ")) {
-                if (draft.key && !draft.forms.empty()) {
-                    if (Result<void> added = catalogue.add(draft, file.name); !added)
-                        return fail(added.error());
-                    draft = {};
-                }
-                draft.line = number;
-                last = &draft.key.emplace(*std::move(text));
-            } else if (line.starts_with("msgstr") && draft.key) {
-                last = &draft.forms.emplace_back(*std::move(text));
-            } else if (line.starts_with("\"") && last) {
-                *last += *text;
-            } else {
-                return malformed();
-            }
-        }
-        if (Result<void> added = catalogue.add(draft, file.name); !added)
-            return fail(added.error());
+        if (Result<void> done = catalogue.read(file); !done)
+            return fail(done.error());
     }
     // A text was most likely made from its most specific key.
     std::ranges::stable_sort(catalogue.entries_, std::greater<>(), &Entry::says);
@@ -296,7 +274,7 @@ Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language) {
 }
 
 std::string Catalogue::keyOf(std::string_view text) {
-    return fmt::format("{}", fmt::join(piecesOf(text), "{}"));
+    return fmt::format("{}", fmt::join(divided(text).pieces, "{}"));
 }
 
 std::set<std::string> Catalogue::keys() const {
@@ -337,10 +315,10 @@ std::optional<std::string> Catalogue::lookUp(std::string_view english, Search se
 std::optional<std::string> Catalogue::fromKeys(std::string_view english, Search search) const {
     const std::string small = withoutCapital(english);
     const bool hasCapital = small != english;
-    const std::string other = hasCapital ? small : withCapital(std::string(english));
+    const std::string other = hasCapital ? small : withCapital(english);
     const bool isOther = other != english;
-    const auto restored = [hasCapital](std::string text) {
-        return hasCapital ? withCapital(std::move(text)) : withoutCapital(text);
+    const auto restored = [hasCapital](std::string_view text) {
+        return hasCapital ? withCapital(text) : withoutCapital(text);
     };
     if (const auto found = whole_.find(std::string(english)); found != whole_.end())
         return found->second;
@@ -350,14 +328,13 @@ std::optional<std::string> Catalogue::fromKeys(std::string_view english, Search 
     const Reading turned = isOther ? read(Keys::Closed, other) : Reading();
     const std::string_view label = english.substr(0, english.find(colon)); // "Wrap s: Repeat"
     const Said labelSays = whole_.contains(std::string(label)) ? saidBy({std::string(label)}) : Said();
-    if (turned.entry &&
-        turned.entry->says() > std::max(given.entry ? given.entry->says() : Said(), labelSays))
+    if (turned.entry && turned.entry->says > std::max(given.entry ? given.entry->says : Said(), labelSays))
         return restored(translationOf(turned, search));
     if (given.entry)
         return translationOf(given, search);
     const Reading open = read(Keys::Open, english);
-    if (open.entry && open.entry->beginsWithPlaceAndColon() &&
-        open.entry->says() > saysOf(english.substr(english.find(colon) + colon.size())))
+    if (open.entry && open.entry->pieces[1].starts_with(colon) &&
+        open.entry->says > saysOf(english.substr(english.find(colon) + colon.size())))
         return translationOf(open, search);
     if (std::optional<std::string> text = afterPlace(english, search))
         return text;
@@ -366,21 +343,13 @@ std::optional<std::string> Catalogue::fromKeys(std::string_view english, Search 
     return open.entry ? std::optional(translationOf(open, search)) : std::nullopt;
 }
 
-Catalogue::Said Catalogue::Entry::says() const {
-    return saidBy(pieces);
-}
-
-bool Catalogue::Entry::beginsWithPlaceAndColon() const {
-    return isOpen() && pieces[1].starts_with(colon);
-}
-
 /// How specific the key of a text is; nothing if no key matches.
 Catalogue::Said Catalogue::saysOf(std::string_view english) const {
     if (whole_.contains(std::string(english)))
         return saidBy({std::string(english)});
     const Reading closed = read(Keys::Closed, english);
     const Reading known = closed.entry ? closed : read(Keys::Open, english);
-    return known.entry ? known.entry->says() : Said();
+    return known.entry ? known.entry->says : Said();
 }
 
 /// Uses the most specific matching key.

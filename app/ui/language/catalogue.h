@@ -63,13 +63,12 @@ private:
     struct Entry {
         std::vector<std::string> pieces; ///< of the key, between its placeholders
         std::vector<std::string> forms;  ///< the translations, one for each plural form
+        Said says;                       ///< of the key
         bool counts = false;             ///< its first placeholder is a number, which selects the form
         bool hasLines = false;           ///< false: each line of a text has its own key
 
         /// Whether it begins with a placeholder, and so may match any text.
         [[nodiscard]] bool isOpen() const { return pieces.front().empty(); }
-        [[nodiscard]] bool beginsWithPlaceAndColon() const;
-        [[nodiscard]] Said says() const;
     };
 
     /// Groups of keys that a text is compared with together.
@@ -93,6 +92,7 @@ private:
 
     struct Draft;
 
+    Result<void> read(const CatalogueFile& file);
     Result<void> add(const Draft& draft, std::string_view file);
     void addKey(std::string_view key, const Draft& draft);
     [[nodiscard]] std::optional<std::string> lookUp(std::string_view english, Search search) const;

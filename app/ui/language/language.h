@@ -2,7 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <string>
 #include <string_view>
 
 namespace texplorer::ui {

@@ -22,6 +22,11 @@ Memory labelled;
 
 constexpr std::size_t maxRemembered = 20'000;
 
+void forget() {
+    translated.clear();
+    labelled.clear();
+}
+
 const std::string& remembered(std::string_view english) {
     const auto found = translated.find(english);
     if (found != translated.end())
@@ -49,10 +54,8 @@ const std::string& rememberedLabel(std::string_view english) {
 } // namespace
 
 void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>* gaps) {
-    if (catalogue != inUse || gaps != gapsFound) {
-        translated.clear();
-        labelled.clear();
-    }
+    if (catalogue != inUse || gaps != gapsFound)
+        forget();
     inUse = catalogue;
     gapsFound = gaps;
 }
@@ -78,18 +81,15 @@ std::string label(std::string_view english) {
 }
 
 void beginTranslations() {
-    if (translated.size() > maxRemembered || labelled.size() > maxRemembered) {
-        translated.clear();
-        labelled.clear();
-    }
+    if (translated.size() > maxRemembered || labelled.size() > maxRemembered)
+        forget();
 }
 
 void keepNames(Names names) {
     if (names == namesInUse)
         return;
     namesInUse = std::move(names);
-    translated.clear();
-    labelled.clear();
+    forget();
 }
 
 } // namespace texplorer::ui

@@ -35,9 +35,8 @@ std::shared_ptr<const TextureImage> imageAsked(const Session& session) {
     const auto pass = static_cast<std::size_t>(asked.pass);
     if (pass >= scene.passes.size())
         return nullptr;
-    const int index = scene.passes[pass].units[static_cast<std::size_t>(asked.unit)].texture;
-    const bool exists = index >= 0 && static_cast<std::size_t>(index) < scene.textures.size();
-    return exists ? session.document.images.find(scene.textures[static_cast<std::size_t>(index)]) : nullptr;
+    const Texture* texture = textureOf(scene, scene.passes[pass].units[static_cast<std::size_t>(asked.unit)]);
+    return texture ? session.document.images.find(*texture) : nullptr;
 }
 
 } // namespace
@@ -53,11 +52,11 @@ void askAboutPicture(Session& session, view::Size picture) {
         asked.answer.reset();
         asked.light.reset();
         asked.lightOf.reset();
-        session.services.probe.rest();
+        session.services.probe->rest();
         return;
     }
     asked.answer =
-        session.services.probe.answer({pictureNow(session, width, height), asked.pixel, asked.texel});
+        session.services.probe->answer({pictureNow(session, width, height), asked.pixel, asked.texel});
     if (asked.lightOf == asked.answer)
         return;
     asked.lightOf = asked.answer;

@@ -12,15 +12,40 @@ void askAboutLevels(Session& session, view::Size picture) {
         session.view.shown != reference::Shown::Picture || isShown(session.settings.workspace, Tab::Levels);
     if (!isWanted || picture.width < 1 || picture.height < 1) {
         session.look.levels.answer.reset();
-        session.services.levelMap.rest();
+        session.services.levelMap->rest();
         return;
     }
     Scene stepped;
-    session.look.levels.answer = session.services.levelMap.answer(
+    session.look.levels.answer = session.services.levelMap->answer(
         {{shownScene(session, stepped), session.document.images, session.look.playback.time, picture.width,
           picture.height, session.view.anisotropy, session.view.rho},
          {session.look.selection.pass, session.look.selection.unit},
          session.view.shown});
+}
+
+void askAboutTextures(Session& session) {
+    for (const Unit& unit : selectedPass(session).units) {
+        if (const Texture* texture = textureOf(presentScene(session), unit))
+            (void)session.services.levels->summary(levelsOf(session, *texture, unit.target));
+    }
+}
+
+LevelsRequest levelsOf(const Session& session, const Texture& texture, Target target) {
+    return {session.document.images.picturesOf(texture), imageSettings(texture), target};
+}
+
+std::optional<LevelsRequest> boundLevels(const Session& session) {
+    const Texture* texture = boundTexture(session);
+    const bool isLoaded = texture && session.document.images.find(*texture);
+    return isLoaded ? std::optional(levelsOf(session, *texture, selectedUnit(session).target)) : std::nullopt;
+}
+
+std::shared_ptr<const LevelsSummary> summaryOf(const Session& session, const LevelsRequest& request) {
+    std::shared_ptr<const LevelsSummary> known = session.services.levels->find(request);
+    if (!known)
+        ask(session,
+            [request](Session& changed) { return changed.services.levels->summary(request) != nullptr; });
+    return known;
 }
 
 const reference::LevelMap* levelMapOf(const Session& session) {

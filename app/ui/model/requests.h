@@ -48,7 +48,8 @@ struct Outbox {
     std::optional<Section> wantedSection{}; ///< to open and scroll to, until it is shown
     bool wantsSearch = false;               ///< the parameter search gets the keyboard
     bool keyTaken = false;                  ///< a panel has used a key of this frame: it is not a shortcut
-    bool movesVertices = false;             ///< vertices are being moved in texture space: other edits wait
+    bool isOutdated = false;    ///< an answer has arrived after the panels: another frame shows it
+    bool movesVertices = false; ///< vertices are being moved in texture space: other edits wait
 };
 
 } // namespace texplorer::ui

@@ -63,6 +63,11 @@ void rearrange(const Session& session, std::function<void(Workspace&)> make) {
     act(session, [make = std::move(make)](Session& changed) { make(changed.settings.workspace); });
 }
 
+void ask(const Session& session, std::function<bool(Session&)> question) {
+    act(session,
+        [asked = std::move(question)](Session& changed) { changed.out.isOutdated |= asked(changed); });
+}
+
 void submit(const Session& session, Step step) {
     if (!step.edits.empty() || step.select)
         session.out.requests.emplace_back(std::move(step));
@@ -147,14 +152,15 @@ std::string unitPath(const Selection& selection) {
     return fmt::format("passes[{}].units[{}]", selection.pass, selection.unit);
 }
 
+const Texture* textureOf(const Scene& scene, const Unit& unit) {
+    const bool exists = unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size();
+    return exists ? &scene.textures[static_cast<std::size_t>(unit.texture)] : nullptr;
+}
+
 const Texture* boundTexture(const Session& session) {
     const Scene& scene = presentScene(session);
-    const auto pass = static_cast<std::size_t>(session.look.selection.pass);
-    if (pass >= scene.passes.size())
-        return nullptr;
-    const int index = scene.passes[pass].units[static_cast<std::size_t>(session.look.selection.unit)].texture;
-    const bool exists = index >= 0 && static_cast<std::size_t>(index) < scene.textures.size();
-    return exists ? &scene.textures[static_cast<std::size_t>(index)] : nullptr;
+    const bool hasPass = static_cast<std::size_t>(session.look.selection.pass) < scene.passes.size();
+    return hasPass ? textureOf(scene, selectedUnit(session)) : nullptr;
 }
 
 } // namespace texplorer::ui

@@ -42,8 +42,9 @@ struct Session {
     RecordingChoice recording;
     ViewNotes notes;
     WindowState window;
-    mutable Outbox out;       ///< of this frame
-    mutable MeshOfModel mesh; ///< see selectedMesh
+    std::shared_ptr<const reference::ProbeWorker::Answer> tableAnswer; ///< see askAboutTable
+    mutable Outbox out;                                                ///< of this frame
+    mutable MeshOfModel mesh;                                          ///< see selectedMesh
     std::size_t documents =
         0; ///< the number of replaced documents, for panels to detect that their state is out of date
 };
@@ -70,6 +71,17 @@ void act(const Session& session, Action action);
 /// The same for panels, their places and sizes.
 void rearrange(const Session& session, std::function<void(Workspace&)> make);
 
+/// The same for questions to the workers. If `question` returns true, there is something new, and another
+/// frame follows.
+void ask(const Session& session, std::function<bool(Session&)> question);
+/// The workers: panels see what they have found, and request what they are to do.
+[[nodiscard]] inline const Services& workers(const Session& session) {
+    return session.services;
+}
+[[nodiscard]] inline Services& workers(Session& session) {
+    return session.services;
+}
+
 /// Has a step made at the end of the frame, unless it has no edits and selects nothing.
 void submit(const Session& session, Step step);
 
@@ -95,6 +107,8 @@ void resetToSaved(const Session& session);
 [[nodiscard]] Unit& selectedUnit(Scene& scene, const Selection& selection); ///< in a copy of the scene
 [[nodiscard]] std::string selectedUnitPath(const Session& session);         ///< "passes[0].units[1]"
 [[nodiscard]] std::string unitPath(const Selection& selection);             ///< the same
+/// The texture of a unit; nullptr: none.
+[[nodiscard]] const Texture* textureOf(const Scene& scene, const Unit& unit);
 /// The texture bound to the selected unit, which is both used and edited as after glBindTexture. nullptr:
 /// none.
 [[nodiscard]] const Texture* boundTexture(const Session& session);

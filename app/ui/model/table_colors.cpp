@@ -1,5 +1,7 @@
 #include "app/ui/model/table_colors.h"
 
+#include "app/ui/model/level_view.h"
+#include "app/ui/state/workspace.h"
 #include "texplorer/image/mean_color.h"
 #include "texplorer/reference/probe.h"
 #include "texplorer/scene/model_mesh.h"
@@ -35,22 +37,8 @@ const reference::EnvironmentInputs* inputsIn(const reference::Explanation& expla
 }
 
 /// From the probed pixel; nothing: none is probed, it has no such fragment, or nothing is known yet.
-std::optional<reference::EnvironmentInputs> probedInputs(const Session& session, view::Size picture) {
-    const std::optional<reference::PixelPlace>& pixel = session.look.explaining.pixel;
-    const bool isInside =
-        pixel && pixel->x < picture.width && pixel->y < picture.height && boundTexture(session);
-    if (!isInside) {
-        session.services.plainProbe.rest();
-        return std::nullopt;
-    }
-    Scene scene = presentScene(session);
-    Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(session).texture)];
-    texture.internalFormat = wholeFormat(texture.internalFormat);
-    const auto answer = session.services.plainProbe.answer(
-        {{std::move(scene), session.document.images, session.look.playback.time, picture.width,
-          picture.height, session.view.anisotropy, session.view.rho},
-         pixel,
-         std::nullopt});
+std::optional<reference::EnvironmentInputs> probedInputs(const Session& session) {
+    const auto& answer = session.tableAnswer;
     if (!answer || !answer->explanation || !*answer->explanation)
         return std::nullopt;
     const reference::EnvironmentInputs* inputs = inputsIn(**answer->explanation, session.look.selection);
@@ -58,6 +46,26 @@ std::optional<reference::EnvironmentInputs> probedInputs(const Session& session,
 }
 
 } // namespace
+
+void askAboutTable(Session& session, view::Size picture) {
+    const std::optional<reference::PixelPlace>& pixel = session.look.explaining.pixel;
+    const bool isSeen =
+        session.window.figure == Figure::Environments && isShown(session.settings.workspace, Tab::Figures);
+    if (!isSeen || !pixel || pixel->x >= picture.width || pixel->y >= picture.height ||
+        !boundTexture(session)) {
+        session.tableAnswer.reset();
+        session.services.plainProbe->rest();
+        return;
+    }
+    Scene scene = presentScene(session);
+    Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(session).texture)];
+    texture.internalFormat = wholeFormat(texture.internalFormat);
+    session.tableAnswer = session.services.plainProbe->answer(
+        {{std::move(scene), session.document.images, session.look.playback.time, picture.width,
+          picture.height, session.view.anisotropy, session.view.rho},
+         pixel,
+         std::nullopt});
+}
 
 BaseFormat baseFormatOf(const Texture& texture, const LevelsSummary* summary) {
     if (summary && summary->compressed)
@@ -67,13 +75,12 @@ BaseFormat baseFormatOf(const Texture& texture, const LevelsSummary* summary) {
                : baseFormat(texture.internalFormat);
 }
 
-TableSubject tableSubject(const Session& session, view::Size picture) {
+TableSubject tableSubject(const Session& session) {
     TableSubject subject;
     const Scene& scene = presentScene(session);
     const Unit& unit = selectedUnit(session);
     if (const Texture* texture = boundTexture(session)) {
-        const auto summary = session.services.levels.summary(
-            {session.document.images.picturesOf(*texture), imageSettings(*texture), unit.target});
+        const auto summary = summaryOf(session, levelsOf(session, *texture, unit.target));
         if (summary && !summary->levels.empty())
             subject.texels = summary->levels.front().second;
         subject.format = baseFormatOf(*texture, summary.get());
@@ -81,7 +88,7 @@ TableSubject tableSubject(const Session& session, view::Size picture) {
                             texture->source != SourceKind::LightDepth;
     }
     subject.colors.constant = glm::clamp(unit.envColor, 0.0F, 1.0F);
-    if (const auto inputs = probedInputs(session, picture)) {
+    if (const auto inputs = probedInputs(session)) {
         subject.colors.fragment = inputs->previous;
         subject.colors.texel = inputs->source;
         subject.probed = true;

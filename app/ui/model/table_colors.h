@@ -21,8 +21,11 @@ struct TableSubject {
 /// The base format that the environment uses for a texture; nullptr: nothing is known about its levels yet.
 [[nodiscard]] BaseFormat baseFormatOf(const Texture& texture, const LevelsSummary* summary);
 
-/// Requests the colours of the probed pixel, in a picture of this size, as if the texture kept all four
-/// components of its image: each row of the table takes its components, regardless of the current format.
-[[nodiscard]] TableSubject tableSubject(const Session& session, view::Size picture);
+/// Call once per frame, before the panels. If the table is shown, asks for the colours of the probed pixel,
+/// in a picture of this size, as if the texture kept all four components of its image: each row of the table
+/// takes its components, regardless of the current format.
+void askAboutTable(Session& session, view::Size picture);
+
+[[nodiscard]] TableSubject tableSubject(const Session& session);
 
 } // namespace texplorer::ui

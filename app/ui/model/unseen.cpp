@@ -9,15 +9,13 @@ void restUnseen(Session& session) {
     const auto isSeen = [&](Figure figure) {
         return session.window.figure == figure && isShown(session.settings.workspace, Tab::Figures);
     };
-    const Services& services = session.services;
-    if (!isSeen(Figure::Environments)) {
-        services.environments.rest();
-        services.plainProbe.rest();
-    }
+    Services& services = session.services;
+    if (!isSeen(Figure::Environments))
+        services.environments->rest();
     if (!isSeen(Figure::Sheet))
-        services.sheet.rest();
+        services.sheet->rest();
     if (!isShown(session.settings.workspace, Tab::Commands))
-        services.programs.rest();
+        services.programs->rest();
 }
 
 } // namespace texplorer::ui

@@ -1,9 +1,6 @@
-#include "app/ui/parameters/anisotropy_line.h"
-
 #include "app/ui/model/preview.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 
@@ -20,9 +17,9 @@ constexpr float minSliderWidth = 2.8F; ///< next to the buttons, in letters' hei
 void offerAnisotropy(const Session& session, const ParamRow& row, const std::string& path, int step,
                      bool isChosen) {
     const std::string assignment = fmt::format("{}={}", path, step);
-    noteItem(assignment);
-    helpTip(step == 1 ? std::string("One sample a pixel: no anisotropic filter")
-                      : fmt::format("Up to {} samples along the longer side of a pixel's footprint", step));
+    item(assignment,
+         step == 1 ? std::string("One sample a pixel: no anisotropic filter")
+                   : fmt::format("Up to {} samples along the longer side of a pixel's footprint", step));
     if (ImGui::IsItemHovered() && !isChosen)
         preview(session, assignment, fmt::format("{}: {}", row.label, step),
                 [&](Scene& scene) { (void)setParam(scene, path, std::to_string(step)); });
@@ -55,8 +52,7 @@ float maxAnisotropyOf(float driver, const ParamRow& row) {
 void anisotropyLine(const Session& session, const Owner& texture, const ParamRow& row) {
     const bool isIdle = idleReasonOf(session.document.findings, texture.pathOf(row)) != nullptr;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::AlignTextToFramePadding();
-    text("Anisotropy", isIdle ? color::dim : color::text);
+    labelText("Anisotropy", isIdle ? color::dim : color::text);
     helpTip(row.help);
     ImGui::SameLine();
     const std::vector<Segment> segments =

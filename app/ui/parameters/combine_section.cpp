@@ -2,8 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/wrapped_text.h"
+#include "app/ui/widgets/button_width.h"
 #include "texplorer/gl/combine_equation.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -102,7 +101,7 @@ void drawEquation(const Session& session, const Combine& combine, const Half& ha
 float widestChoice(const ParamRow& row) {
     float widest = 0;
     for (const EnumRow& choice : row.choices)
-        widest = std::max(widest, ImGui::CalcTextSize(tr(choice.label).c_str()).x);
+        widest = std::max(widest, textWidth(choice.label));
     return widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
@@ -110,14 +109,12 @@ void drawHalf(const Session& session, const Owner& owner, const Half& half) {
     const auto& combine = *static_cast<const Combine*>(owner.values);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float full = ImGui::GetContentRegionAvail().x;
-    const float name =
-        std::max(ImGui::CalcTextSize(tr("Colour")).x, ImGui::CalcTextSize(tr("Alpha")).x) + 2 * gap;
+    const float name = std::max(textWidth("Colour"), textWidth("Alpha")) + 2 * gap;
     const float left = ImGui::GetCursorPosX();
     const float scale = ImGui::GetFontSize() * 3;
     const float times = ImGui::CalcTextSize("×").x;
 
-    ImGui::AlignTextToFramePadding();
-    text(half.title);
+    labelText(half.title);
     ImGui::SameLine(left + name);
     paramControl(session, owner, rowNamed(half.function), full - name - scale - times - 2 * gap);
     ImGui::SameLine(0, gap);
@@ -151,18 +148,12 @@ void drawHalf(const Session& session, const Owner& owner, const Half& half) {
 } // namespace
 
 void combineSection(const Session& session) {
-    const Combine& combine = selectedUnit(session).combine;
-    static const Combine initial;
-    const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {
+    Owner owner = shownStructs(session, Section::Combine).front().owner;
+    owner.labelOf = [&](const ParamRow& row, const EnumRow& choice) {
         const bool isNone =
             session.look.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
         return std::string(isNone ? "No unit before" : choice.label);
     };
-    const Owner owner{&combine,
-                      &initial,
-                      fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::combine>()),
-                      {},
-                      labelOfChoice};
     for (const Half& half : halves) {
         if (&half != halves.data())
             ImGui::Separator();

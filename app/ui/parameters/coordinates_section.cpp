@@ -4,27 +4,15 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "texplorer/scene/light_projection.h"
 #include "texplorer/scene/params/keys.h"
-
-#include <fmt/core.h>
 
 #include <array>
 
 namespace texplorer::ui {
 namespace {
 
-struct Coordinate {
-    const char* letter;
-    Key key; ///< of the unit
-    TexGen Unit::*state;
-};
-
-constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &Unit::texGenS},
-                                                 {"t", keyOf<&Unit::texGenT>, &Unit::texGenT},
-                                                 {"r", keyOf<&Unit::texGenR>, &Unit::texGenR},
-                                                 {"q", keyOf<&Unit::texGenQ>, &Unit::texGenQ}}};
+constexpr std::array coordinateLetters{"s", "t", "r", "q"};
 
 /// Buttons that set several of these parameters and others at once.
 void lightButtons(const Session& session) {
@@ -40,8 +28,7 @@ void lightButtons(const Session& session) {
                     say(told, "Not possible: no more textures or matrix steps can be added.");
                 });
         }
-        noteItem(words);
-        helpTip(tip);
+        item(words, tip);
     };
     button("Slide projector",
            "Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
@@ -60,17 +47,14 @@ void lightButtons(const Session& session) {
 } // namespace
 
 void coordinatesSection(const Session& session) {
-    const Unit& unit = selectedUnit(session);
-    static const Unit initial;
+    const std::vector<ShownStruct> places = shownStructs(session, Section::Coordinates);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Coordinate& coordinate = coordinates[i];
-        const TexGen& state = unit.*coordinate.state;
-        const Owner owner{&(unit.*coordinate.state), &(initial.*coordinate.state),
-                          fmt::format("{}.{}", selectedUnitPath(session), coordinate.key())};
-        const StructTable& table = texGenTable(i);
+    for (std::size_t i = 0; i < coordinateLetters.size(); ++i) {
+        const Owner& owner = places[i].owner;
+        const StructTable& table = *places[i].table;
+        const auto& state = *static_cast<const TexGen*>(owner.values);
         ImGui::AlignTextToFramePadding();
-        plainText(coordinate.letter, componentColor(static_cast<int>(i)));
+        plainText(coordinateLetters[i], componentColor(static_cast<int>(i)));
         ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.2F);
         paramControl(session, owner, *findParam(table, keyOf<&TexGen::enabled>()), 0);
         ImGui::SameLine(0, gap);
@@ -86,14 +70,13 @@ void coordinatesSection(const Session& session) {
         paramRows(session, owner, table, planes);
     }
     lightButtons(session);
-    const Owner emboss{&unit.emboss, &initial.emboss,
-                       fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::emboss>())};
-    caption("Emboss");
+    const ShownStruct& emboss = places.back();
+    caption(emboss.title);
     RowOptions options;
     options.folds = [&](const ParamRow& row) {
-        return !unit.emboss.enabled && row.member != memberId<&Emboss::enabled>;
+        return !selectedUnit(session).emboss.enabled && row.member != memberId<&Emboss::enabled>;
     };
-    paramRows(session, emboss, embossTable(), options);
+    paramRows(session, emboss.owner, *emboss.table, options);
 }
 
 } // namespace texplorer::ui

@@ -1,10 +1,9 @@
 #include "app/ui/model/explaining.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/image/mean_color.h"
 #include "texplorer/reference/sampling/sampled_texture.h"
@@ -46,7 +45,7 @@ EnvironmentSample referenceSample(const Session& session, const Scene& scene, co
         const Texture* texture = textureOf(scene, pass.units[u]);
         if (!texture || (u != chosen && !pass.units[u].enabled))
             continue;
-        const auto summary = summaryOf(session, *texture, pass.units[u].target);
+        const auto summary = summaryOf(session, levelsOf(session, *texture, pass.units[u].target));
         const bool isThere = summary && !summary->levels.empty();
         formats[u] = baseFormatOf(*texture, summary.get());
         sources[u] = reference::sourceColor(formats[u], isThere ? meanColor(*summary->levels.front().second)
@@ -109,8 +108,7 @@ void swatch(const char* name, glm::vec4 value, bool counts, const char* help) {
                            ImGuiColorEditFlags_NoDragDrop,
                        {extent * 1.6F, extent});
     ImGui::PopStyleVar();
-    noteItem(fmt::format("environment:{}", name));
-    helpTip(fmt::format("{}\n{}", help, numbersOf(value)));
+    item(fmt::format("environment:{}", name), fmt::format("{}\n{}", help, numbersOf(value)));
 }
 
 bool hasSymbol(const EnvironmentEquations& equations, const char* color, const char* alpha) {

@@ -1,12 +1,8 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/tex_coord_edits.h"
-#include "app/ui/parameters/anisotropy_line.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/parameters/shown_structs.h"
 #include "app/ui/state/pinned.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/wrapped_text.h"
 #include "texplorer/base/count.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
@@ -71,8 +67,7 @@ void vertexLine(const Session& session) {
     const std::size_t count = selectedMesh(session).vertices.size();
     const std::optional<std::size_t> vertex = session.look.selection.vertex;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::AlignTextToFramePadding();
-    text("Vertex", vertex ? color::chosen : color::text);
+    labelText("Vertex", vertex ? color::chosen : color::text);
     if (model && count > 0)
         helpTip(fmt::format("Vertex 0 to {} of model {} ({})", count - 1, session.look.selection.model,
                             nameOf(*model)));
@@ -114,8 +109,7 @@ void wrapLine(const Session& session, const Owner& owner, const ParamRow& row, i
 
 /// A line with a caption on the left and a colour on the right.
 void captionWithColor(const Session& session, const char* words, const Owner& owner, const ParamRow& row) {
-    ImGui::AlignTextToFramePadding();
-    text(words);
+    labelText(words);
     const std::string_view name = shownName(session.settings, row);
     const float width = ImGui::CalcTextSize(tr(name).c_str()).x;
     const float left = ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize();
@@ -179,16 +173,14 @@ void environmentBlock(const Session& session) {
 
 void matrixBlock(const Session& session) {
     const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
-    ImGui::AlignTextToFramePadding();
-    text("Texture matrix");
+    labelText("Texture matrix");
     ImGui::SameLine();
     dimText(steps.empty() ? std::string(tr("identity")) : countOf(steps.size(), "step"));
     if (!steps.empty()) {
         ImGui::SameLine();
         if (ImGui::SmallButton(label("Edit")))
             session.out.wantedSection = Section::Matrix;
-        noteItem("edit matrix");
-        helpTip("Shows the steps of the texture matrix");
+        item("edit matrix", "Shows the steps of the texture matrix");
     }
     motionButtons(session);
 }

@@ -2,8 +2,6 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/parameters/shown_structs.h"
-#include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "texplorer/scene/params/keys.h"
@@ -40,11 +38,8 @@ void drawChoice(const Session& session, const Pictures& pictures, const Choice& 
     ImGui::PopID();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(low, high, color::ground);
-    if (choice.image && !choice.image->empty()) {
-        if (const view::PictureHandle picture = pictures.show(choice.image);
-            picture != view::PictureHandle::None)
-            draw.AddImage(textureId(picture), low, high, {0, 1}, {1, 0}); // row 0 is the bottom one
-    }
+    if (choice.image && !choice.image->empty())
+        drawImage(pictures, choice.image, low, high);
     const float line = std::max(1.0F, std::floor(ImGui::GetFontSize() / 8));
     if (choice.isCurrent || hovered)
         draw.AddRect({low.x - line, low.y - line}, {high.x + line, high.y + line},
@@ -84,8 +79,7 @@ void imageChoice(const Session& session, const Pictures& pictures) {
     const Texture& texture = *boundTexture(session);
     const std::string path =
         elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture));
-    ImGui::AlignTextToFramePadding();
-    text("Image");
+    labelText("Image");
     ImGui::SameLine();
     const float right = ImGui::GetContentRegionMax().x;
     const bool isWide = ImGui::GetCursorPosX() + buttonWidth("Open image…") <= right;
@@ -99,9 +93,9 @@ void imageChoice(const Session& session, const Pictures& pictures) {
     ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
     if (ImGui::Button(label(open)))
         act(session, [](Session& s) { askOpenImage(s); });
-    noteItem("open image");
-    helpTip("Opens an image file for this texture. Or drop one onto the window (Ctrl+I)");
+    item("open image", "Opens an image file for this texture. Or drop one onto the window (Ctrl+I)");
 
+    ask(session, [](Session& s) { return workers(s).patterns->ask(); });
     std::vector<Choice> choices;
     for (const EnumRow& row : patternRows) {
         const auto pattern = static_cast<Pattern>(row.value);
@@ -109,7 +103,7 @@ void imageChoice(const Session& session, const Pictures& pictures) {
         choices.push_back({fmt::format("{}={}", rowPath, row.name),
                            std::string(row.label),
                            row.help,
-                           session.services.patterns.find(pattern),
+                           workers(session).patterns->find(pattern),
                            texture.source == SourceKind::Pattern && texture.pattern == pattern,
                            rowPath,
                            {sourceIs(path, SourceKind::Pattern), edit::Set{rowPath, std::string(row.name)}}});

@@ -3,7 +3,6 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/list_buttons.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/preset/preset.h"
 #include "texplorer/scene/params/keys.h"
@@ -79,8 +78,7 @@ void addStepButtons(const Session& session, int perLine) {
             addStep(session, op);
             ImGui::CloseCurrentPopup(); // if they are in a popup
         }
-        noteItem(fmt::format("add:{}", op.name));
-        helpTip(op.help);
+        item(fmt::format("add:{}", op.name), op.help);
     }
     ImGui::EndDisabled();
 }
@@ -95,8 +93,7 @@ void motionButtons(const Session& session) {
         drawSegments(buttons, ImGui::GetContentRegionAvail().x, std::nullopt, [&](std::size_t number) {
             if (number < motions.size())
                 return offerMotion(session, motions[number]);
-            noteItem("add matrix step");
-            helpTip("Adds a step at the end of the texture matrix");
+            item("add matrix step", "Adds a step at the end of the texture matrix");
         });
     if (pressed && *pressed < motions.size())
         applyMotion(session, motions[*pressed]);
@@ -111,23 +108,21 @@ void motionButtons(const Session& session) {
 }
 
 void matrixSection(const Session& session) {
-    const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
-    static const MatrixStep initial;
+    const std::vector<ShownStruct> steps = shownStructs(session, Section::Matrix);
     if (steps.empty())
         wrappedText("The identity: coordinates are unchanged. Each step moves, turns or scales them.");
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const std::string path = fmt::format("{}.{}", selectedUnitPath(session), elementOf<&Unit::matrix>(i));
-        ImGui::AlignTextToFramePadding();
-        dimText(fmt::format("Step {}", i + 1));
+        labelText(fmt::format("Step {}", i + 1), color::dim);
         constexpr ListWords words{"matrix step",      "", "Move this step up",    "Move this step down",
                                   "Remove this step", "", "Reorder matrix steps", "Remove matrix step"};
-        if (const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size())) {
+        if (const std::optional<ListEdit> pressed =
+                elementButtons(words, steps[i].owner.path, i, steps.size())) {
             const std::string list = matrixPath(session);
             submit(session,
                    {.name = words.nameOf(*pressed), .edits = {editOf(*pressed, list, i)}, .path = list});
         }
-        paramRows(session, {&steps[i], &initial, path}, matrixStepTable(), {.captions = false});
+        paramRows(session, steps[i].owner, matrixStepTable(), {.captions = false});
         ImGui::Separator();
         ImGui::PopID();
     }

@@ -2,7 +2,6 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -96,18 +95,16 @@ void modelSection(const Session& session) {
         return;
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     modelChoice(session, width, width);
-    static const Model initial;
+    static const MeshData initial;
     const Model& model = *selectedModel(session);
-    const std::string path =
-        elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model));
+    const std::vector<ShownStruct> places = shownStructs(session, Section::Model);
     if (model.shape == Shape::Mesh)
-        meshRows(session, {&model.mesh, &initial.mesh, fmt::format("{}.{}", path, keyOf<&Model::mesh>())},
-                 model.mesh);
-    paramRows(session, {&model, &initial, path}, modelTable());
-    if (model.ownMaterial)
-        paramRows(session,
-                  {&model.material, &initial.material, fmt::format("{}.{}", path, keyOf<&Model::material>())},
-                  modelMaterialTable());
+        meshRows(
+            session,
+            {&model.mesh, &initial, fmt::format("{}.{}", places.front().owner.path, keyOf<&Model::mesh>())},
+            model.mesh);
+    for (const ShownStruct& place : places) // the model and its own material
+        paramRows(session, place.owner, *place.table);
 }
 
 } // namespace texplorer::ui

@@ -1,7 +1,5 @@
-#include "app/ui/parameters/param_search.h"
-
 #include "app/ui/model/param_match.h"
-#include "app/ui/parameters/shown_structs.h"
+#include "app/ui/parameters/sections.h"
 
 #include <fmt/core.h>
 

@@ -1,18 +1,12 @@
 #include "app/ui/parameters/parameters_panel.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/parameters/param_search.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/parameters/shown_structs.h"
-#include "app/ui/parameters/unit_bar.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/text_field.h"
-#include "app/ui/widgets/theme.h"
 #include "texplorer/base/count.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -121,7 +115,7 @@ void unitSection(const Session& session) {
     paramRows(session, unitOwner(session), unitTable(), options);
 }
 
-void unitTab(const Session& session) {
+void unitTab(const Session& session, const Pictures& /*pictures*/) {
     if (section(session, Section::Unit))
         unitSection(session);
     const EnvMode mode = selectedUnit(session).envMode;
@@ -132,52 +126,43 @@ void unitTab(const Session& session) {
         combineSection(session);
 }
 
-void coordinatesTab(const Session& session) {
+void coordinatesTab(const Session& session, const Pictures& /*pictures*/) {
     if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
         matrixSection(session);
     if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
         coordinatesSection(session);
 }
 
-void lightTab(const Session& session) {
-    static const Light initial;
-    const Light& light = presentScene(session).light;
-    if (section(session, Section::Light)) {
-        paramRows(session, {&light, &initial, keyOf<&Scene::light>()}, lightTable());
-        caption("Projector");
-        paramRows(session, {&light.projector, &initial.projector, pathOf<&Scene::light, &Light::projector>()},
-                  projectorTable());
+/// A section with nothing but rows: those of each struct after the first are below its title.
+void sectionOfRows(const Session& session, Section which) {
+    if (!section(session, which))
+        return;
+    bool isFirst = true;
+    for (const ShownStruct& place : shownStructs(session, which)) {
+        if (!std::exchange(isFirst, false))
+            caption(place.title);
+        paramRows(session, place.owner, *place.table);
     }
-    if (section(session, Section::Material))
-        paramRows(session, materialOwner(session), materialTable());
 }
 
-void viewTab(const Session& session) {
-    static const View start = defaultScene().view;
+void passTab(const Session& session, const Pictures& /*pictures*/) {
+    passSection(session);
+}
+
+void lightTab(const Session& session, const Pictures& /*pictures*/) {
+    sectionOfRows(session, Section::Light);
+    sectionOfRows(session, Section::Material);
+}
+
+void viewTab(const Session& session, const Pictures& /*pictures*/) {
     if (section(session, Section::Model))
         modelSection(session);
-    if (section(session, Section::View))
-        paramRows(session, {&presentScene(session).view, &start, keyOf<&Scene::view>()}, viewTable());
+    sectionOfRows(session, Section::View);
 }
 
-void drawTab(const Session& session, ParameterTab tab, const Pictures& pictures) {
-    switch (tab) {
-    case ParameterTab::Essentials:
-        return essentials(session, pictures);
-    case ParameterTab::Texture:
-        return textureSection(session, pictures);
-    case ParameterTab::Unit:
-        return unitTab(session);
-    case ParameterTab::Coordinates:
-        return coordinatesTab(session);
-    case ParameterTab::Pass:
-        return passSection(session);
-    case ParameterTab::Light:
-        return lightTab(session);
-    case ParameterTab::View:
-        return viewTab(session);
-    }
-}
+/// In the order of ParameterTab.
+constexpr std::array<void (*)(const Session& session, const Pictures& pictures), parameterTabRows.size()>
+    drawTabs{essentials, textureSection, unitTab, coordinatesTab, passTab, lightTab, viewTab};
 
 /// The search field, and the switch to OpenGL's names.
 void searchLine(const Session& session, ParametersState& state) {
@@ -205,19 +190,15 @@ void searchLine(const Session& session, ParametersState& state) {
         ImGui::SameLine(0, gap);
     }
     const bool glNames = session.settings.glNames;
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetColorU32(glNames ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-    if (ImGui::Button(names))
+    if (markedButton(names, glNames))
         act(session, [](Session& changed) { changed.settings.glNames = !changed.settings.glNames; });
-    ImGui::PopStyleColor();
-    noteItem("GL names");
-    helpTip(glNames ? "Shows plain words again"
-                    : "Shows OpenGL's names of parameters and choices: GL_TEXTURE_WRAP_S, GL_REPEAT");
+    item("GL names", glNames
+                         ? "Shows plain words again"
+                         : "Shows OpenGL's names of parameters and choices: GL_TEXTURE_WRAP_S, GL_REPEAT");
 }
 
 void noteTab(std::size_t number) {
-    noteItem(fmt::format("parameters:{}", parameterTabRows.at(number).label));
-    helpTip(parameterTabRows.at(number).help);
+    item(fmt::format("parameters:{}", parameterTabRows.at(number).label), parameterTabRows.at(number).help);
 }
 
 /// A choice instead of the tabs, if their buttons would leave no height for the content.
@@ -305,7 +286,7 @@ void drawParametersPanel(const Session& session, ParametersState& state, const P
               {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
                ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
     if (state.search.empty())
-        drawTab(session, state.tab, pictures);
+        drawTabs.at(static_cast<std::size_t>(state.tab))(session, pictures);
     else
         searchResults(session, state.search);
     ImGui::EndChild();

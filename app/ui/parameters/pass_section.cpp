@@ -1,9 +1,8 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/parameters/sections.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
-#include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/widget_places.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/format.h>
@@ -91,8 +90,7 @@ void modelsOfPass(const Session& session) {
     bool all = named.empty();
     if (ImGui::Checkbox(label("All models"), &all))
         setModels(session, all ? std::vector<int>{} : order);
-    noteItem("pass models:all");
-    helpTip("Whether this pass draws all models in order, or only the selected ones");
+    item("pass models:all", "Whether this pass draws all models in order, or only the selected ones");
     if (named.empty())
         return;
     for (std::size_t place = 0; place < order.size(); ++place) {
@@ -115,10 +113,7 @@ void drawDot() {
 
 /// A button with the number of a pass.
 bool passButton(const Pass& pass, int number, float width, bool isChosen) {
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetStyleColorVec4(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_Button));
-    const bool pressed = ImGui::Button(fmt::format("{}##pass", number).c_str(), {width, 0});
-    ImGui::PopStyleColor();
+    const bool pressed = markedButton(fmt::format("{}##pass", number).c_str(), isChosen, {width, 0});
     noteItem(fmt::format("pass:{}", number));
     if (pass.enabled)
         drawDot();
@@ -142,8 +137,7 @@ void passChoice(const Session& session) {
     if (ownLine)
         left = room - gap * (count - 1);
     const float width = std::clamp(std::floor(left / count), 1.0F, ImGui::GetFrameHeight() * 1.3F);
-    ImGui::AlignTextToFramePadding();
-    text("Pass");
+    labelText("Pass");
     for (int i = 0; i < static_cast<int>(passes.size()); ++i) {
         if (i > 0 || !ownLine)
             ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
@@ -153,17 +147,15 @@ void passChoice(const Session& session) {
     bool steps = session.view.stepsThroughPasses;
     if (ImGui::Checkbox(label("Step: only up to this pass"), &steps))
         act(session, [steps](Session& changed) { changed.view.stepsThroughPasses = steps; });
-    noteItem("step through passes");
-    helpTip("Hides the passes after the selected one. Select 0, 1, 2 … to see them added one by one");
+    item("step through passes",
+         "Hides the passes after the selected one. Select 0, 1, 2 … to see them added one by one");
 }
 
 void passSection(const Session& session) {
-    static const Pass initial;
-    ImGui::AlignTextToFramePadding();
-    dimText(fmt::format("Pass {}", session.look.selection.pass));
+    labelText(fmt::format("Pass {}", session.look.selection.pass), color::dim);
     editPasses(session);
-    const auto chosen = static_cast<std::size_t>(session.look.selection.pass);
-    const Owner owner{&selectedPass(session), &initial, elementOf<&Scene::passes>(chosen)};
+    const std::vector<ShownStruct> places = shownStructs(session, Section::Pass); // the pass and its fog
+    const Owner& owner = places.front().owner;
     // The switch needs no caption, and the models are next to the name.
     const StructTable& table = passTable();
     const auto rest = std::ranges::find(table.params, memberId<&Pass::models>, &ParamRow::member) + 1;
@@ -171,13 +163,11 @@ void passSection(const Session& session) {
         paramWidget(session, owner, *row);
     modelsOfPass(session);
     paramRows(session, owner, {table.name, {rest, table.params.end()}, table.children});
-    const Fog& fog = selectedPass(session).fog;
-    const Owner fogOwner{&fog, &initial.fog, fmt::format("{}.{}", owner.path, keyOf<&Pass::fog>())};
     RowOptions options;
     options.folds = [&](const ParamRow& row) {
-        return !fog.enabled && row.member != memberId<&Fog::enabled>;
+        return !selectedPass(session).fog.enabled && row.member != memberId<&Fog::enabled>;
     };
-    paramRows(session, fogOwner, fogTable(), options);
+    paramRows(session, places.back().owner, fogTable(), options);
 }
 
 } // namespace texplorer::ui

@@ -1,7 +1,4 @@
-#include "app/ui/parameters/shown_structs.h"
-
-#include "app/ui/parameters/texture_lists.h"
-#include "app/ui/parameters/unit_bar.h"
+#include "app/ui/parameters/sections.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -112,6 +109,12 @@ std::vector<ShownStruct> shownStructs(const Session& session) {
     places.push_back({Section::Material, "Material", materialOwner(session), &materialTable()});
     addModelPlaces(places, session);
     add(places, Section::View, "Camera", scene.view, start, keyOf<&Scene::view>(), viewTable());
+    return places;
+}
+
+std::vector<ShownStruct> shownStructs(const Session& session, Section section) {
+    std::vector<ShownStruct> places = shownStructs(session);
+    std::erase_if(places, [section](const ShownStruct& place) { return place.section != section; });
     return places;
 }
 

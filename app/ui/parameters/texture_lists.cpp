@@ -1,14 +1,12 @@
-#include "app/ui/parameters/texture_lists.h"
-
 #include "app/ui/files/asking.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/sheet_choice.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/list_buttons.h"
+#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
-#include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/problem_sign.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/texture/level_plan.h"
 
@@ -36,7 +34,8 @@ public:
         ImGui::GetWindowDrawList()->AddRectFilled(low_, high, color::ground);
         if (image && !image->empty()) {
             noteDrawn(name, low_, high);
-            draw(pictures.show(image), *image);
+            drawImageIn(pictures, image, low_, {extent_, extent_},
+                        extent_ / static_cast<float>(std::max(image->width, image->height)));
         }
         ImGui::Indent(indent_);
     }
@@ -50,17 +49,6 @@ public:
     }
 
 private:
-    void draw(view::PictureHandle picture, const Image& image) const {
-        if (picture == view::PictureHandle::None)
-            return;
-        const float scale = extent_ / static_cast<float>(std::max(image.width, image.height));
-        const ImVec2 size(static_cast<float>(image.width) * scale, static_cast<float>(image.height) * scale);
-        const ImVec2 low(low_.x + (extent_ - size.x) / 2, low_.y + (extent_ - size.y) / 2);
-        // Row 0 is the bottom one.
-        ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, {low.x + size.x, low.y + size.y},
-                                             {0, 1}, {1, 0});
-    }
-
     ImVec2 low_;
     float extent_;
     float indent_;
@@ -184,8 +172,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
         const std::string path = owner + elementOf<&Texture::preparation>(i);
         ImGui::PushID(path.c_str());
         const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
-        ImGui::AlignTextToFramePadding();
-        dimText(fmt::format("Step {}", i + 1));
+        labelText(fmt::format("Step {}", i + 1), color::dim);
         editElement(session, i, steps.size(), path, stepWords);
         elementRows(session, steps[i], path, imageStepTable());
         ImGui::PopID();
@@ -228,8 +215,7 @@ void levelList(const Session& session, std::size_t index, const LevelsSummary* s
         const int number = static_cast<int>(i) + 1;
         ImGui::PushID(path.c_str());
         const PictureLines lines(pictures, pictureOf(summary, number), "picture:" + path);
-        ImGui::AlignTextToFramePadding();
-        dimText(fmt::format("Level {}", number));
+        labelText(fmt::format("Level {}", number), color::dim);
         ImGui::SameLine();
         if (const Finding* problem = problemOf(session.document.findings, path)) {
             problemSign(session, path, *problem);

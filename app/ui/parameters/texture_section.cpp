@@ -1,14 +1,10 @@
 // The texture bound to the selected unit: the choice and its parameters.
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/parameters/shown_structs.h"
-#include "app/ui/parameters/texture_lists.h"
-#include "app/ui/parameters/texture_thumbnail.h"
-#include "app/ui/parameters/unit_bar.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -87,7 +83,7 @@ void textureSection(const Session& session, const Pictures& pictures) {
     const auto index = static_cast<std::size_t>(selectedUnit(session).texture);
     const bool hasPictures = !texture->preparation.empty() || texture->mipmaps == MipPolicy::Given;
     const std::shared_ptr<const LevelsSummary> summary =
-        hasPictures ? summaryOf(session, *texture, selectedUnit(session).target) : nullptr;
+        hasPictures ? summaryOf(session, levelsOf(session, *texture, selectedUnit(session).target)) : nullptr;
     RowOptions options;
     options.after = [&](std::string_view group) {
         listsAfter(group, session, index, summary.get(), pictures);

@@ -1,21 +1,15 @@
-#include "app/ui/parameters/texture_thumbnail.h"
-
 #include "app/ui/language/translate.h"
+#include "app/ui/model/level_view.h"
+#include "app/ui/parameters/sections.h"
 #include "texplorer/text/printable.h"
-#include "texplorer/texture/texture_levels.h"
 
 #include <filesystem>
 
 namespace texplorer::ui {
 
-std::shared_ptr<const LevelsSummary> summaryOf(const Session& session, const Texture& texture,
-                                               Target target) {
-    return session.services.levels.summary(
-        {session.document.images.picturesOf(texture), imageSettings(texture), target});
-}
-
 std::shared_ptr<const Image> thumbnailOf(const Session& session, const Texture& texture, Target target) {
-    const std::shared_ptr<const LevelsSummary> summary = summaryOf(session, texture, target);
+    const std::shared_ptr<const LevelsSummary> summary =
+        summaryOf(session, levelsOf(session, texture, target));
     return summary && !summary->levels.empty() ? summary->levels.front().second : nullptr;
 }
 
@@ -30,11 +24,6 @@ std::string nameOfImage(const Texture& texture) {
 std::string shownNameOfImage(const Texture& texture) {
     const std::string name = nameOfImage(texture);
     return texture.source == SourceKind::File ? name : tr(name);
-}
-
-const Texture* textureOf(const Scene& scene, const Unit& unit) {
-    const bool exists = unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size();
-    return exists ? &scene.textures[static_cast<std::size_t>(unit.texture)] : nullptr;
 }
 
 } // namespace texplorer::ui

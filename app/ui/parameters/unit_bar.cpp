@@ -1,18 +1,14 @@
-#include "app/ui/parameters/unit_bar.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
-#include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/overlap.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -44,20 +40,15 @@ void ownTexture(const Session& session) {
 void drawThumbnail(const Session& session, const Pictures& pictures, const Unit& unit, int number, ImVec2 low,
                    float extent) {
     const ImVec2 high(low.x + extent, low.y + extent);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(low, high, color::ground);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, color::ground);
     const Texture* texture = textureOf(presentScene(session), unit);
     const std::shared_ptr<const Image> image =
         texture ? thumbnailOf(session, *texture, unit.target) : nullptr;
     if (!image || image->empty())
         return;
     noteDrawn(fmt::format("picture:unit {}", number), low, high);
-    const view::PictureHandle picture = pictures.show(image);
-    if (picture == view::PictureHandle::None)
-        return;
     constexpr float offAlpha = 0.3F;
-    const ImU32 tint = ImGui::GetColorU32(ImVec4(1, 1, 1, unit.enabled ? 1 : offAlpha));
-    draw.AddImage(textureId(picture), low, high, {0, 1}, {1, 0}, tint); // row 0 is the bottom one
+    drawImage(pictures, image, low, high, ImGui::GetColorU32(ImVec4(1, 1, 1, unit.enabled ? 1 : offAlpha)));
 }
 
 std::string unitTip(const Session& session, int number) {
@@ -89,13 +80,9 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
     const float digit = ImGui::CalcTextSize(shown.c_str()).x;
     const float toggle = std::floor(std::clamp(width - digit - 3 * pad, em * 0.6F, em * 1.2F));
     ImGui::PushID(number);
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-    if (overlappedItem([&] { return ImGui::Button("##unit", {width, height}); })) // by the switch
+    if (overlappedItem([&] { return markedButton("##unit", isChosen, {width, height}); })) // by the switch
         act(session, [number](Session& changed) { changed.look.selection.unit = number; });
-    ImGui::PopStyleColor();
-    noteItem(fmt::format("unit:{}", number));
-    helpTip(unitTip(session, number));
+    item(fmt::format("unit:{}", number), unitTip(session, number));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (isChosen)
         draw.AddRectFilled({low.x + pad, low.y + height - std::ceil(pad * 0.7F)},
@@ -115,9 +102,9 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
     bool on = unit.enabled;
     if (ImGui::Checkbox("##on", &on))
         switchUnit(session, number, on);
-    noteItem(fmt::format("unit:{} on", number));
-    helpTip(on ? fmt::format("Switches texture unit {} off: its texture has no effect", number)
-               : fmt::format("Switches texture unit {} on", number));
+    item(fmt::format("unit:{} on", number),
+         on ? fmt::format("Switches texture unit {} off: its texture has no effect", number)
+            : fmt::format("Switches texture unit {} on", number));
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PopID();
@@ -132,9 +119,9 @@ void reachLine(const Session& session) {
     dimWrappedText(unit.enabled
                        ? fmt::format("Texture {}: this unit and {}", unit.texture, sharers)
                        : fmt::format("Texture {}: {}, and this unit when on", unit.texture, sharers));
-    noteItem("shares texture");
-    helpTip("They share the texture's settings: image, filters, wrap modes and levels belong to the "
-            "texture object. Environment, matrix and generated coordinates belong to each unit.");
+    item("shares texture",
+         "They share the texture's settings: image, filters, wrap modes and levels belong to the "
+         "texture object. Environment, matrix and generated coordinates belong to each unit.");
     const char* give = "Make a copy";
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(give) <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)

@@ -21,14 +21,15 @@ EnvironmentPictures::EnvironmentPictures(When when, std::function<void()> wake)
               return std::shared_ptr<const Image>();
           }) {}
 
-std::shared_ptr<const Image> EnvironmentPictures::find(const Question& question) {
+bool EnvironmentPictures::ask(const Question& question) {
     if (asked_ != question) {
         asked_ = question;
         worker_.ask(question);
     }
-    for (std::shared_ptr<const Image>& made : worker_.take())
-        newest_ = std::move(made);
-    return newest_;
+    std::vector<std::shared_ptr<const Image>> arrived = worker_.take();
+    if (!arrived.empty())
+        newest_ = std::move(arrived.back());
+    return !arrived.empty();
 }
 
 void EnvironmentPictures::rest() {

@@ -25,9 +25,11 @@ public:
 
         bool operator==(const Question&) const = default;
     };
-    /// The newest pictures, all in one image: for this question, or for an earlier one until they are ready.
-    /// nullptr: none yet.
-    [[nodiscard]] std::shared_ptr<const Image> find(const Question& question);
+    /// Call in every frame that shows the pictures. Returns true if new ones have arrived.
+    bool ask(const Question& question);
+    /// The newest pictures, all in one image: for the last question, or for an earlier one until they are
+    /// ready. nullptr: none yet.
+    [[nodiscard]] std::shared_ptr<const Image> newest() const { return newest_; }
 
     /// Call when the pictures are no longer shown.
     void rest();

@@ -33,9 +33,12 @@ std::vector<std::filesystem::path> FilesBeside::changed() {
     return watch_.changed();
 }
 
-std::shared_ptr<const Image> FilesBeside::thumbnail(const std::filesystem::path& file,
-                                                    std::filesystem::file_time_type modified) {
-    return thumbnails_.find(file, modified);
+void FilesBeside::askThumbnail(const std::filesystem::path& file, std::filesystem::file_time_type modified) {
+    thumbnails_.ask(file, modified);
+}
+
+std::shared_ptr<const Image> FilesBeside::thumbnail(const std::filesystem::path& file) const {
+    return thumbnails_.find(file);
 }
 
 bool FilesBeside::receiveThumbnails() {

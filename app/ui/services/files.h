@@ -37,12 +37,16 @@ public:
     /// The files that have changed since the last call.
     [[nodiscard]] virtual std::vector<std::filesystem::path> changed() = 0;
 
-    /// A small picture of a file; nullptr: not ready, or not available. `modified` distinguishes versions of
-    /// a file.
+    /// Call in every frame that shows a small picture of a file. `modified` distinguishes versions of a file.
+    virtual void askThumbnail(const std::filesystem::path& /*file*/,
+                              std::filesystem::file_time_type /*modified*/) {}
+    /// The small picture; nullptr: not ready, or not available.
     [[nodiscard]] virtual std::shared_ptr<const Image>
-    thumbnail(const std::filesystem::path& file, std::filesystem::file_time_type modified) = 0;
+    thumbnail(const std::filesystem::path& /*file*/) const {
+        return nullptr;
+    }
     /// Call once before each frame. Returns true if a small picture has arrived.
-    virtual bool receiveThumbnails() = 0;
+    virtual bool receiveThumbnails() { return false; }
 
     /// Blocks until all requests are finished.
     virtual void wait() const = 0;
@@ -59,8 +63,8 @@ public:
     [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override;
     void watch(std::vector<std::filesystem::path> files) override;
     [[nodiscard]] std::vector<std::filesystem::path> changed() override;
-    [[nodiscard]] std::shared_ptr<const Image> thumbnail(const std::filesystem::path& file,
-                                                         std::filesystem::file_time_type modified) override;
+    void askThumbnail(const std::filesystem::path& file, std::filesystem::file_time_type modified) override;
+    [[nodiscard]] std::shared_ptr<const Image> thumbnail(const std::filesystem::path& file) const override;
     bool receiveThumbnails() override;
     void wait() const override;
 
@@ -79,11 +83,6 @@ public:
     [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override { return std::nullopt; }
     void watch(std::vector<std::filesystem::path> /*files*/) override {}
     [[nodiscard]] std::vector<std::filesystem::path> changed() override { return {}; }
-    [[nodiscard]] std::shared_ptr<const Image>
-    thumbnail(const std::filesystem::path& /*file*/, std::filesystem::file_time_type /*modified*/) override {
-        return nullptr;
-    }
-    bool receiveThumbnails() override { return false; }
     void wait() const override {}
 
 private:

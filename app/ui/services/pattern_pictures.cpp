@@ -40,14 +40,15 @@ PatternPictures::PatternPictures(When when, std::function<void()> wake)
               return Picture{pattern, nullptr};
           }) {}
 
-std::shared_ptr<const Image> PatternPictures::find(Pattern pattern) {
+bool PatternPictures::ask() {
     if (!std::exchange(asked_, true)) {
         for (const EnumRow& row : patternRows)
             worker_.ask(static_cast<Pattern>(row.value));
     }
-    for (Picture& made : worker_.take())
+    std::vector<Picture> arrived = worker_.take();
+    for (Picture& made : arrived)
         pictures_.at(static_cast<std::size_t>(made.first)) = std::move(made.second);
-    return pictures_.at(static_cast<std::size_t>(pattern));
+    return !arrived.empty();
 }
 
 } // namespace texplorer::ui

@@ -18,8 +18,12 @@ public:
     /// `wake` is called on that thread for each new picture.
     explicit PatternPictures(When when, std::function<void()> wake = {});
 
+    /// Call in every frame that shows the pictures. Returns true if new ones have arrived.
+    bool ask();
     /// nullptr: not ready.
-    [[nodiscard]] std::shared_ptr<const Image> find(Pattern pattern);
+    [[nodiscard]] std::shared_ptr<const Image> find(Pattern pattern) const {
+        return pictures_.at(static_cast<std::size_t>(pattern));
+    }
 
 private:
     using Picture = std::pair<Pattern, std::shared_ptr<const Image>>;

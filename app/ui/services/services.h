@@ -20,26 +20,45 @@
 
 namespace texplorer::ui {
 
+/// Something that the host owns: through a const one only its const functions can be called.
+template<class T>
+class Lent {
+public:
+    Lent(T& lent) // NOLINT(google-explicit-constructor): as a reference
+        : lent_(&lent) {}
+    Lent(T* lent = nullptr) // NOLINT(google-explicit-constructor): as a pointer; nullptr: there is none
+        : lent_(lent) {}
+
+    T* operator->() { return lent_; }
+    const T* operator->() const { return lent_; }
+    operator T&() { return *lent_; }            // NOLINT(google-explicit-constructor)
+    operator T*() { return lent_; }             // NOLINT(google-explicit-constructor)
+    operator const T*() const { return lent_; } // NOLINT(google-explicit-constructor)
+
+private:
+    T* lent_;
+};
+
 /// The workers of the window. Owned by the host; must outlive the session.
 struct Services {
-    Files& files;
-    LevelsWorker& levels;                ///< of the scene's textures
-    reference::DrawWorker& reference;    ///< of the reference's picture
-    reference::DrawWorker& kept;         ///< of its picture of the kept state A
-    reference::ProbeWorker& probe;       ///< of the pixel that is explained
-    reference::LevelMapWorker& levelMap; ///< of the levels that each pixel reads
-    PatternPictures& patterns;           ///< of the choice of patterns
-    LevelPictures& levelPictures;        ///< of the level shown in texture space
-    LessonWork& lessons;                 ///< of the open lesson
-    EnvironmentPictures& environments;   ///< of the table of environments
-    reference::ProbeWorker&
-        plainProbe;                 ///< of the same pixel for that table, regardless of the texture's format
-    SheetPictures& sheet;           ///< of the sheet of variations
-    emit::ProgramWorker& programs;  ///< of the calls in the tab
-    FileWriting& writing;           ///< of sheets, animations and programs
-    UnsavedWork* unsaved = nullptr; ///< nullptr: unsaved work is not kept
-    SettingsFile* settings = nullptr; ///< nullptr: settings are not kept
-    Captures* captures = nullptr;     ///< nullptr: no pictures are written
+    Lent<Files> files;
+    Lent<LevelsWorker> levels;                ///< of the scene's textures
+    Lent<reference::DrawWorker> reference;    ///< of the reference's picture
+    Lent<reference::DrawWorker> kept;         ///< of its picture of the kept state A
+    Lent<reference::ProbeWorker> probe;       ///< of the pixel that is explained
+    Lent<reference::LevelMapWorker> levelMap; ///< of the levels that each pixel reads
+    Lent<PatternPictures> patterns;           ///< of the choice of patterns
+    Lent<LevelPictures> levelPictures;        ///< of the level shown in texture space
+    Lent<LessonWork> lessons;                 ///< of the open lesson
+    Lent<EnvironmentPictures> environments;   ///< of the table of environments
+    Lent<reference::ProbeWorker>
+        plainProbe;            ///< of the same pixel for that table, regardless of the texture's format
+    Lent<SheetPictures> sheet; ///< of the sheet of variations
+    Lent<emit::ProgramWorker> programs; ///< of the calls in the tab
+    Lent<FileWriting> writing;          ///< of sheets, animations and programs
+    Lent<UnsavedWork> unsaved{};        ///< nullptr: unsaved work is not kept
+    Lent<SettingsFile> settings{};      ///< nullptr: settings are not kept
+    Lent<Captures> captures{};          ///< nullptr: no pictures are written
 };
 
 /// The services of a window, which reads files with a `FilesKind`.
@@ -49,20 +68,10 @@ public:
     /// `wake` is called on the workers' threads when the next frame has something new; `work`: how textures
     /// are compressed at run time.
     OwnedServices(When when, const std::function<void()>& wake, const LevelWork& work, auto&&... files)
-        : files_(files...)
-        , levels_(when, wake, work)
-        , reference_(when, wake, work)
-        , kept_(when, wake, work)
-        , probe_(when, wake, work)
-        , levelMap_(when, wake, work)
-        , patterns_(when, wake)
-        , levelPictures_(when, wake)
-        , lessons_(when, wake)
-        , environments_(when, wake)
-        , plainProbe_(when, wake, work)
-        , sheet_(when, wake, work)
-        , programs_(when, wake, work)
-        , writing_(when, wake, work) {}
+        : when_(when)
+        , wake_(wake)
+        , work_(work)
+        , files_(files...) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
         return {files_,   levels_,       reference_,  kept_,  probe_,    levelMap_, patterns_, levelPictures_,
@@ -70,20 +79,23 @@ public:
     }
 
 private:
+    When when_;
+    std::function<void()> wake_;
+    LevelWork work_;
     FilesKind files_;
-    LevelsWorker levels_;
-    reference::DrawWorker reference_;
-    reference::DrawWorker kept_;
-    reference::ProbeWorker probe_;
-    reference::LevelMapWorker levelMap_;
-    PatternPictures patterns_;
-    LevelPictures levelPictures_;
-    LessonWork lessons_;
-    EnvironmentPictures environments_;
-    reference::ProbeWorker plainProbe_;
-    SheetPictures sheet_;
-    emit::ProgramWorker programs_;
-    FileWriting writing_;
+    LevelsWorker levels_{when_, wake_, work_};
+    reference::DrawWorker reference_{when_, wake_, work_};
+    reference::DrawWorker kept_{when_, wake_, work_};
+    reference::ProbeWorker probe_{when_, wake_, work_};
+    reference::LevelMapWorker levelMap_{when_, wake_, work_};
+    PatternPictures patterns_{when_, wake_};
+    LevelPictures levelPictures_{when_, wake_};
+    LessonWork lessons_{when_, wake_};
+    EnvironmentPictures environments_{when_, wake_};
+    reference::ProbeWorker plainProbe_{when_, wake_, work_};
+    SheetPictures sheet_{when_, wake_, work_};
+    emit::ProgramWorker programs_{when_, wake_, work_};
+    FileWriting writing_{when_, wake_, work_};
 };
 
 /// Services that work in the background on their own threads. Textures that are compressed at run time are

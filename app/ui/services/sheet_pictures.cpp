@@ -133,8 +133,9 @@ SheetPictures::SheetPictures(When when, std::function<void()> wake, LevelWork le
 
 SheetPictures::~SheetPictures() = default;
 
-const SheetPictures::Cells& SheetPictures::cells(const Question& question) {
+bool SheetPictures::ask(const Question& question) {
     State& state = *state_;
+    bool news = false;
     if (state.wanted != question) {
         const bool same = state.wanted && sameCells(*state.wanted, question);
         state.wanted = question;
@@ -147,14 +148,19 @@ const SheetPictures::Cells& SheetPictures::cells(const Question& question) {
         state.worker.ask({state.lastNumber, question});
     }
     for (State::Answer& answer : state.worker.take()) {
-        if (answer.number >= state.firstOfThese && answer.cells.size() == state.shown.size())
+        if (answer.number >= state.firstOfThese && answer.cells.size() == state.shown.size()) {
+            news = true;
             state.shown = std::move(answer.cells);
+        }
     }
-    return state.shown;
+    return news;
 }
 
-bool SheetPictures::isDrawing() const {
-    return state_->wanted && state_->worker.isWorking();
+SheetPictures::Cells SheetPictures::cells(const SweepAxis& rows, const SweepAxis& columns) const {
+    const std::optional<Question>& wanted = state_->wanted;
+    return wanted && wanted->rows == rows && wanted->columns == columns
+               ? state_->shown
+               : Cells(rows.values.size() * columns.values.size());
 }
 
 void SheetPictures::rest() {

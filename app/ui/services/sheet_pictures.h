@@ -42,11 +42,10 @@ public:
     /// Row by row. A cell may be the answer to an earlier question about the same cells.
     using Cells = std::vector<Cell>;
 
+    /// Call in every frame that shows the pictures. Returns true if new ones have arrived.
+    bool ask(const Question& question);
     /// The newest picture of each cell.
-    [[nodiscard]] const Cells& cells(const Question& question);
-
-    /// Whether more pictures will follow.
-    [[nodiscard]] bool isDrawing() const;
+    [[nodiscard]] Cells cells(const SweepAxis& rows, const SweepAxis& columns) const;
 
     /// Call when the pictures are no longer shown: cancels the current drawing, and frees pictures and
     /// textures.

@@ -4,8 +4,7 @@
 
 namespace texplorer::ui {
 
-std::shared_ptr<const Image> Thumbnails::find(const std::filesystem::path& file,
-                                              std::filesystem::file_time_type modified) {
+void Thumbnails::ask(const std::filesystem::path& file, std::filesystem::file_time_type modified) {
     Slot& slot = slots_[file];
     const bool isNew = slot.frame == 0;
     slot.frame = frame_ + 1;
@@ -15,7 +14,11 @@ std::shared_ptr<const Image> Thumbnails::find(const std::filesystem::path& file,
         slot.modified = modified;
         slot.ticket = loader_.load(file, ImageLoader::Wanted::Thumbnail);
     }
-    return slot.image;
+}
+
+std::shared_ptr<const Image> Thumbnails::find(const std::filesystem::path& file) const {
+    const auto slot = slots_.find(file);
+    return slot == slots_.end() ? nullptr : slot->second.image;
 }
 
 bool Thumbnails::receive() {

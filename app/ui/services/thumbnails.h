@@ -15,9 +15,10 @@ public:
     explicit Thumbnails(std::function<void()> wake)
         : loader_(std::move(wake)) {}
 
-    /// nullptr: not ready, or the file has none. `modified` distinguishes versions of a file.
-    [[nodiscard]] std::shared_ptr<const Image> find(const std::filesystem::path& file,
-                                                    std::filesystem::file_time_type modified);
+    /// Call in every frame that shows the picture. `modified` distinguishes versions of a file.
+    void ask(const std::filesystem::path& file, std::filesystem::file_time_type modified);
+    /// nullptr: not ready, or the file has none.
+    [[nodiscard]] std::shared_ptr<const Image> find(const std::filesystem::path& file) const;
 
     /// Call once before each frame. Returns true if a picture has arrived.
     bool receive();

@@ -1,16 +1,17 @@
 #pragma once
 
-#include "app/ui/state/load.h"
 #include "texplorer/base/result.h"
 #include "texplorer/emit/flavour.h"
 
 #include <filesystem>
-#include <memory>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace texplorer::ui {
+
+struct Session; // see session.h
 
 enum class Dialog {
     None,
@@ -30,32 +31,11 @@ enum class Dialog {
     Picture
 };
 
-/// What waits for the answer about unsaved changes.
+/// The action that waits for the user's decision about unsaved changes: closing the window, or another one.
 namespace pending {
-struct NewScene {};
-struct Example {
-    std::string file; ///< its name
-};
-struct Lesson {
-    std::string nameOrFolder;
-};
-struct ChooseScene {};
-struct OpenFiles {
-    std::vector<std::filesystem::path> files; ///< at least one
-};
-struct OpenScene {
-    std::filesystem::path file;
-};
-struct ShowScene {
-    std::shared_ptr<Load> load; ///< finished; shared for the sake of copies of the state
-};
 struct Quit {};
 } // namespace pending
-
-/// The action that waits for the user's decision about unsaved changes.
-using Pending =
-    std::variant<std::monostate, pending::NewScene, pending::Example, pending::Lesson, pending::ChooseScene,
-                 pending::OpenFiles, pending::OpenScene, pending::ShowScene, pending::Quit>;
+using Pending = std::variant<std::monostate, pending::Quit, std::function<void(Session&)>>;
 
 /// For Dialog::Picture: an image that contains a scene, which the user may want to open.
 struct AskedPicture {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -68,12 +69,6 @@ inline constexpr std::array tabRows{
 [[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {
     return tabRows[static_cast<std::size_t>(tab)];
 }
-static_assert([] {
-    for (const TabRow& row : tabRows) {
-        if (&rowOf(row.tab) != &row)
-            return false;
-    }
-    return true;
-}());
+static_assert(std::ranges::all_of(tabRows, [](const TabRow& row) { return &rowOf(row.tab) == &row; }));
 
 } // namespace texplorer::ui

@@ -33,6 +33,11 @@ std::string nameOf(const Document& document) {
     return (name.extension() == ".texplorer" ? name.stem() : name).string();
 }
 
+std::string fileNameOf(const Document& document, std::string_view end) {
+    const std::string name = nameOf(document);
+    return (name.empty() ? "scene" : name) + std::string(end);
+}
+
 std::string windowTitle(const Document& document) {
     const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
     const std::string name = file.empty() ? tr("Untitled") : file.filename().string();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/ui/state/kept.h"
 #include "app/ui/state/load.h"
+#include "app/ui/state/selection.h"
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/scene/history.h"
 #include "texplorer/scene/scene.h"
@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::ui {
@@ -37,6 +38,18 @@ struct ForcedLevel {
     int level = 0;
     int baseLevel = 0;
     int maxLevel = 0;
+};
+
+/// A: the state of a document that the user kept, for comparisons with the current state. Undo does not
+/// change it.
+struct Kept {
+    std::shared_ptr<const Scene> scene; ///< nullptr: no state is kept
+    /// The same scene with the current camera, for the view. nullptr: the view does not draw it.
+    std::shared_ptr<const Scene> seen;
+    /// The current scene while the view shows A: any edit except of the camera switches back to the current
+    /// scene.
+    std::optional<Scene> flippedAt;
+    Selection selection{}; ///< at the time when it was kept
 };
 
 /// The scene that is shown and edited. Opening a scene creates another Document; the window stays.
@@ -76,6 +89,8 @@ struct Document {
 
 /// "earth" of earth.json and of earth.texplorer.json; empty: no file.
 [[nodiscard]] std::string nameOf(const Document& document);
+/// The name of another file about it: "earth-sheet.png", "scene-sheet.png" without a file.
+[[nodiscard]] std::string fileNameOf(const Document& document, std::string_view end);
 
 /// "earth.json • Texplorer": the bullet marks unsaved changes.
 [[nodiscard]] std::string windowTitle(const Document& document);

@@ -3,8 +3,6 @@
 // The results of lesson steps in Settings::lessons, which are kept after a lesson is closed.
 
 #include "app/ui/state/settings.h"
-#include "texplorer/base/result.h"
-#include "texplorer/files/file_fingerprint.h"
 #include "texplorer/lesson/lesson_files.h"
 
 #include <cstddef>

@@ -1,14 +1,16 @@
 #pragma once
 
-#include "app/ui/state/explaining.h"
 #include "app/ui/state/inspected_file.h"
-#include "app/ui/state/level_view.h"
-#include "app/ui/state/preview.h"
 #include "app/ui/state/selection.h"
-#include "texplorer/reference/explain/explanation.h"
+#include "texplorer/image/image.h"
+#include "texplorer/image/texture_image.h"
+#include "texplorer/reference/level_map_worker.h"
+#include "texplorer/reference/probe_worker.h"
 #include "texplorer/scene/picking.h"
+#include "texplorer/scene/scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -41,6 +43,39 @@ struct Notice {
     bool isGood = false;        ///< reports success; else a problem
 };
 
+/// The user's questions about the picture: why a pixel has its colour, and which pixels a texel contributes
+/// to.
+struct Explaining {
+    std::optional<reference::PixelPlace> pixel{};
+    std::optional<reference::TexelQuestion> texel{};
+    std::shared_ptr<const TextureImage> texelOf{}; ///< the image of the texel: cleared together with it
+    std::shared_ptr<const reference::ProbeWorker::Answer>
+        answer{};                         ///< the newest answer; may be for an earlier question
+    std::shared_ptr<const Image> light{}; ///< from the answer: alpha is the texel's weight in each pixel
+    std::shared_ptr<const reference::ProbeWorker::Answer> lightOf{};
+    /// The answer for a pinned pixel, shown next to the current one, as it was when it was pinned; nullptr:
+    /// none.
+    std::shared_ptr<const reference::ProbeWorker::Answer> pinned{};
+    bool isOpen = false; ///< the tab is in front: a click in the view selects the pixel
+};
+
+/// The levels that each pixel reads: shown as false colours over the pictures, and in the tab Levels.
+struct LevelView {
+    std::optional<reference::PixelPlace> hovered{}; ///< the pixel under the pointer, set by the view
+    std::shared_ptr<const reference::LevelMapWorker::Answer>
+        answer{}; ///< the newest; may be for an earlier question
+};
+
+/// The scene that the view shows instead of the document's while the pointer rests on a choice. It is not
+/// recorded, diagnosed or saved.
+struct Preview {
+    std::string choice; ///< identifies it: "textures[0].wrapS=GL_CLAMP"
+    std::string text;   ///< the text in the view: "Wrap s: Clamp (legacy)"
+    std::shared_ptr<const Scene> scene;
+    Scene madeOf;        ///< the document's scene without the edit
+    bool wanted = false; ///< requested in this frame
+};
+
 /// How the current document is shown; reset for another document.
 struct Look {
     Playback playback;
@@ -49,7 +84,7 @@ struct Look {
     std::optional<PickedVertex> hoveredInPlane; ///< the same in the texture space
     Plane plane;
     std::string shownParam;         ///< the parameter that was scrolled to; has a frame until the next click
-    std::optional<Preview> preview; ///< shown by the view: see preview.h
+    std::optional<Preview> preview; ///< shown by the view
     /// A pixel to explain, in thousandths from the upper left, until the user selects another one.
     std::optional<WantedProbe> wantedProbe;
     Explaining explaining;

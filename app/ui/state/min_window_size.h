@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/view/frame.h"
+#include "app/view/size.h"
 
 namespace texplorer::ui {
 

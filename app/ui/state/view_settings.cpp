@@ -20,15 +20,10 @@ std::vector<RendererKind> offeredOf(const ViewSettings& settings) {
 } // namespace
 
 std::vector<RendererKind> shownRenderers(const ViewSettings& settings) {
-    switch (settings.arrangement) {
-    case Arrangement::One:
-    case Arrangement::Kept:
+    if (!comparesRenderers(settings))
         return {settings.renderer};
-    case Arrangement::Split:
+    if (settings.arrangement == Arrangement::Split)
         return {settings.compared.begin(), settings.compared.end()};
-    case Arrangement::Grid:
-        break;
-    }
     return offeredOf(settings);
 }
 

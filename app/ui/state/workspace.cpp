@@ -5,11 +5,7 @@
 namespace texplorer::ui {
 namespace {
 
-TabPlace& placeOf(Workspace& workspace, Tab tab) {
-    return workspace.tabs[static_cast<std::size_t>(tab)];
-}
-
-const TabPlace& placeOf(const Workspace& workspace, Tab tab) {
+auto& placeOf(auto& workspace, Tab tab) {
     return workspace.tabs[static_cast<std::size_t>(tab)];
 }
 

@@ -11,7 +11,7 @@ namespace {
 using WorkspaceJson = nlohmann::ordered_json;
 
 struct ShownRow {
-    const char* key;
+    std::string_view name;
     bool Workspace::*member;
 };
 constexpr std::array shownRows{
@@ -20,7 +20,7 @@ constexpr std::array shownRows{
 };
 
 struct SeamRow {
-    const char* key;
+    std::string_view name;
     float Seams::*member;
     float max;
 };
@@ -31,11 +31,20 @@ constexpr std::array seamRows{
     SeamRow{"below", &Seams::below, 1},
 };
 
-/// The value for a message: hostile text may be deep or long.
-std::string foundText(const WorkspaceJson& value) {
+/// A value, and its JSON pointer.
+struct Place {
+    const WorkspaceJson& value;
+    std::string where{};
+};
+
+/// `words` end with a place for the value: hostile text may be deep or long.
+template<class... Accepted>
+Result<void> refuse(const Place& at, ErrorCode code, const char* words, const Accepted&... accepted) {
     constexpr std::size_t maxShown = 40;
-    const std::string text = value.is_primitive() ? value.dump() : std::string(value.type_name());
-    return text.size() > maxShown ? std::string(value.type_name()) : text;
+    const std::string type = at.value.type_name();
+    const std::string text = at.value.is_primitive() ? at.value.dump() : type;
+    const std::string& found = text.size() > maxShown ? type : text;
+    return fail(code, fmt::format(fmt::runtime(words), accepted..., found), at.where);
 }
 
 /// The row with this name, among those that a reader knows.
@@ -55,83 +64,61 @@ std::string workspaceNames(const Rows& rows) {
     return names;
 }
 
-/// Whether there is such a member; it must be an object.
-Result<const WorkspaceJson*> objectIn(const WorkspaceJson& owner, const char* key) {
-    const auto found = owner.find(key);
-    if (found == owner.end())
-        return nullptr;
-    if (!found->is_object())
-        return fail(ErrorCode::Malformed, fmt::format("expected an object, found {}", foundText(*found)),
-                    fmt::format("/{}", key));
-    return &*found;
+/// Reads the member of an object, if it has it.
+template<class Read>
+Result<void> readMember(const Place& object, std::string_view name, const Read& read) {
+    if (!object.value.is_object())
+        return refuse(object, ErrorCode::Malformed, "expected an object, found {}");
+    const auto member = object.value.find(name);
+    return member == object.value.end() ? Result<void>()
+                                        : read(Place{*member, fmt::format("{}/{}", object.where, name)});
 }
 
-Result<void> readTab(const WorkspaceJson& value, const TabRow& row, Workspace& workspace) {
-    const std::string where = fmt::format("/tabs/{}", row.name);
-    if (!value.is_object())
-        return fail(ErrorCode::Malformed, fmt::format("expected an object, found {}", foundText(value)),
-                    where);
-    TabPlace& place = workspace.tabs[static_cast<std::size_t>(row.tab)];
-    if (const auto dock = value.find("dock"); dock != value.end()) {
-        const DockRow* named = rowNamed(dockRows, *dock);
-        if (!named)
-            return fail(
-                ErrorCode::OutOfRange,
-                fmt::format("expected one of {}, found {}", workspaceNames(dockRows), foundText(*dock)),
-                where + "/dock");
-        place.dock = named->dock;
-    }
-    if (const auto open = value.find("open"); open != value.end()) {
-        if (!open->is_boolean())
-            return fail(ErrorCode::Malformed,
-                        fmt::format("expected true or false, found {}", foundText(*open)), where + "/open");
-        place.open = open->get<bool>();
+/// The same for each row's member.
+template<class Rows, class Read>
+Result<void> readMembers(const Place& object, const Rows& rows, const Read& read) {
+    for (const auto& row : rows) {
+        const auto readRow = [&](const Place& at) { return read(row, at); };
+        if (Result<void> done = readMember(object, row.name, readRow); !done)
+            return done;
     }
     return {};
 }
 
-Result<void> readTabs(const WorkspaceJson& json, Workspace& workspace) {
-    const auto tabs = objectIn(json, "tabs");
-    if (!tabs)
-        return fail(tabs.error());
-    for (const TabRow& row : tabRows) {
-        if (!*tabs || !(*tabs)->contains(row.name))
-            continue;
-        if (const auto read = readTab((*tabs)->at(std::string(row.name)), row, workspace); !read)
-            return read;
-    }
-    const auto front = objectIn(json, "front");
-    if (!front)
-        return fail(front.error());
-    for (const DockRow& row : dockRows) {
-        if (!*front || !(*front)->contains(row.name))
-            continue;
-        const WorkspaceJson& name = (*front)->at(std::string(row.name));
-        if (!name.is_string())
-            return fail(ErrorCode::Malformed,
-                        fmt::format("expected the name of a tab, found {}", foundText(name)),
-                        fmt::format("/front/{}", row.name));
-        if (const TabRow* tab = rowNamed(tabRows, name)) // otherwise from another version
-            workspace.front[static_cast<std::size_t>(row.dock)] = tab->tab;
-    }
+Result<void> readSwitch(const Place& at, bool& isOn) {
+    if (!at.value.is_boolean())
+        return refuse(at, ErrorCode::Malformed, "expected true or false, found {}");
+    isOn = at.value.get<bool>();
     return {};
 }
 
-Result<void> readSeams(const WorkspaceJson& json, Seams& seams) {
-    const auto object = objectIn(json, "seams");
-    if (!object)
-        return fail(object.error());
-    for (const SeamRow& row : seamRows) {
-        if (!*object || !(*object)->contains(row.key))
-            continue;
-        const WorkspaceJson& value = (*object)->at(row.key);
-        const float number = value.is_number() ? value.get<float>() : -1;
-        if (!(number >= 0 && number <= row.max))
-            return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected a number from 0 to {}, found {}", row.max, foundText(value)),
-                        fmt::format("/seams/{}", row.key));
-        seams.*row.member = number;
-    }
+Result<void> readDock(const Place& at, Dock& dock) {
+    const DockRow* named = rowNamed(dockRows, at.value);
+    if (!named)
+        return refuse(at, ErrorCode::OutOfRange, "expected one of {}, found {}", workspaceNames(dockRows));
+    dock = named->dock;
+    return {};
+}
+
+Result<void> readTab(const Place& tab, TabPlace& place) {
+    return readMember(tab, "dock", [&](const Place& at) { return readDock(at, place.dock); }).and_then([&] {
+        return readMember(tab, "open", [&](const Place& at) { return readSwitch(at, place.open); });
+    });
+}
+
+Result<void> readFront(const Place& at, Tab& front) {
+    if (!at.value.is_string())
+        return refuse(at, ErrorCode::Malformed, "expected the name of a tab, found {}");
+    if (const TabRow* tab = rowNamed(tabRows, at.value)) // otherwise from another version
+        front = tab->tab;
+    return {};
+}
+
+Result<void> readSeam(const Place& at, float max, float& seam) {
+    const float number = at.value.is_number() ? at.value.get<float>() : -1;
+    if (!(number >= 0 && number <= max))
+        return refuse(at, ErrorCode::OutOfRange, "expected a number from 0 to {}, found {}", max);
+    seam = number;
     return {};
 }
 
@@ -140,16 +127,15 @@ Result<void> readSeams(const WorkspaceJson& json, Seams& seams) {
 std::string writeWorkspace(const Workspace& workspace) {
     WorkspaceJson json;
     for (const ShownRow& row : shownRows)
-        json[row.key] = workspace.*row.member;
+        json[std::string(row.name)] = workspace.*row.member;
     for (const TabRow& row : tabRows)
-        json["tabs"][std::string(row.name)] = {
-            {"dock", dockRows[static_cast<std::size_t>(dockOf(workspace, row.tab))].name},
-            {"open", isOpen(workspace, row.tab)}};
+        json["tabs"][std::string(row.name)] = {{"dock", rowOf(dockOf(workspace, row.tab)).name},
+                                               {"open", isOpen(workspace, row.tab)}};
     for (const DockRow& row : dockRows)
         json["front"][std::string(row.name)] =
             rowOf(workspace.front[static_cast<std::size_t>(row.dock)]).name;
     for (const SeamRow& row : seamRows)
-        json["seams"][row.key] = workspace.seams.*row.member;
+        json["seams"][std::string(row.name)] = workspace.seams.*row.member;
     return json.dump(2) + "\n";
 }
 
@@ -160,21 +146,27 @@ Result<Workspace> parseWorkspace(std::string_view text) {
                     json.is_discarded() ? std::string("expected a JSON object, found no JSON")
                                         : fmt::format("expected a JSON object, found {}", json.type_name()));
     Workspace workspace;
-    for (const ShownRow& row : shownRows) {
-        const auto shown = json.find(row.key);
-        if (shown == json.end())
-            continue;
-        if (!shown->is_boolean())
-            return fail(ErrorCode::Malformed,
-                        fmt::format("expected true or false, found {}", foundText(*shown)),
-                        fmt::format("/{}", row.key));
-        workspace.*row.member = shown->get<bool>();
-    }
-    if (const auto read = readTabs(json, workspace); !read)
-        return fail(read.error());
-    if (const auto read = readSeams(json, workspace.seams); !read)
-        return fail(read.error());
-    return workspace;
+    const Place whole{json};
+    const auto part = [&](std::string_view name, const auto& rows, const auto& read) {
+        return readMember(whole, name, [&](const Place& at) { return readMembers(at, rows, read); });
+    };
+    const auto shown = [&](const ShownRow& row, const Place& at) {
+        return readSwitch(at, workspace.*row.member);
+    };
+    const auto tab = [&](const TabRow& row, const Place& at) {
+        return readTab(at, workspace.tabs[static_cast<std::size_t>(row.tab)]);
+    };
+    const auto front = [&](const DockRow& row, const Place& at) {
+        return readFront(at, workspace.front[static_cast<std::size_t>(row.dock)]);
+    };
+    const auto seam = [&](const SeamRow& row, const Place& at) {
+        return readSeam(at, row.max, workspace.seams.*row.member);
+    };
+    return readMembers(whole, shownRows, shown)
+        .and_then([&] { return part("tabs", tabRows, tab); })
+        .and_then([&] { return part("front", dockRows, front); })
+        .and_then([&] { return part("seams", seamRows, seam); })
+        .map([&] { return workspace; });
 }
 
 } // namespace texplorer::ui

@@ -1,6 +1,7 @@
 #include "app/ui/texture_space/outline_drawing.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,10 +26,6 @@ constexpr std::size_t maxStrongEdges = 500; // of a selected face
 constexpr std::size_t maxGivenEdges = 1000;
 constexpr std::size_t maxChosenDots = 2000;
 constexpr std::size_t maxNumbers = 200; // of visible vertices
-
-bool isPlace(glm::vec2 place) {
-    return std::isfinite(place.x) && std::isfinite(place.y);
-}
 
 /// The width of a line of this many pixels at a content scale of 1; an integer, because such lines are
 /// cheapest.
@@ -59,16 +55,6 @@ using Place = std::array<float, 2>;
 
 Place asPlace(glm::vec2 place) {
     return {place.x, place.y};
-}
-
-/// The finite places.
-std::vector<Place> placesOf(std::span<const glm::vec2> list) {
-    std::vector<Place> places;
-    for (const glm::vec2& each : list) {
-        if (isPlace(each))
-            places.push_back(asPlace(each));
-    }
-    return places;
 }
 
 void sortUnique(auto& list) {
@@ -120,7 +106,7 @@ void drawVertexDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, DotSha
     const float halo = strokeWidth(1);
     switch (shape) {
     case DotShape::Square:
-        return draw.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, tint);
+        return draw.AddRectFilled(at - ImVec2(radius, radius), at + ImVec2(radius, radius), tint);
     case DotShape::Round:
         draw.AddCircleFilled(at, radius + halo, color::shade, 12);
         return draw.AddCircleFilled(at, radius, tint, 12);
@@ -135,17 +121,13 @@ void drawVertexDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, DotSha
 /// which share a place, count as one face.
 float spacingOf(const Canvas& canvas, std::span<const glm::vec2> places) {
     constexpr std::size_t few = 30;
-    glm::vec2 low(INFINITY);
-    glm::vec2 high(-INFINITY);
-    for (const glm::vec2& each : places) {
-        if (!isPlace(each))
-            continue;
-        low = glm::min(low, each);
-        high = glm::max(high, each);
-    }
-    if (places.size() <= few || !(low.x <= high.x))
+    Bounds bounds{glm::vec2(INFINITY), glm::vec2(-INFINITY)};
+    for (const glm::vec2& each : places)
+        if (isPlace(each))
+            bounds.include(each);
+    if (places.size() <= few || !(bounds.low.x <= bounds.high.x))
         return INFINITY;
-    const glm::vec2 extent = (high - low) * canvas.pixelsPerUnit;
+    const glm::vec2 extent = (bounds.high - bounds.low) * canvas.pixelsPerUnit;
     return std::sqrt(std::max(extent.x, 1.0F) * std::max(extent.y, 1.0F) / static_cast<float>(places.size()));
 }
 
@@ -157,12 +139,11 @@ void drawArrow(ImDrawList& draw, ImVec2 from, ImVec2 to, ImU32 tint) {
     if (!(length > 2 * head))
         return;
     const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
-    const float room = em * 0.35F; // space up to the dot
-    const ImVec2 tip(to.x - way.x * room, to.y - way.y * room);
-    const ImVec2 neck(tip.x - way.x * head, tip.y - way.y * head);
+    const ImVec2 tip = to - way * (em * 0.35F); // with space up to the dot
+    const ImVec2 neck = tip - way * head;
     drawEdge(draw, from, neck, {tint, strokeWidth(1), color::shade});
-    const ImVec2 side(-way.y * head * 0.45F, way.x * head * 0.45F);
-    draw.AddTriangleFilled(tip, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, tint);
+    const ImVec2 side = ImVec2(-way.y, way.x) * head * 0.45F;
+    draw.AddTriangleFilled(tip, neck + side, neck - side, tint);
 }
 
 std::size_t edgeCount(const Mesh& mesh) {
@@ -233,8 +214,8 @@ std::string numbersOf(const Spot& spot, const OutlineMarks& marks) {
 
 } // namespace
 
-bool contains(const Face& face, std::size_t vertex) {
-    return std::ranges::find(face.vertices, static_cast<std::uint32_t>(vertex)) != face.vertices.end();
+bool contains(const Face& face, std::optional<std::size_t> vertex) {
+    return vertex && std::ranges::find(face.vertices, *vertex) != face.vertices.end();
 }
 
 void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
@@ -242,20 +223,19 @@ void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh,
     const std::vector<glm::vec2>& places = coords.givenPlaces();
     const std::size_t edges = edgeCount(mesh);
     const float dot = ImGui::GetFontSize() * 0.2F;
-    const Stroke faint{faded(color::text, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)};
-    const Stroke chosen{faded(color::chosen, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)};
+    const ImU32 faint = faded(color::text, 0.55F);
     Edges faintEdges;
     Edges chosenEdges;
     for (const Face& face : mesh.faces) {
-        const bool isChosen = marks.vertex && contains(face, *marks.vertex);
-        if (isChosen ? face.vertices.size() <= maxGivenEdges : edges <= maxGivenEdges)
+        const bool isChosen = contains(face, marks.vertex);
+        if ((isChosen ? face.vertices.size() : edges) <= maxGivenEdges)
             addOutline(isChosen ? chosenEdges : faintEdges, face, places);
     }
-    faintEdges.draw(draw, canvas, faint);
-    chosenEdges.draw(draw, canvas, chosen);
+    faintEdges.draw(draw, canvas, {faint, strokeWidth(1), faded(color::shade, 0.5F)});
+    chosenEdges.draw(draw, canvas, {faded(color::chosen, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)});
     if (places.size() <= maxRoundDots) {
         for (const glm::vec2& each : places)
-            draw.AddCircle(canvas.toPixel(each), dot, faint.tint, 12, strokeWidth(1));
+            draw.AddCircle(canvas.toPixel(each), dot, faint, 12, strokeWidth(1));
     }
     if (!marks.vertex || *marks.vertex >= places.size())
         return;
@@ -270,7 +250,6 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
                   const OutlineMarks& marks) {
     const float em = ImGui::GetFontSize();
     const std::vector<glm::vec2>& places = coords.resultingPlaces();
-    const auto isChosen = [&](const Face& face) { return marks.vertex && contains(face, *marks.vertex); };
     const std::size_t edges = edgeCount(mesh);
     const float spacing = spacingOf(canvas, places);
     const bool fine = edges <= maxFineEdges && spacing >= em * 0.7F;
@@ -285,39 +264,45 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     Edges chosenDiagonals;
     for (const Face& face : mesh.faces) {
         const std::size_t count = face.vertices.size();
-        if (isChosen(face) && count <= maxEdges) {
+        const bool isChosen = contains(face, marks.vertex);
+        if (isChosen && count <= maxEdges) {
             addDiagonal(chosenDiagonals, face, places);
             addOutline(count <= maxStrongEdges ? strongChosen : thinChosen, face, places);
-        } else if (!isChosen(face) && edges <= maxEdges) {
+        } else if (!isChosen && edges <= maxEdges) {
             if (round)
                 addDiagonal(diagonals, face, places);
             addOutline(lines, face, places);
         }
     }
-    const Stroke strong{color::chosen, strokeWidth(2), color::shade, faded(color::text, 0.7F)};
     diagonals.draw(draw, canvas, diagonal);
     lines.draw(draw, canvas, line);
     chosenDiagonals.draw(draw, canvas, {faded(color::chosen, 0.7F), 1, faded(color::shade, 0.6F)});
-    thinChosen.draw(draw, canvas, {color::chosen, strong.width});
-    strongChosen.draw(draw, canvas, strong);
-    const auto dotOf = [&](std::size_t vertex, float radius, ImU32 tint, DotShape shape) {
-        if (vertex < places.size() && isPlace(places[vertex]))
-            drawVertexDot(draw, canvas.toPixel(places[vertex]), radius, tint, shape);
+    thinChosen.draw(draw, canvas, {color::chosen, strokeWidth(2)});
+    strongChosen.draw(draw, canvas, {color::chosen, strokeWidth(2), color::shade, faded(color::text, 0.7F)});
+    const auto isShown = [&](std::size_t vertex) {
+        return vertex < places.size() && isPlace(places[vertex]);
+    };
+    const auto dotOf = [&](std::size_t vertex, float radius, DotShape shape) {
+        if (isShown(vertex))
+            drawVertexDot(draw, canvas.toPixel(places[vertex]), radius, color::chosen, shape);
     };
     const float dot = em * (places.size() <= 100 ? 0.22F : 0.13F);
     if (edges <= maxEdges && spacing >= 5 * dot) {
-        std::vector<Place> once = placesOf(places); // the sides of a cube have equal ones
+        std::vector<Place> once; // the sides of a cube have equal ones
+        for (const glm::vec2& each : places)
+            if (isPlace(each))
+                once.push_back(asPlace(each));
         sortUnique(once);
         for (const Place& each : once)
             drawVertexDot(draw, canvas.toPixel(each[0], each[1]), dot, color::text,
                           round ? DotShape::Round : DotShape::Square);
     }
     for (std::size_t i = 0; i < std::min(marks.chosen.size(), maxChosenDots); ++i)
-        dotOf(marks.chosen[i], em * (marks.chosen.size() <= 100 ? 0.24F : 0.16F), color::chosen,
+        dotOf(marks.chosen[i], em * (marks.chosen.size() <= 100 ? 0.24F : 0.16F),
               marks.chosen.size() <= maxRoundDots ? DotShape::Diamond : DotShape::Square);
     if (marks.vertex)
-        dotOf(*marks.vertex, em * 0.3F, color::chosen, DotShape::Diamond);
-    if (marks.hovered && *marks.hovered < places.size() && isPlace(places[*marks.hovered])) {
+        dotOf(*marks.vertex, em * 0.3F, DotShape::Diamond);
+    if (marks.hovered && isShown(*marks.hovered)) {
         const ImVec2 at = canvas.toPixel(places[*marks.hovered]);
         draw.AddCircle(at, em * 0.5F, color::shade, 24, strokeWidth(4));
         draw.AddCircle(at, em * 0.5F, color::chosen, 24, strokeWidth(2));
@@ -326,14 +311,10 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
 }
 
 void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& coords,
-                     const OutlineMarks& marks, std::vector<Box> taken, bool numbers) {
+                     const OutlineMarks& marks, bool numbers) {
     const float em = ImGui::GetFontSize();
     const std::vector<glm::vec2>& places = coords.resultingPlaces();
-    struct Label {
-        Box box;
-        std::string text;
-    };
-    std::vector<Label> labels;
+    std::vector<Box> taken{canvas.legend};
     std::vector<std::size_t> named;
     if (marks.hovered)
         named.push_back(*marks.hovered);
@@ -350,8 +331,8 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
         if (!canvas.holds(at))
             continue;
         const std::string english = vertexText(coords, vertex);
-        const std::string text = tr(english);
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        const std::string words = tr(english);
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
         // Next to the vertex, inside of the panel: above it, or else below.
         const float x = std::clamp(at.x + em * 0.7F, canvas.low.x + em * 0.4F,
                                    std::max(canvas.low.x + em * 0.4F, canvas.high.x - size.x - em * 0.4F));
@@ -367,17 +348,13 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
         if (!found) // the panel is smaller than the label
             continue;
         taken.push_back(*found);
-        labels.push_back({*found, text});
+        drawTextChip(draw, *found, em, color::chosen, words);
         noteDrawn("coord label:" + english, found->low, found->high);
     }
-    const std::vector<Spot> spots = numbers ? spotsInSight(canvas, places) : std::vector<Spot>{};
     const float size = em * 0.85F;
     const ImVec2 centre = canvas.toPixel(canvas.plane.s, canvas.plane.t);
-    for (const Spot& spot : spots) {
-        const bool isNamed = std::ranges::any_of(spot.vertices, [&](std::size_t vertex) {
-            return std::ranges::find(named, vertex) != named.end();
-        });
-        if (isNamed)
+    for (const Spot& spot : numbers ? spotsInSight(canvas, places) : std::vector<Spot>{}) {
+        if (std::ranges::find_first_of(spot.vertices, named) != spot.vertices.end())
             continue;
         const std::string text = numbersOf(spot, marks);
         const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, 10000, 0, text.c_str());
@@ -394,8 +371,6 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
         drawTextChip(draw, box, size, isChosen ? color::chosen : color::text, text);
         noteDrawn("vertex number:" + text, box.low, box.high);
     }
-    for (const Label& label : labels)
-        drawTextChip(draw, label.box, em, color::chosen, label.text);
 }
 
 } // namespace texplorer::ui

@@ -2,8 +2,8 @@
 
 #include "app/ui/texture_space/plane_coords.h"
 #include "app/ui/texture_space/plane_drawing.h"
-#include "app/ui/widgets/inset_placement.h"
 
+#include <optional>
 #include <vector>
 
 namespace texplorer::ui {
@@ -27,11 +27,11 @@ void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh,
 void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
                   const OutlineMarks& marks);
 
-/// The coordinates of marked vertices, and with `numbers` the numbers of all vertices, if they have room.
-/// `taken`: areas without text.
+/// The coordinates of marked vertices, and with `numbers` the numbers of all vertices, if they have room next
+/// to the legend.
 void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& coords,
-                     const OutlineMarks& marks, std::vector<Box> taken, bool numbers);
+                     const OutlineMarks& marks, bool numbers);
 
-[[nodiscard]] bool contains(const Face& face, std::size_t vertex);
+[[nodiscard]] bool contains(const Face& face, std::optional<std::size_t> vertex);
 
 } // namespace texplorer::ui

@@ -4,13 +4,32 @@
 #include "texplorer/base/result.h"
 #include "texplorer/texture/texture_levels.h"
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 namespace texplorer::ui {
+
+/// A rectangle of the texture plane.
+struct Bounds {
+    glm::vec2 low{0};
+    glm::vec2 high{1};
+
+    void include(glm::vec2 place) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    [[nodiscard]] glm::vec2 middle() const { return (low + high) / 2.0F; }
+};
+
+/// Whether a position in the plane is finite.
+[[nodiscard]] inline bool isPlace(glm::vec2 place) {
+    return std::isfinite(place.x) && std::isfinite(place.y);
+}
 
 /// The coordinates of the selected model for the selected unit, as positions in the plane: the given ones,
 /// and the final ones after the unit's relief, generation and matrix, divided by q. Computed again only after

@@ -1,9 +1,9 @@
 #include "app/ui/texture_space/plane_drawing.h"
 
 #include "app/ui/widgets/board.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/tiling.h"
-#include "texplorer/image/cube_faces.h"
 
 #include <glm/glm.hpp>
 
@@ -12,46 +12,6 @@ namespace {
 
 constexpr int maxTiles = 2048; // keeps the worst case below 65536 vertices
 constexpr int tilesAround = 2; // copies of the image beyond the vertices
-
-} // namespace
-
-bool hasAlpha(const Surface& surface) {
-    if (const auto* blocks = std::get_if<BlockImage>(&surface))
-        return isS3tc(blocks->format) && blocks->format != BlockFormat::Dxt1;
-    const PixelFormat format = std::get<Image>(surface).format;
-    return format == PixelFormat::Rgba8 || format == PixelFormat::LuminanceAlpha8 ||
-           format == PixelFormat::Alpha8;
-}
-
-ImU32 faded(ImU32 tint, float share) {
-    ImVec4 color = ImGui::ColorConvertU32ToFloat4(tint);
-    color.w *= share;
-    return ImGui::ColorConvertFloat4ToU32(color);
-}
-
-Box chipBox(ImVec2 at, ImVec2 size) {
-    const float pad = ImGui::GetFontSize() * 0.2F;
-    return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}};
-}
-
-void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text) {
-    const float pad = ImGui::GetFontSize() * 0.2F;
-    draw.AddRectFilled(box.low, box.high, color::shade, pad);
-    draw.AddText(ImGui::GetFont(), size, {box.low.x + pad, box.low.y}, tint, text.c_str());
-}
-
-Bounds boundsOf(const PlaneCoords& coords) {
-    Bounds bounds;
-    for (const auto* places : {&coords.givenPlaces(), &coords.resultingPlaces()}) {
-        for (const glm::vec2& each : *places) {
-            if (!std::isfinite(each.x) || !std::isfinite(each.y))
-                continue;
-            bounds.low = glm::min(bounds.low, each);
-            bounds.high = glm::max(bounds.high, each);
-        }
-    }
-    return bounds;
-}
 
 /// The share of the border in a tile: half of the surroundings with GL_CLAMP and a linear filter, and three
 /// quarters if both coordinates leave the image.
@@ -63,6 +23,35 @@ float borderShare(const Texture& texture, int i, int j) {
     return 1 - s * t;
 }
 
+} // namespace
+
+ImU32 faded(ImU32 tint, float share) {
+    ImVec4 color = ImGui::ColorConvertU32ToFloat4(tint);
+    color.w *= share;
+    return ImGui::ColorConvertFloat4ToU32(color);
+}
+
+Box chipBox(ImVec2 at, ImVec2 size) {
+    const ImVec2 pad(ImGui::GetFontSize() * 0.2F, 0);
+    return {at - pad, at + size + pad};
+}
+
+void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text) {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    draw.AddRectFilled(box.low, box.high, color::shade, pad);
+    draw.AddText(ImGui::GetFont(), size, {box.low.x + pad, box.low.y}, tint, text.c_str());
+}
+
+Bounds boundsOf(const PlaneCoords& coords) {
+    Bounds bounds;
+    for (const auto* places : {&coords.givenPlaces(), &coords.resultingPlaces()}) {
+        for (const glm::vec2& each : *places)
+            if (isPlace(each))
+                bounds.include(each);
+    }
+    return bounds;
+}
+
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& shown,
                const Bounds& used) {
     const glm::vec2 seenLow = canvas.toCoord({canvas.low.x, canvas.high.y});
@@ -71,10 +60,10 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const auto tile = [](float coord) {
         return static_cast<int>(std::floor(std::clamp(coord, -1e6F, 1e6F)));
     };
-    const int left = tile(std::max(seenLow.x, used.low.x - around));
-    const int right = tile(std::min(seenHigh.x, used.high.x + around));
-    const int bottom = tile(std::max(seenLow.y, used.low.y - around));
-    const int top = tile(std::min(seenHigh.y, used.high.y + around));
+    int left = tile(std::max(seenLow.x, used.low.x - around));
+    int right = tile(std::min(seenHigh.x, used.high.x + around));
+    int bottom = tile(std::max(seenLow.y, used.low.y - around));
+    int top = tile(std::min(seenHigh.y, used.high.y + around));
     const bool many = static_cast<long long>(right - left + 1) * (top - bottom + 1) > maxTiles;
     const auto picture = textureId(shown.handle);
     const ImU32 border = ImGui::ColorConvertFloat4ToU32(
@@ -83,6 +72,8 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const bool fills = !many && left == tile(seenLow.x) && right == tile(seenHigh.x) &&
                        bottom == tile(seenLow.y) && top == tile(seenHigh.y) &&
                        texture.wrapS != Wrap::ClampToBorder && texture.wrapT != Wrap::ClampToBorder;
+    if (many)
+        left = right = bottom = top = 0;
     const bool hidesGround = fills && shown.opaque && shown.setBlending;
     if (!hidesGround)
         draw.AddRectFilled(canvas.low, canvas.high, color::ground);
@@ -91,31 +82,29 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const bool blends = !shown.setBlending || !(hidesGround || shown.ignoresAlpha);
     if (!blends)
         draw.AddCallback(shown.setBlending, nullptr);
-    for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
-        for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
+    struct Shade {
+        ImVec2 low, high;
+        float share; ///< of the border
+    };
+    std::vector<Shade> shades; // with blending, after the pictures
+    for (int j = bottom; j <= top; ++j) {
+        for (int i = left; i <= right; ++i) {
             const auto s = tileSpan(texture.wrapS, i, shown.width);
             const auto t = tileSpan(texture.wrapT, j, shown.height);
             const ImVec2 low = canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1));
             const ImVec2 high = canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j));
-            if (!s || !t) {
+            if (s && t)
+                draw.AddImage(picture, low, high, {s->from, t->to}, {s->to, t->from});
+            else
                 draw.AddRectFilled(low, high, border);
-                continue;
-            }
-            draw.AddImage(picture, low, high, {s->from, t->to}, {s->to, t->from});
+            if (const float share = borderShare(texture, i, j); s && t && share > 0)
+                shades.push_back({low, high, share});
         }
     }
     if (!blends)
         draw.AddCallback(shown.setBlending, &draw);
-    for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
-        for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
-            const bool hasImage =
-                tileSpan(texture.wrapS, i, shown.width) && tileSpan(texture.wrapT, j, shown.height);
-            if (const float share = borderShare(texture, i, j); hasImage && share > 0)
-                draw.AddRectFilled(canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1)),
-                                   canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j)),
-                                   faded(opaqueBorder, share));
-        }
-    }
+    for (const Shade& each : shades)
+        draw.AddRectFilled(each.low, each.high, faded(opaqueBorder, each.share));
     // The surroundings by wrapping are slightly darker than the image.
     const ImU32 dark = faded(color::ground, 0.41F);
     const ImVec2 low = canvas.toPixel(0, 1);
@@ -124,15 +113,6 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     draw.AddRectFilled({canvas.low.x, high.y}, canvas.high, dark);
     draw.AddRectFilled({canvas.low.x, low.y}, {low.x, high.y}, dark);
     draw.AddRectFilled({high.x, low.y}, {canvas.high.x, high.y}, dark);
-}
-
-float unfoldedHeight(const TextureImage& image) {
-    const Surface& first = image.surfaces.front();
-    const float width = static_cast<float>(widthOf(first));
-    const bool isOneFace = cubeLayout(widthOf(first), heightOf(first)) == CubeLayout::Same;
-    return image.faces == cubeFaceCount ? 0.75F // a cross, see PreviewPicture
-           : isOneFace                  ? 1.0F
-                                        : static_cast<float>(heightOf(first)) / width;
 }
 
 void drawUnfolded(ImDrawList& draw, const Canvas& canvas, view::PictureHandle picture, float tall) {
@@ -149,12 +129,14 @@ void drawAxes(ImDrawList& draw, const Canvas& canvas) {
     const ImVec2 s(canvas.toPixel(1, 0).x + beyond, origin.y);
     const ImVec2 t(origin.x, canvas.toPixel(0, 1).y - beyond);
     const float head = em * 0.35F;
-    draw.AddLine(origin, s, color::shade, thick + 2);
-    draw.AddLine(origin, t, color::shade, thick + 2);
-    draw.AddLine(origin, s, color::s, thick);
-    draw.AddLine(origin, t, color::t, thick);
-    draw.AddTriangleFilled({s.x + 2 * head, s.y}, {s.x, s.y - head}, {s.x, s.y + head}, color::s);
-    draw.AddTriangleFilled({t.x, t.y - 2 * head}, {t.x + head, t.y}, {t.x - head, t.y}, color::t);
+    for (const ImVec2 end : {s, t})
+        draw.AddLine(origin, end, color::shade, thick + 2);
+    const auto arrow = [&](ImVec2 end, ImVec2 way, ImVec2 side, ImU32 tint) {
+        draw.AddLine(origin, end, tint, thick);
+        draw.AddTriangleFilled(end + way * 2, end - side, end + side, tint);
+    };
+    arrow(s, {head, 0}, {0, head}, color::s);
+    arrow(t, {0, -head}, {-head, 0}, color::t);
     const auto label = [&](ImVec2 at, ImU32 tint, const char* text) {
         drawTextChip(draw, chipBox(at, ImGui::CalcTextSize(text)), em, tint, text);
     };

@@ -60,12 +60,6 @@ struct Canvas {
 [[nodiscard]] Box chipBox(ImVec2 at, ImVec2 size);
 void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text);
 
-/// A rectangle of the texture plane.
-struct Bounds {
-    glm::vec2 low{0};
-    glm::vec2 high{1};
-};
-
 /// Contains the image and every vertex, by its given and its final coordinates.
 [[nodiscard]] Bounds boundsOf(const PlaneCoords& coords);
 
@@ -80,9 +74,6 @@ struct TilePicture {
     ImDrawCallback setBlending = nullptr; ///< see Pictures; nullptr: blending is not changed
 };
 
-/// Whether an image may have transparent texels.
-[[nodiscard]] bool hasAlpha(const Surface& surface);
-
 /// Draws the image, tiled by its wrap modes, around `used`; and the ground beyond it.
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& picture,
                const Bounds& used);
@@ -90,9 +81,6 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
 /// Draws the picture of a cube map with its faces side by side, as wide as the image in drawTiles; `tall`
 /// times as high.
 void drawUnfolded(ImDrawList& draw, const Canvas& canvas, view::PictureHandle picture, float tall);
-
-/// The relative height of the host's picture of a cube map's base level.
-[[nodiscard]] float unfoldedHeight(const TextureImage& image);
 
 /// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.
 void drawAxes(ImDrawList& draw, const Canvas& canvas);

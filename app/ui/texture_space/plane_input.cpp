@@ -4,6 +4,7 @@
 #include "app/ui/texture_space/outline_drawing.h"
 #include "app/ui/texture_space/plane_tools.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/points.h"
 
 #include <algorithm>
 #include <array>
@@ -21,10 +22,10 @@ float reachOfMouse() {
 
 /// Infinite if it is certainly out of `reach`: called for each vertex in each frame.
 float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse, float reach) {
-    if (!std::isfinite(place.x) || !std::isfinite(place.y))
+    if (!isPlace(place))
         return INFINITY;
     const ImVec2 at = canvas.toPixel(place);
-    const ImVec2 way(at.x - mouse.x, at.y - mouse.y);
+    const ImVec2 way = at - mouse;
     const bool near = std::max(std::abs(way.x), std::abs(way.y)) <= reach;
     return near ? std::hypot(way.x, way.y) : INFINITY;
 }
@@ -46,26 +47,17 @@ std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std:
     };
     if (chosen && *chosen < places.size()) {
         consider(*chosen);
-        for (const Face& face : mesh.faces) {
-            if (!contains(face, *chosen))
-                continue;
-            for (const std::uint32_t vertex : face.vertices)
-                consider(vertex);
-        }
+        for (const Face& face : mesh.faces)
+            if (contains(face, chosen))
+                std::ranges::for_each(face.vertices, consider);
     }
     for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
         consider(vertex);
     return best;
 }
 
-bool isPressed(int code, bool repeat = false) {
-    return isKeyPressed(code, repeat);
-}
-
-/// Whether the mouse has moved too far for a click.
-bool isDrag() {
-    const ImGuiIO& io = ImGui::GetIO();
-    return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= io.MouseDragThreshold * io.MouseDragThreshold;
+bool isPressed(int code) {
+    return isKeyPressed(code, false);
 }
 
 Snapping snappingNow(const TextureSpaceState& state) {
@@ -143,24 +135,12 @@ void beginKeyedMove(const Session& session, TextureSpaceState& state, const Canv
         state.move->byKey = true;
 }
 
-struct MoveKey {
-    int code;
-    MoveKind kind;
-};
-constexpr std::array moveKeys{MoveKey{'G', MoveKind::Move}, MoveKey{'R', MoveKind::Rotate},
-                              MoveKey{'S', MoveKind::Scale}};
-
-struct ArrowKey {
-    int code;
-    glm::vec2 way;
-};
-constexpr std::array arrowKeys{ArrowKey{key::left, {-1, 0}}, ArrowKey{key::right, {1, 0}},
-                               ArrowKey{key::down, {0, -1}}, ArrowKey{key::up, {0, 1}}};
+constexpr std::array arrowKeys{std::pair(key::left, glm::vec2(-1, 0)), std::pair(key::right, glm::vec2(1, 0)),
+                               std::pair(key::down, glm::vec2(0, -1)), std::pair(key::up, glm::vec2(0, 1))};
 
 void choose(const Session& session, std::vector<std::size_t> vertices) {
-    act(session, [vertices = std::move(vertices)](Session& changed) {
-        chooseVertices(changed.look.selection, vertices);
-    });
+    act(session,
+        [chosen = std::move(vertices)](Session& changed) { chooseVertices(changed.look.selection, chosen); });
 }
 
 void chooseAllOrNone(const Session& session, const TextureSpaceState& state) {
@@ -172,42 +152,35 @@ void chooseAllOrNone(const Session& session, const TextureSpaceState& state) {
 
 void handleShortKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas) {
     const ImGuiIO& io = ImGui::GetIO();
-    bool& taken = session.out.keyTaken;
+    const bool hasVertices = !state.coords.given().empty();
+    const auto takes = [&](int code, bool repeats = false) {
+        const bool pressed = isKeyPressed(code, repeats);
+        session.out.keyTaken = session.out.keyTaken || pressed;
+        return pressed;
+    };
     if (io.KeyCtrl) {
-        if (!io.KeyShift && isPressed('C')) {
+        if (!io.KeyShift && takes('C'))
             copyCoords(session, state.coords);
-            taken = true;
-        }
-        if (!io.KeyShift && isPressed('V')) {
+        if (!io.KeyShift && takes('V'))
             pasteCoords(session, state.coords);
-            taken = true;
-        }
         return;
     }
-    if (isPressed('F')) {
+    if (takes('F'))
         fitPlane(session, state.coords);
-        taken = true;
-    }
-    if (isPressed('A') && !state.coords.given().empty()) {
+    if (hasVertices && takes('A'))
         chooseAllOrNone(session, state);
-        taken = true;
-    }
-    if (!session.look.selection.vertex || state.coords.given().empty())
+    if (!session.look.selection.vertex || !hasVertices)
         return;
-    for (const MoveKey& each : moveKeys) {
-        if (!state.move && isPressed(each.code)) {
+    for (const MoveRow& each : moveRows)
+        if (!state.move && takes(each.key))
             beginKeyedMove(session, state, canvas, each.kind);
-            taken = true;
-        }
-    }
     glm::vec2 way{0};
-    for (const ArrowKey& each : arrowKeys) {
-        if (!isPressed(each.code, true))
+    for (const auto& [code, step] : arrowKeys) {
+        if (!takes(code, true))
             continue;
-        if (isPressed(each.code)) // while held, it continues its undo step
+        if (isPressed(code)) // while held, it continues its undo step
             sealEdit(session);
-        way += each.way;
-        taken = true;
+        way += step;
     }
     if (way != glm::vec2{0})
         nudge(session, state.coords,
@@ -303,20 +276,9 @@ void movePlane(const Session& session, const Canvas& canvas, bool hovered, bool 
     act(session, [plane](Session& changed) { changed.look.plane = plane; });
 }
 
-} // namespace
-
-std::optional<Grip> gripUnder(const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
-                              std::optional<std::size_t> chosen, ImVec2 mouse) {
-    const auto end = nearestOf(canvas, mesh, coords.resultingPlaces(), chosen, mouse);
-    const auto given =
-        coords.differ() ? nearestOf(canvas, mesh, coords.givenPlaces(), chosen, mouse) : std::nullopt;
-    if (end && (!given || end->distance <= given->distance))
-        return Grip{end->vertex, coords.differ()};
-    return given ? std::optional(Grip{given->vertex, false}) : std::nullopt;
-}
-
-bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas,
-                     const PlaneMouse& mouse) {
+/// Returns true if a click ended a move.
+bool handleKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas,
+                const PlaneMouse& mouse) {
     if (state.move && isStale(session, state))
         state.move.reset();
     // In a dialog the mouse has other functions, and elsewhere the wheel edits something else.
@@ -337,8 +299,8 @@ bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Can
     return false;
 }
 
-void handlePlaneMouse(const Session& session, TextureSpaceState& state, const Canvas& canvas,
-                      const PlaneMouse& mouse) {
+void handleMouse(const Session& session, TextureSpaceState& state, const Canvas& canvas,
+                 const PlaneMouse& mouse) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated())
         pressOn(session, state, canvas, mouse);
@@ -350,6 +312,31 @@ void handlePlaneMouse(const Session& session, TextureSpaceState& state, const Ca
     movePlane(session, canvas, mouse.hovered, dragged && state.drag == PlaneDrag::Pan);
     if (mouse.hovered && !mouse.grip && !mouse.onPatch && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         fitPlane(session, state.coords);
+}
+
+} // namespace
+
+bool isDrag() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
+std::optional<Grip> gripUnder(const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
+                              std::optional<std::size_t> chosen, ImVec2 mouse) {
+    const auto end = nearestOf(canvas, mesh, coords.resultingPlaces(), chosen, mouse);
+    const auto given =
+        coords.differ() ? nearestOf(canvas, mesh, coords.givenPlaces(), chosen, mouse) : std::nullopt;
+    if (end && (!given || end->distance <= given->distance))
+        return Grip{end->vertex, coords.differ()};
+    return given ? std::optional(Grip{given->vertex, false}) : std::nullopt;
+}
+
+bool handlePlaneInput(const Session& session, TextureSpaceState& state, const Canvas& canvas,
+                      const PlaneMouse& mouse) {
+    const bool ended = handleKeys(session, state, canvas, mouse);
+    if (!ended)
+        handleMouse(session, state, canvas, mouse);
+    return ended;
 }
 
 std::optional<Box> selectionBox(const TextureSpaceState& state, const Canvas& canvas) {

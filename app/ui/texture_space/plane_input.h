@@ -26,14 +26,13 @@ struct PlaneMouse {
     std::optional<Grip> grip;
 };
 
-/// Handles the keys of the panel while the mouse is over it, and vertices that follow the mouse after one of
-/// them. Returns true if a click ended that and has no other meaning.
-bool handlePlaneKeys(const Session& session, TextureSpaceState& state, const Canvas& canvas,
-                     const PlaneMouse& mouse);
+/// Whether the mouse has moved too far for a click since its button was pressed.
+[[nodiscard]] bool isDrag();
 
-/// The left button drags vertices, or draws a box to select some; otherwise it moves the plane. The wheel
-/// zooms.
-void handlePlaneMouse(const Session& session, TextureSpaceState& state, const Canvas& canvas,
+/// Handles the keys of the panel while the mouse is over it, and vertices that follow the mouse after one of
+/// them. The left button drags vertices, or draws a box to select some; otherwise it moves the plane. The
+/// wheel zooms. Returns true if a click ended a move by a key and has no other meaning.
+bool handlePlaneInput(const Session& session, TextureSpaceState& state, const Canvas& canvas,
                       const PlaneMouse& mouse);
 
 /// The box being drawn; nothing if there is none.

@@ -2,9 +2,10 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "texplorer/image/cube_faces.h"
 
 #include <fmt/core.h>
@@ -24,39 +25,17 @@ float legendPad() {
     return ImGui::GetFontSize() * 0.3F;
 }
 
-float lineWidth(const Line& line) {
-    return strokeRoom(line) + ImGui::CalcTextSize(line.shown.c_str()).x;
-}
-
-float lineGap() {
-    return ImGui::GetFontSize();
-}
-
-/// The width of all entries in one row.
-float rowWidth(const PlaneLegend& legend) {
-    float width = -lineGap();
-    for (const Line& line : legend.lines)
-        width += lineWidth(line) + lineGap();
-    return width;
-}
-
 /// The texture's size in OpenGL, which may differ from the image's: "64 × 64", "64 × 1", "32 × 32 × 32", "6
 /// faces of 128 × 128". Empty: not known yet.
-std::string extentsOf(const Session& session, Target target) {
+std::string extentsOf(const Session& session) {
     const std::optional<glm::ivec3> texels = firstExtentOfBound(session);
     if (!texels)
         return {};
     const std::string extents = fmt::format("{} × {}", texels->x, texels->y);
-    switch (target) {
-    case Target::CubeMap:
+    const Target target = selectedUnit(session).target;
+    if (target == Target::CubeMap)
         return fmt::format("{} faces of {}", cubeFaceCount, extents);
-    case Target::Texture3D:
-        return fmt::format("{} × {}", extents, texels->z);
-    case Target::Texture1D:
-    case Target::Texture2D:
-        break;
-    }
-    return extents;
+    return target == Target::Texture3D ? fmt::format("{} × {}", extents, texels->z) : extents;
 }
 
 /// The shown part of the texels, unless it is the whole base level.
@@ -68,22 +47,12 @@ std::string lookText(const PlaneLook& look) {
     return fmt::format("level {} · {}", look.level, channel);
 }
 
-struct MoveHintRow {
-    MoveKind kind;
-    const char* text; ///< with the number of vertices
-};
-
-constexpr std::array moveHints{
-    MoveHintRow{MoveKind::Move, "Moving {} · S, T: one axis · Enter confirms, Escape cancels"},
-    MoveHintRow{MoveKind::Rotate, "Rotating {} · Enter confirms, Escape cancels"},
-    MoveHintRow{MoveKind::Scale, "Scaling {} · S, T: one axis · Enter confirms, Escape cancels"},
-};
-
-void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std::vector<Line>& lines,
-                     const std::string& extents) {
-    lines.push_back({extents.empty() ? fmt::format("unit {}", session.look.selection.unit)
-                                     : fmt::format("unit {} · {}", session.look.selection.unit, extents)});
-    if (!state.look.isPlain() || state.look.level != 0)
+void nameWhatIsShown(const Session& session, const TextureSpaceState& state, PlaneLegend& legend) {
+    std::vector<Line>& lines = legend.lines;
+    const int unit = session.look.selection.unit;
+    lines.push_back({legend.extents.empty() ? fmt::format("unit {}", unit)
+                                            : fmt::format("unit {} · {}", unit, legend.extents)});
+    if (!state.look.isPlain())
         lines.push_back({lookText(state.look)});
     if (state.coords.differ()) {
         lines.push_back({"as given", Line::Stroke::Faint});
@@ -93,57 +62,57 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std
 
 } // namespace
 
-PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, float room) {
-    const Unit& unit = selectedUnit(session);
+PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImVec2 corner, float room) {
     const Texture* texture = boundTexture(session);
     const auto image = texture ? session.document.images.find(*texture) : nullptr;
     PlaneLegend legend;
-    legend.extents = image ? extentsOf(session, unit.target) : std::string("no texture");
+    legend.extents = image ? extentsOf(session) : std::string("no texture");
     if (state.legend)
-        nameWhatIsShown(session, state, legend.lines, legend.extents);
+        nameWhatIsShown(session, state, legend);
     if (state.level.isComputing())
         legend.lines.push_back({"Computing…"});
-    for (Line& line : legend.lines)
+    legend.box = {corner, corner};
+    if (legend.lines.empty())
+        return legend;
+    float row = -ImGui::GetFontSize();
+    float widest = 0;
+    for (Line& line : legend.lines) {
         line.shown = fitted(line.text, room - strokeRoom(line) - 2 * legendPad());
-    legend.inOneRow = rowWidth(legend) + 2 * legendPad() <= room;
+        line.width = strokeRoom(line) + ImGui::CalcTextSize(line.shown.c_str()).x;
+        row += line.width + ImGui::GetFontSize();
+        widest = std::max(widest, line.width);
+    }
+    legend.inOneRow = row + 2 * legendPad() <= room;
+    const ImVec2 size =
+        legend.inOneRow ? ImVec2(row, 1) : ImVec2(widest, static_cast<float>(legend.lines.size()));
+    legend.box.high =
+        corner + ImVec2(size.x, size.y * ImGui::GetTextLineHeight()) + ImVec2(2 * legendPad(), legendPad());
     return legend;
 }
 
-Box boxOf(const PlaneLegend& legend, ImVec2 corner) {
-    if (legend.lines.empty())
-        return {corner, corner};
-    float width = legend.inOneRow ? rowWidth(legend) : 0;
-    for (const Line& line : legend.lines)
-        width = std::max(width, lineWidth(line));
-    const std::size_t rows = legend.inOneRow ? 1 : legend.lines.size();
-    const float height = static_cast<float>(rows) * ImGui::GetTextLineHeight();
-    return {corner, {corner.x + width + 2 * legendPad(), corner.y + height + legendPad()}};
-}
-
-void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend, const Box& box) {
+void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend) {
+    const Box& box = legend.box;
     noteDrawn("texture size:" + legend.extents, box.low, box.high);
     if (legend.lines.empty())
         return;
     const float em = ImGui::GetFontSize();
+    const float height = ImGui::GetTextLineHeight();
     draw.AddRectFilled(box.low, box.high, color::shade, em * 0.25F);
-    ImVec2 at(box.low.x + legendPad(), box.low.y + legendPad() / 2);
+    ImVec2 at = box.low + ImVec2(legendPad(), legendPad() / 2);
     for (const Line& line : legend.lines) {
-        const float middle = at.y + ImGui::GetTextLineHeight() / 2;
         if (line.stroke != Line::Stroke::None) {
             const bool strong = line.stroke == Line::Stroke::Strong;
-            draw.AddLine({at.x, middle}, {at.x + em * 1.4F, middle}, strong ? color::text : color::outline,
-                         strong ? 2.0F : 1.0F);
+            const ImU32 ink = strong ? color::text : color::outline;
+            const ImVec2 middle = at + ImVec2(em * 0.7F, height / 2);
+            draw.AddLine({at.x, middle.y}, {at.x + em * 1.4F, middle.y}, ink, strong ? 2.0F : 1.0F);
             if (strong)
-                draw.AddCircleFilled({at.x + em * 0.7F, middle}, em * 0.2F, color::text, 12);
+                draw.AddCircleFilled(middle, em * 0.2F, ink, 12);
             else
-                draw.AddCircle({at.x + em * 0.7F, middle}, em * 0.2F, color::outline, 12);
+                draw.AddCircle(middle, em * 0.2F, ink, 12);
         }
         draw.AddText({at.x + strokeRoom(line), at.y}, color::text, line.shown.c_str());
-        noteDrawn("legend:" + line.text, at, {at.x + lineWidth(line), at.y + ImGui::GetTextLineHeight()});
-        if (legend.inOneRow)
-            at.x += lineWidth(line) + lineGap();
-        else
-            at.y += ImGui::GetTextLineHeight();
+        noteDrawn("legend:" + line.text, at, at + ImVec2(line.width, height));
+        at = legend.inOneRow ? ImVec2(at.x + line.width + em, at.y) : ImVec2(at.x, at.y + height);
     }
 }
 
@@ -159,15 +128,14 @@ void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move
     }
     if (!move.byKey)
         return;
-    const std::string words =
-        fmt::format(fmt::runtime(moveHints[static_cast<std::size_t>(move.kind)].text), move.vertices.size());
+    const std::string words = fmt::format(fmt::runtime(rowOf(move.kind).hint), move.vertices.size());
     const std::string shown = fitted(words, canvas.high.x - canvas.low.x - em * 1.5F);
     const ImVec2 at(canvas.low.x + em * 0.7F, canvas.high.y - em * 1.7F);
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
-    draw.AddRectFilled({at.x - em * 0.3F, at.y - em * 0.1F},
-                       {at.x + size.x + em * 0.3F, at.y + size.y + em * 0.1F}, color::shade, em * 0.25F);
+    const ImVec2 pad(em * 0.3F, em * 0.1F);
+    draw.AddRectFilled(at - pad, at + size + pad, color::shade, em * 0.25F);
     draw.AddText(at, color::chosen, shown.c_str());
-    noteDrawn("move hint:" + words, at, {at.x + size.x, at.y + size.y});
+    noteDrawn("move hint:" + words, at, at + size);
 }
 
 } // namespace texplorer::ui

@@ -15,19 +15,19 @@ struct PlaneLegend {
         std::string text;
         enum class Stroke : std::uint8_t { None, Faint, Strong } stroke = Stroke::None;
         std::string shown{}; ///< the part of the text that fits, in the window's language
+        float width = 0;     ///< with the sample
     };
     std::vector<Line> lines;
     bool inOneRow = false; ///< in one row, not one above the other
-    std::string extents;   ///< of the texture: "64 × 1", "6 faces of 32 × 32", "no texture"; empty: unknown
+    Box box{};
+    std::string extents; ///< of the texture: "64 × 1", "6 faces of 32 × 32", "no texture"; empty: unknown
 };
 
-/// As many entries as fit in one row of the plane.
-[[nodiscard]] PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, float room);
+/// The entries in one row if it is not wider than `room`, else one above the other.
+[[nodiscard]] PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImVec2 corner,
+                                   float room);
 
-/// The rectangle of the legend.
-[[nodiscard]] Box boxOf(const PlaneLegend& legend, ImVec2 corner);
-
-void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend, const Box& box);
+void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend);
 
 /// Draws the state of a move at the lower edge, or, at the mouse, why vertices do not move.
 void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move);

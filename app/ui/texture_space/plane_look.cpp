@@ -1,35 +1,29 @@
 #include "app/ui/texture_space/plane_look.h"
 
+#include "app/ui/model/level_view.h"
+
+#include <tuple>
 #include <utility>
 
 namespace texplorer::ui {
-namespace {
-
-std::optional<LevelsRequest> requestOf(const Session& session) {
-    const Texture* texture = boundTexture(session);
-    if (!texture)
-        return std::nullopt;
-    LevelsRequest request{session.document.images.picturesOf(*texture), imageSettings(*texture),
-                          selectedUnit(session).target};
-    return request.pictures.base ? std::optional(std::move(request)) : std::nullopt;
-}
-
-} // namespace
-
 void LevelPicture::follow(const Session& session, const PlaneLook& look, bool needed) {
-    std::optional<LevelsRequest> levels = needed ? requestOf(session) : std::nullopt;
-    computing_ = false;
-    if (!levels) {
-        answer_.reset();
-        session.services.levelPictures.rest();
-        return;
-    }
-    const LevelPictureRequest request{*std::move(levels), look.level, look};
-    answer_ = session.services.levelPictures.answer(request, session.services.levels);
-    computing_ = !answer_ || answer_->request != request;
-    // After a change of the image the host's picture is closer than the old one.
-    if (answer_ && answer_->request.levels.pictures.base != request.levels.pictures.base)
-        answer_.reset();
+    ask(session, [this, &look, needed](Session& changed) {
+        const std::tuple before(picture(), problem(), computing_);
+        LevelPictures& maker = workers(changed).levelPictures;
+        if (const auto levels = needed ? boundLevels(changed) : std::nullopt) {
+            const LevelPictureRequest request{*levels, look.level, look};
+            answer_ = maker.answer(request, workers(changed).levels);
+            computing_ = !answer_ || answer_->request != request;
+            // After a change of the image the host's picture is closer than the old one.
+            if (answer_ && answer_->request.levels.pictures.base != request.levels.pictures.base)
+                answer_.reset();
+        } else {
+            answer_.reset();
+            computing_ = false;
+            maker.rest();
+        }
+        return before != std::tuple(picture(), problem(), computing_);
+    });
 }
 
 const std::string& LevelPicture::problem() const {
@@ -38,8 +32,8 @@ const std::string& LevelPicture::problem() const {
 }
 
 std::vector<int> levelsOfBound(const Session& session) {
-    const std::optional<LevelsRequest> request = requestOf(session);
-    const auto summary = request ? session.services.levels.summary(*request) : nullptr;
+    const std::optional<LevelsRequest> request = boundLevels(session);
+    const auto summary = request ? summaryOf(session, *request) : nullptr;
     std::vector<int> numbers;
     for (const LevelReport& level : summary ? summary->report.levels : std::vector<LevelReport>{})
         numbers.push_back(level.number);
@@ -47,8 +41,8 @@ std::vector<int> levelsOfBound(const Session& session) {
 }
 
 std::optional<glm::ivec3> firstExtentOfBound(const Session& session) {
-    const std::optional<LevelsRequest> request = requestOf(session);
-    const auto summary = request ? session.services.levels.summary(*request) : nullptr;
+    const std::optional<LevelsRequest> request = boundLevels(session);
+    const auto summary = request ? summaryOf(session, *request) : nullptr;
     if (!summary || summary->report.levels.empty())
         return std::nullopt;
     const LevelReport& first = summary->report.levels.front();

@@ -38,15 +38,17 @@ struct PlaneLook : TexelLook {
 
     static constexpr float maxExposure = 8;
 
-    /// Whether texels are shown unchanged.
-    [[nodiscard]] bool isPlain() const { return static_cast<const TexelLook&>(*this) == TexelLook{}; }
+    /// Whether the unchanged texels of the base level are shown.
+    [[nodiscard]] bool isPlain() const {
+        return level == 0 && static_cast<const TexelLook&>(*this) == TexelLook{};
+    }
 };
 
 /// The picture of a level of the bound texture, with its statistics, for looks that the host's picture of the
 /// base level does not support.
 class LevelPicture {
 public:
-    /// Call in every frame; makes nothing unless it is `needed`.
+    /// Call in every frame; makes nothing unless it is `needed`. `look` must live as long as the picture.
     void follow(const Session& session, const PlaneLook& look, bool needed);
 
     /// The picture with the look, or with the previous one while the new picture is being made; nullptr: not

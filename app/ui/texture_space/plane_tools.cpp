@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 
 namespace texplorer::ui {
 namespace {
@@ -25,12 +26,10 @@ constexpr const char* selectHelp =
 
 /// A button that is highlighted while it is on.
 bool toolButton(const char* words, std::string_view name, const char* help, bool on) {
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
-                                              : ImGui::GetColorU32(ImGuiCol_Button));
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(on ? ImGuiCol_HeaderActive : ImGuiCol_Button));
     const bool pressed = ImGui::Button(label(words));
     ImGui::PopStyleColor();
-    noteItem(name);
-    helpTip(help);
+    item(name, help);
     return pressed;
 }
 
@@ -38,61 +37,40 @@ bool hasVertices(const TextureSpaceState& state) {
     return !state.coords.given().empty();
 }
 
-/// A tool that has a button if there is room.
+/// A tool that has a button if there is room: it switches a flag, or mirrors vertices.
 struct Tool {
     const char* label;
     const char* name;
     const char* help;
-    bool (*isOn)(const TextureSpaceState& state);
-    void (*use)(const Session& session, TextureSpaceState& state);
-    bool needsVertices = false;
+    bool& (*flagOf)(TextureSpaceState& state);
+    int axis = 0; ///< if there is no flag
 };
-
-bool isNeverOn(const TextureSpaceState& /*state*/) {
-    return false;
-}
-
-template<Channel channel>
-bool showsChannel(const TextureSpaceState& state) {
-    return state.look.channel == channel;
-}
-
-/// Pressing the button again shows all channels.
-template<Channel channel>
-void toggleChannel(const Session& /*session*/, TextureSpaceState& state) {
-    state.look.channel = state.look.channel == channel ? Channel::All : channel;
-}
-
-template<Channel channel>
-constexpr Tool channelTool(const char* name) {
-    const ChannelRow& row = channelRows[static_cast<std::size_t>(channel)];
-    return {row.brief, name, row.help, showsChannel<channel>, toggleChannel<channel>};
-}
 
 // In the order of the toolbar.
-constexpr std::array channelTools{
-    channelTool<Channel::Red>("channel:R"),       channelTool<Channel::Green>("channel:G"),
-    channelTool<Channel::Blue>("channel:B"),      channelTool<Channel::Alpha>("channel:A"),
-    channelTool<Channel::Luminance>("channel:L"),
+constexpr std::span channelTools = std::span(channelRows).subspan<1>(); // all but RGBA
+constexpr std::array vertexTools{
+    Tool{"Snap", "snap", snapHelp, [](TextureSpaceState& state) -> bool& { return state.snapping.on; }},
+    Tool{"▭", "box select", selectHelp, [](TextureSpaceState& state) -> bool& { return state.selects; }},
+    Tool{"↔", "mirror s", "Mirrors the selected vertices, or all, from left to right", nullptr, 0},
+    Tool{"↕", "mirror t", "Mirrors the selected vertices, or all, upside down", nullptr, 1},
 };
 
-constexpr std::array vertexTools{
-    Tool{"Snap", "snap", snapHelp, [](const TextureSpaceState& state) { return state.snapping.on; },
-         [](const Session&, TextureSpaceState& state) { state.snapping.on = !state.snapping.on; }, true},
-    Tool{"▭", "box select", selectHelp, [](const TextureSpaceState& state) { return state.selects; },
-         [](const Session&, TextureSpaceState& state) { state.selects = !state.selects; }, true},
-    Tool{"↔", "mirror s", "Mirrors the selected vertices, or all, from left to right", isNeverOn,
-         [](const Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 0); },
-         true},
-    Tool{"↕", "mirror t", "Mirrors the selected vertices, or all, upside down", isNeverOn,
-         [](const Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 1); },
-         true},
-};
+/// Pressing the button again shows all channels.
+void drawTool(TextureSpaceState& state, const ChannelRow& row) {
+    Channel& shown = state.look.channel;
+    if (toolButton(row.brief, std::string("channel:") + row.brief, row.help, shown == row.channel))
+        shown = shown == row.channel ? Channel::All : row.channel;
+}
 
 void drawTool(const Session& session, TextureSpaceState& state, const Tool& tool) {
-    ImGui::BeginDisabled(tool.needsVertices && !hasVertices(state));
-    if (toolButton(tool.label, tool.name, tool.help, tool.isOn(state)))
-        tool.use(session, state);
+    ImGui::BeginDisabled(!hasVertices(state));
+    bool* flag = tool.flagOf ? &tool.flagOf(state) : nullptr;
+    if (toolButton(tool.label, tool.name, tool.help, flag && *flag)) {
+        if (flag)
+            *flag = !*flag;
+        else
+            mirrorVertices(session, state.coords, tool.axis);
+    }
     ImGui::EndDisabled();
 }
 
@@ -121,12 +99,6 @@ void exposureSlider(PlaneLook& look, float width) {
     noteItem("exposure");
 }
 
-PlaneLook plainLook(bool board) {
-    PlaneLook look;
-    look.board = board;
-    return look;
-}
-
 void pictureTools(const Session& session, TextureSpaceState& state) {
     const float em = ImGui::GetFontSize();
     const float width = em * 11;
@@ -149,27 +121,23 @@ void pictureTools(const Session& session, TextureSpaceState& state) {
         look.low = std::min(look.low, 1 - minRange);
         look.high = look.low + minRange;
     }
-    noteItem("range");
-    helpTip("The values that are shown as 0 and 1");
-    const bool isInitial = look.isPlain() && look.level == 0;
-    ImGui::BeginDisabled(isInitial);
+    item("range", "The values that are shown as 0 and 1");
+    ImGui::BeginDisabled(look.isPlain());
     if (ImGui::Button(label("Reset")))
-        look = plainLook(look.board);
+        look = {{}, 0, look.board};
     noteItem("plain look");
     ImGui::EndDisabled();
     helpTip("Shows all channels of level 0 with the initial exposure and range");
     ImGui::SameLine();
     ImGui::Checkbox(label("Checker behind alpha"), &look.board);
-    noteItem("board");
-    helpTip("Transparent texels show a checkerboard instead of their colour");
+    item("board", "Transparent texels show a checkerboard instead of their colour");
     drawHistogram(state.level, look.channel, width + em * 5);
     drawStatistics(state.level);
 }
 
 void snapChoice(TextureSpaceState& state) {
     ImGui::Checkbox(label("Snap to"), &state.snapping.on);
-    noteItem("snap on");
-    helpTip(snapHelp);
+    item("snap on", snapHelp);
     for (const SnapRow& row : snapRows) {
         ImGui::SameLine();
         if (toolButton(row.label, std::string("snap:") + row.label, row.help,
@@ -178,12 +146,6 @@ void snapChoice(TextureSpaceState& state) {
             state.snapping.on = true;
         }
     }
-}
-
-void project(const Session& session, const TextureSpaceState& state, CoordProjection projection) {
-    submitTexCoords(
-        session, fmt::format("{} projection", rowOf(projection).label),
-        projectedTexCoords(selectedMesh(session), projection, editedVertices(session), state.coords.given()));
 }
 
 void vertexMenu(const Session& session, TextureSpaceState& state) {
@@ -195,16 +157,13 @@ void vertexMenu(const Session& session, TextureSpaceState& state) {
     }
     snapChoice(state);
     ImGui::Checkbox(label("Drag selects"), &state.selects);
-    noteItem("drag selects");
-    helpTip(selectHelp);
+    item("drag selects", selectHelp);
     ImGui::SameLine();
     ImGui::Checkbox(label("Numbers"), &state.numbers);
-    noteItem("vertex numbers");
-    helpTip("Shows the numbers of the vertices where they fit");
+    item("vertex numbers", "Shows the numbers of the vertices where they fit");
     ImGui::SameLine();
     ImGui::Checkbox(label("Legend"), &state.legend);
-    noteItem("legend on");
-    helpTip("Describes the picture at the upper edge");
+    item("legend on", "Describes the picture at the upper edge");
     ImGui::AlignTextToFramePadding();
     dimText(fmt::format("Of {} vertices:", count));
     helpTip("The selected vertices if two or more, else all");
@@ -221,7 +180,9 @@ void vertexMenu(const Session& session, TextureSpaceState& state) {
         const std::string help(row.help);
         if (toolButton(std::string(row.label).c_str(), fmt::format("project:{}", row.label), help.c_str(),
                        false))
-            project(session, state, static_cast<CoordProjection>(row.value));
+            submitTexCoords(session, fmt::format("{} projection", row.label),
+                            projectedTexCoords(selectedMesh(session), static_cast<CoordProjection>(row.value),
+                                               editedVertices(session), state.coords.given()));
     }
     if (toolButton("Copy", "copy coordinates", "Copies s and t as text, one line for each vertex (Ctrl + C)",
                    false))
@@ -257,8 +218,8 @@ void copyCoords(const Session& session, const PlaneCoords& coords) {
 }
 
 void pasteCoords(const Session& session, const PlaneCoords& coords) {
-    const auto refuse = [&session](std::string why) {
-        act(session, [why = std::move(why)](Session& told) { say(told, why); });
+    const auto refuse = [&session](const std::string& why) {
+        act(session, [why](Session& told) { say(told, why); });
     };
     const char* text = ImGui::GetClipboardText();
     const Result<TexCoords> pasted = parseCoordText(text ? text : "");
@@ -289,43 +250,37 @@ void drawPlaneTools(const Session& session, TextureSpaceState& state) {
     ImGui::SameLine();
     const float begin = ImGui::GetCursorPosX();
     // The tools that fit: first the channels, all of them or none, then the others one by one.
-    const auto widthOf = [gap](const Tool& tool) { return buttonWidth(tool.label) + gap; };
-    float channels = 0;
-    for (const Tool& tool : channelTools)
-        channels += widthOf(tool);
-    float left = end - begin - gap;
-    const bool hasChannels = channels <= left;
-    left -= hasChannels ? channels : 0;
+    const float room = end - begin - gap;
+    const auto widthOf = [gap](const char* words) { return buttonWidth(words) + gap; };
+    float width = 0;
+    for (const ChannelRow& row : channelTools)
+        width += widthOf(row.brief);
+    const bool hasChannels = width <= room;
+    width = hasChannels ? width : 0;
     std::size_t count = 0;
-    float width = hasChannels ? channels : 0;
-    while (hasChannels && count < vertexTools.size() && widthOf(vertexTools[count]) <= left) {
-        left -= widthOf(vertexTools[count]);
-        width += widthOf(vertexTools[count++]);
-    }
+    while (hasChannels && count < vertexTools.size() && width + widthOf(vertexTools[count].label) <= room)
+        width += widthOf(vertexTools[count++].label);
     ImGui::SameLine(std::max(begin, end - width));
-    for (std::size_t i = 0; hasChannels && i < channelTools.size(); ++i) {
-        drawTool(session, state, channelTools[i]);
+    for (const ChannelRow& row : channelTools.first(hasChannels ? channelTools.size() : 0)) {
+        drawTool(state, row);
         ImGui::SameLine(0, gap);
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        drawTool(session, state, vertexTools[i]);
+    for (const Tool& tool : std::span(vertexTools).first(count)) {
+        drawTool(session, state, tool);
         ImGui::SameLine(0, gap);
     }
     ImGui::SetCursorPosX(std::max(begin, end));
     if (toolButton(more, "plane tools", "Channels, exposure, histogram, snapping, projections and more",
-                   !state.look.isPlain() || state.look.level != 0))
+                   !state.look.isPlain()))
         ImGui::OpenPopup("plane tools");
     ImGui::SameLine(0, gap);
     if (ImGui::Button(label(fit)))
         fitPlane(session, state.coords);
-    noteItem("fit plane");
-    helpTip(fitHelp);
-    bool open = false;
+    item("fit plane", fitHelp);
     // Next to the panel, so that the effect of the tools is visible.
-    const ImVec2 corner = ImGui::GetWindowPos();
-    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
-    if (ImGui::BeginPopup("plane tools")) {
-        open = true;
+    ImGui::SetNextWindowPos(ImGui::GetWindowPos(), ImGuiCond_Always, {1, 0});
+    const bool open = ImGui::BeginPopup("plane tools");
+    if (open) {
         pictureTools(session, state);
         ImGui::Spacing();
         vertexMenu(session, state);
@@ -335,7 +290,7 @@ void drawPlaneTools(const Session& session, TextureSpaceState& state) {
         if (const std::vector<int> levels = levelsOfBound(session); !levels.empty())
             state.look.level = std::clamp(state.look.level, levels.front(), levels.back());
     }
-    state.level.follow(session, state.look, open || !state.look.isPlain() || state.look.level != 0);
+    state.level.follow(session, state.look, open || !state.look.isPlain());
 }
 
 } // namespace texplorer::ui

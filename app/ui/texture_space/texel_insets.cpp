@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/points.h"
 
 #include <fmt/core.h>
 
@@ -46,6 +47,11 @@ const LevelPatch& heaviestPatch(const reference::UnitExplanation& unit) {
                                      [&](const LevelPatch& patch) { return shareOf(unit, patch.level); });
 }
 
+ImVec2 sampleIn(const Canvas& canvas, const reference::UnitExplanation& unit) {
+    const LevelPatch& patch = heaviestPatch(unit);
+    return canvas.toPixel(patch.place / glm::vec2(glm::max(patch.extent, 1)));
+}
+
 Box texelBox(const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent) {
     const glm::vec2 size(glm::max(extent, 1));
     const glm::vec2 low = glm::vec2(at) / size;
@@ -54,19 +60,15 @@ Box texelBox(const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent) {
 }
 
 Corners footprintOf(ImVec2 middle, ImVec2 dx, ImVec2 dy) {
-    const auto corner = [&](float a, float b) {
-        return ImVec2(middle.x + a * dx.x + b * dy.x, middle.y + a * dx.y + b * dy.y);
-    };
+    const auto corner = [&](float a, float b) { return middle + dx * a + dy * b; };
     return {corner(-0.5F, -0.5F), corner(0.5F, -0.5F), corner(0.5F, 0.5F), corner(-0.5F, 0.5F)};
 }
 
 Corners footprintIn(const Canvas& canvas, const reference::UnitExplanation& unit) {
-    const LevelPatch& patch = heaviestPatch(unit);
-    const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
     const auto way = [&](glm::vec3 d) {
         return ImVec2(d.x * canvas.pixelsPerUnit, -d.y * canvas.pixelsPerUnit);
     };
-    return footprintOf(canvas.toPixel(place), way(unit.derivatives.dx), way(unit.derivatives.dy));
+    return footprintOf(sampleIn(canvas, unit), way(unit.derivatives.dx), way(unit.derivatives.dy));
 }
 
 bool isFinite(const Corners& corners) {
@@ -75,9 +77,7 @@ bool isFinite(const Corners& corners) {
 }
 
 Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
-    const LevelPatch& heaviest = heaviestPatch(unit);
-    const glm::vec2 place = heaviest.place / glm::vec2(glm::max(heaviest.extent, 1));
-    const ImVec2 middle = canvas.toPixel(place);
+    const ImVec2 middle = sampleIn(canvas, unit);
     Box marks{middle, middle};
     for (const LevelPatch& patch : unit.patches) {
         for (const PlacedTap& tap : patch.taps) {
@@ -95,9 +95,12 @@ Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
 
 namespace {
 
+Box padded(const Box& box, float margin) {
+    return {box.low - ImVec2(margin, margin), box.high + ImVec2(margin, margin)};
+}
+
 Box aroundVertex(ImVec2 at) {
-    const float margin = ImGui::GetFontSize() * 0.6F;
-    return {{at.x - margin, at.y - margin}, {at.x + margin, at.y + margin}};
+    return padded({at, at}, ImGui::GetFontSize() * 0.6F);
 }
 
 /// Areas that small pictures should not cover: first the explained ones, then the selected vertices, the
@@ -119,11 +122,7 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
         kept.push_back({aroundVertex(place), vertex});
     kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
     kept.push_back({{{low.x - 1.5F * em, high.y - 2 * em}, {low.x, high.y + em}}, name});
-    const Box marks = marksOf(unit, canvas);
-    const float margin = em * 0.4F;
-    kept.push_back(
-        {{{marks.low.x - margin, marks.low.y - margin}, {marks.high.x + margin, marks.high.y + margin}},
-         mark});
+    kept.push_back({padded(marksOf(unit, canvas), em * 0.4F), mark});
     return kept;
 }
 
@@ -146,37 +145,31 @@ std::string titleThatFits(const reference::UnitExplanation& unit, const LevelPat
 }
 
 /// The texels are as large as `side` allows.
-std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, std::span<const LevelPatch> patches,
+std::vector<Inset> insetsOf(const reference::UnitExplanation& unit, std::span<const LevelPatch> patches,
                             const Canvas& canvas, float side) {
     std::vector<Inset> insets;
     const float em = ImGui::GetFontSize();
-    const float width = canvas.high.x - canvas.low.x;
+    const float maxWidth = (canvas.high.x - canvas.low.x - em * 2) / 2;
     const ImVec2 frame(em * 0.2F, em * 0.2F);
     std::vector<ImVec2> sizes; // with a title above and a frame around
     for (const LevelPatch& each : patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
-        const float maxWidth = (width - em * 2) / 2;
-        const std::string title = titleThatFits(*unit, each, maxWidth);
+        const std::string title = titleThatFits(unit, each, maxWidth);
         const std::string shown = fitted(title, maxWidth);
-        insets.push_back({&each,
-                          {},
-                          side / static_cast<float>(each.size.x),
-                          title,
-                          shown,
-                          std::max(side, ImGui::CalcTextSize(shown.c_str()).x)});
+        const float frameWidth = std::max(side, ImGui::CalcTextSize(shown.c_str()).x);
+        insets.push_back({&each, {}, side / static_cast<float>(each.size.x), title, shown, frameWidth});
         sizes.push_back(
             {insets.back().width + 2 * frame.x, insets.back().size().y + insetTitleHeight() + frame.y});
     }
     if (insets.empty())
         return insets;
-    Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
-             {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
+    Box room = padded({canvas.low, canvas.high}, -em * 0.3F);
     // The legend is drawn over everything: next to it there is hardly any room for two titles.
     if (const float below = canvas.legend.high.y + em * 0.3F;
         (room.high.y - below) * 4 > (room.high.y - room.low.y) * 3)
         room.low.y = std::max(room.low.y, below);
-    const std::vector<ImVec2> places = placeInsets(sizes, room, em * 0.2F, keptInSight(*unit, canvas));
+    const std::vector<ImVec2> places = placeInsets(sizes, room, em * 0.2F, keptInSight(unit, canvas));
     for (std::size_t i = 0; i < insets.size(); ++i)
         insets[i].low = {places[i].x + frame.x, places[i].y + insetTitleHeight()};
     return insets;
@@ -190,9 +183,7 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     const float height = canvas.high.y - canvas.low.y;
     const float maxSize = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
     const float minSize = em * 2;
-    if (!unit || maxSize < minSize)
-        return {};
-    if (unit->patches.empty())
+    if (!unit || unit->patches.empty() || maxSize < minSize)
         return {};
     const bool isCube = unit->target == Target::CubeMap; // its texels are marked only in the small pictures
     const Box marks = marksOf(*unit, canvas);
@@ -204,11 +195,8 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
         for (const Inset& inset : insets) {
             const Box frame = inset.frame();
             const auto hidesVertex = [&](ImVec2 at) { return overlaps(frame, aroundVertex(at)); };
-            if (!isCube && overlaps(frame, marks))
-                return true;
-            if (!may.legend && overlaps(frame, canvas.legend))
-                return true;
-            if (!may.vertices && std::ranges::any_of(canvas.chosen, hidesVertex))
+            if ((!isCube && overlaps(frame, marks)) || (!may.legend && overlaps(frame, canvas.legend)) ||
+                (!may.vertices && std::ranges::any_of(canvas.chosen, hidesVertex)))
                 return true;
             area += (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
         }
@@ -223,13 +211,13 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
         for (const std::span<const LevelPatch> patches : {all, heaviest}) {
             for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
                 std::vector<Inset> insets =
-                    insetsOf(unit, patches, canvas, std::max(maxSize * share, minSize));
+                    insetsOf(*unit, patches, canvas, std::max(maxSize * share, minSize));
                 if (!hides(insets, may))
                     return insets;
             }
         }
     }
-    return isCube ? insetsOf(unit, heaviest, canvas, minSize) : std::vector<Inset>{};
+    return isCube ? insetsOf(*unit, heaviest, canvas, minSize) : std::vector<Inset>{};
 }
 
 } // namespace texplorer::ui

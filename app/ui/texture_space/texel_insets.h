@@ -27,6 +27,10 @@ struct Inset {
         return {low.x + (texel.x - static_cast<float>(patch->low.x)) * cell,
                 low.y + size().y - (texel.y - static_cast<float>(patch->low.y)) * cell};
     }
+    /// The box of a texel.
+    [[nodiscard]] Box boxOf(glm::ivec2 texel) const {
+        return {toWindow(texel + glm::ivec2(0, 1)), toWindow(texel + glm::ivec2(1, 0))};
+    }
     /// Including its title.
     [[nodiscard]] Box frame() const;
     [[nodiscard]] bool holds(ImVec2 at) const {
@@ -39,6 +43,9 @@ struct Inset {
 
 /// The patch of the level with the greatest share.
 [[nodiscard]] const reference::LevelPatch& heaviestPatch(const reference::UnitExplanation& unit);
+
+/// The position of the sample, in the plane of the image.
+[[nodiscard]] ImVec2 sampleIn(const Canvas& canvas, const reference::UnitExplanation& unit);
 
 /// A texel of a level, in the plane of the image.
 [[nodiscard]] Box texelBox(const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent);

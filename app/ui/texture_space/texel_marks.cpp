@@ -1,9 +1,9 @@
 #include "app/ui/texture_space/texel_marks.h"
 
-#include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
-#include "app/ui/texture_space/texel_insets.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/widgets/board.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "texplorer/reference/sampling/ellipse.h"
@@ -18,9 +18,10 @@ namespace {
 using reference::LevelPatch;
 using reference::PlacedTap;
 
-/// Like the image around it: over a board, or opaque.
-void drawTexelColor(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 color, bool board) {
-    drawCheckered(draw, low, high, board ? color : glm::vec4(glm::vec3(color), 1));
+/// A rectangle with a shade on both sides of its line.
+void drawFrame(ImDrawList& draw, const Box& box, ImU32 tint, float shade, float width) {
+    draw.AddRect(box.low, box.high, color::shade, 0, 0, shade);
+    draw.AddRect(box.low, box.high, tint, 0, 0, width);
 }
 
 void drawFootprint(ImDrawList& draw, const Corners& corners) {
@@ -46,37 +47,29 @@ std::string weightText(float weight) {
 void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const Inset& inset, bool board) {
     const LevelPatch& patch = *inset.patch;
     const float em = ImGui::GetFontSize();
-    const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
-    const float pad = em * 0.2F;
-    draw.AddRectFilled({inset.low.x - pad, inset.low.y - insetTitleHeight()},
-                       {inset.low.x + inset.width + pad, end.y + pad}, faded(color::ground, 0.96F),
-                       em * 0.2F);
+    const ImVec2 end = inset.low + inset.size();
+    const Box frame = inset.frame();
+    draw.AddRectFilled(frame.low, frame.high, faded(color::ground, 0.96F), em * 0.2F);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.shown.c_str());
-    noteDrawn("patch-frame:" + inset.title, inset.frame().low, inset.frame().high);
+    noteDrawn("patch-frame:" + inset.title, frame.low, frame.high);
     noteDrawn("patch title:" + inset.title, {inset.low.x, inset.low.y - insetTitleHeight()},
               {inset.low.x + ImGui::CalcTextSize(inset.shown.c_str()).x, inset.low.y});
     draw.PushClipRect(inset.low, end, true);
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x) {
-            const glm::vec2 texel(patch.low + glm::ivec2(x, y));
-            const ImVec2 a = inset.toWindow(texel + glm::vec2(0, 1));
-            const ImVec2 b = inset.toWindow(texel + glm::vec2(1, 0));
-            const int index = y * patch.size.x + x;
-            drawTexelColor(draw, a, b, patch.colors[static_cast<std::size_t>(index)], board);
+            const auto [a, b] = inset.boxOf(patch.low + glm::ivec2(x, y));
+            const glm::vec4& color = patch.colors[static_cast<std::size_t>(y * patch.size.x + x)];
+            drawCheckered(draw, a, b, board ? color : glm::vec4(glm::vec3(color), 1)); // as in the image
             if (inset.cell > 6)
                 draw.AddRect(a, b, IM_COL32(128, 128, 128, 70));
         }
     }
     // The edge of the level: outside of it, wrapping decides.
-    const ImVec2 levelLow = inset.toWindow(glm::vec2(0, patch.extent.y));
-    const ImVec2 levelHigh = inset.toWindow(glm::vec2(patch.extent.x, 0));
-    draw.AddRect(levelLow, levelHigh, color::text, 0, 0, em * 0.12F);
+    draw.AddRect(inset.toWindow(glm::vec2(0, patch.extent.y)), inset.toWindow(glm::vec2(patch.extent.x, 0)),
+                 color::text, 0, 0, em * 0.12F);
     for (const PlacedTap& tap : patch.taps) {
-        const glm::vec2 at(tap.at);
-        const ImVec2 a = inset.toWindow(at + glm::vec2(0, 1));
-        const ImVec2 b = inset.toWindow(at + glm::vec2(1, 0));
-        draw.AddRect({a.x + 1, a.y + 1}, {b.x - 1, b.y - 1}, color::shade, 0, 0, em * 0.22F);
-        draw.AddRect({a.x + 1, a.y + 1}, {b.x - 1, b.y - 1}, color::probed, 0, 0, em * 0.12F);
+        const auto [a, b] = inset.boxOf(tap.at);
+        drawFrame(draw, {a + ImVec2(1, 1), b - ImVec2(1, 1)}, color::probed, em * 0.22F, em * 0.12F);
     }
     const glm::vec2 extent(patch.extent);
     const reference::Derivatives& derivatives =
@@ -93,9 +86,9 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
         const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 1000, 0, text.c_str());
         if (room.x + em * 0.5F > inset.cell)
             continue;
-        const ImVec2 a = inset.toWindow(glm::vec2(tap.at) + glm::vec2(0, 1));
+        const ImVec2 a = inset.boxOf(tap.at).low;
         const ImVec2 at(a.x + 2 + em * 0.1F, a.y + inset.cell - room.y - 2 - em * 0.1F);
-        draw.AddRectFilled({at.x - 1, at.y}, {at.x + room.x + 1, at.y + room.y}, color::shade);
+        draw.AddRectFilled(at - ImVec2(1, 0), at + room + ImVec2(1, 0), color::shade);
         draw.AddText(ImGui::GetFont(), size, at, color::probed, text.c_str());
     }
     draw.PopClipRect();
@@ -103,10 +96,8 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
 }
 
 void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent, ImU32 tint) {
-    const Box box = texelBox(canvas, at, extent);
     const float em = ImGui::GetFontSize();
-    draw.AddRect(box.low, box.high, color::shade, 0, 0, em * 0.2F);
-    draw.AddRect(box.low, box.high, tint, 0, 0, em * 0.1F);
+    drawFrame(draw, texelBox(canvas, at, extent), tint, em * 0.2F, em * 0.1F);
 }
 
 /// A marked corner of the selected texel, so that it is not distinguished only by its colour.
@@ -141,21 +132,16 @@ reference::TexelPlace texelOf(const Texture& texture, Target target, const Level
 
 /// The extent of a level of the bound texture.
 std::optional<glm::ivec2> extentOf(const Session& session, int level) {
-    const Texture* texture = boundTexture(session);
-    const std::shared_ptr<const TextureImage> image =
-        texture ? session.document.images.find(*texture) : nullptr;
-    if (!image)
-        return std::nullopt;
-    const auto summary =
-        session.services.levels.summary({image, imageSettings(*texture), selectedUnit(session).target});
+    const std::optional<LevelsRequest> request = boundLevels(session);
+    const auto summary = request ? summaryOf(session, *request) : nullptr;
     if (!summary)
         return std::nullopt;
     const auto found = std::ranges::find(summary->report.levels, level, &LevelReport::number);
     if (found == summary->report.levels.end())
         return std::nullopt;
     // The report includes a border in the level, the indices of texels begin after it.
-    const int border = texture->border != 0 ? 2 : 0;
-    const bool flat = selectedUnit(session).target == Target::Texture1D;
+    const int border = boundTexture(session)->border != 0 ? 2 : 0;
+    const bool flat = request->target == Target::Texture1D;
     return glm::ivec2(found->width - border, flat ? 1 : found->height - border);
 }
 
@@ -174,19 +160,15 @@ void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExpl
             drawTexel(draw, canvas, tap.at, patch.extent, color::probed);
     }
     drawFootprint(draw, footprintIn(canvas, unit));
-    const LevelPatch& patch = heaviestPatch(unit);
-    const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
-    drawPlace(draw, canvas.toPixel(place));
+    drawPlace(draw, sampleIn(canvas, unit));
 }
 
 /// The selected texel, and the one under the mouse, which a click selects.
 void markCells(const Session& session, ImDrawList& draw, const Texture& texture, const Inset& inset,
                bool clicked) {
     const LevelPatch& patch = *inset.patch;
-    const auto frame = [&](glm::ivec2 at, ImU32 tint) {
-        draw.AddRect(inset.toWindow(glm::vec2(at) + glm::vec2(0, 1)),
-                     inset.toWindow(glm::vec2(at) + glm::vec2(1, 0)), tint, 0, 0,
-                     ImGui::GetFontSize() * 0.2F);
+    const auto frame = [&](const Box& box, ImU32 tint) {
+        draw.AddRect(box.low, box.high, tint, 0, 0, ImGui::GetFontSize() * 0.2F);
     };
     const auto texel = [&](glm::ivec2 at) {
         return texelOf(texture, selectedUnit(session).target, patch, at);
@@ -197,9 +179,8 @@ void markCells(const Session& session, ImDrawList& draw, const Texture& texture,
             const glm::ivec2 at = patch.low + glm::ivec2(x, y);
             if (texel(at) != asked)
                 continue;
-            frame(at, color::chosen);
-            drawFlag(draw, {inset.toWindow(glm::vec2(at) + glm::vec2(0, 1)),
-                            inset.toWindow(glm::vec2(at) + glm::vec2(1, 0))});
+            frame(inset.boxOf(at), color::chosen);
+            drawFlag(draw, inset.boxOf(at));
         }
     }
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -208,7 +189,7 @@ void markCells(const Session& session, ImDrawList& draw, const Texture& texture,
     const glm::ivec2 at =
         patch.low + glm::ivec2(static_cast<int>((mouse.x - inset.low.x) / inset.cell),
                                static_cast<int>((inset.low.y + inset.size().y - mouse.y) / inset.cell));
-    frame(at, color::text);
+    frame(inset.boxOf(at), color::text);
     if (clicked)
         act(session, [chosen = texel(at)](Session& s) { chooseTexel(s, chosen); });
 }
@@ -229,13 +210,8 @@ void chooseInPlane(const Session& session, const Canvas& canvas, const Texture& 
 
 } // namespace
 
-bool isOnPatch(const Session& session, const Canvas& canvas, ImVec2 mouse) {
-    return std::ranges::any_of(insetsOf(probedUnit(session), canvas),
-                               [mouse](const Inset& inset) { return inset.holds(mouse); });
-}
-
-void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canvas, bool clicked,
-                    bool board) {
+void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canvas,
+                    std::span<const Inset> insets, bool clicked, bool board) {
     const Texture* texture = boundTexture(session);
     const reference::UnitExplanation* unit = probedUnit(session);
     if (unit && unit->patches.empty())
@@ -244,8 +220,8 @@ void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canv
         return;
     // The faces of a cube map in this plane are not arranged by their coordinates.
     const bool isCube = selectedUnit(session).target == Target::CubeMap;
-    if (clicked && session.look.explaining.isOpen && !isCube &&
-        !isOnPatch(session, canvas, ImGui::GetIO().MousePos))
+    const auto isUnder = [](const Inset& inset) { return inset.holds(ImGui::GetIO().MousePos); };
+    if (clicked && session.look.explaining.isOpen && !isCube && std::ranges::none_of(insets, isUnder))
         chooseInPlane(session, canvas, *texture, unit);
     if (unit && !isCube) {
         markPlane(draw, canvas, *unit);
@@ -258,9 +234,7 @@ void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canv
             drawFlag(draw, texelBox(canvas, glm::ivec2(asked->index), *extent));
         }
     }
-    if (!unit)
-        return;
-    for (const Inset& inset : insetsOf(unit, canvas)) {
+    for (const Inset& inset : insets) {
         drawInset(draw, *unit, inset, board);
         markCells(session, draw, *texture, inset, clicked);
     }

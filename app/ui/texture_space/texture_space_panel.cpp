@@ -1,15 +1,17 @@
 #include "app/ui/texture_space/texture_space_panel.h"
 
+#include "app/ui/model/explaining.h"
 #include "app/ui/state/chosen_vertices.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/texture_space/outline_drawing.h"
 #include "app/ui/texture_space/plane_input.h"
 #include "app/ui/texture_space/plane_legend.h"
 #include "app/ui/texture_space/plane_tools.h"
 #include "app/ui/texture_space/texel_marks.h"
 #include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "texplorer/image/cube_faces.h"
 
 #include <fmt/core.h>
 
@@ -18,12 +20,31 @@
 namespace texplorer::ui {
 namespace {
 
+/// Whether an image may have transparent texels.
+bool hasAlpha(const Surface& surface) {
+    if (const auto* blocks = std::get_if<BlockImage>(&surface))
+        return isS3tc(blocks->format) && blocks->format != BlockFormat::Dxt1;
+    const PixelFormat format = std::get<Image>(surface).format;
+    return format == PixelFormat::Rgba8 || format == PixelFormat::LuminanceAlpha8 ||
+           format == PixelFormat::Alpha8;
+}
+
+/// The relative height of the host's picture of a cube map's base level.
+float unfoldedHeight(const TextureImage& image) {
+    if (image.faces == cubeFaceCount)
+        return 0.75F; // a cross, see PreviewPicture
+    const int width = widthOf(image.surfaces.front());
+    const int height = heightOf(image.surfaces.front());
+    const bool isOneFace = cubeLayout(width, height) == CubeLayout::Same;
+    return isOneFace ? 1.0F : static_cast<float>(height) / static_cast<float>(width);
+}
+
 /// The picture of the image: the host's, or the one made for the look.
 TilePicture tilePicture(TextureSpaceState& state, const Pictures& pictures, const Texture& texture,
                         const std::shared_ptr<const TextureImage>& image) {
     const Surface& first = image->surfaces.front();
     const std::shared_ptr<const Image>& made = state.level.picture();
-    const bool isMade = made && (!state.look.isPlain() || state.look.level != 0);
+    const bool isMade = made && !state.look.isPlain();
     TilePicture shown{.handle = isMade ? pictures.showTexels(made) : pictures.texture,
                       .width = isMade ? made->width : widthOf(first),
                       .height = isMade ? made->height : heightOf(first)};
@@ -36,7 +57,7 @@ TilePicture tilePicture(TextureSpaceState& state, const Pictures& pictures, cons
 }
 
 void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session, TextureSpaceState& state,
-                 const Pictures& pictures, Target target) {
+                 const Pictures& pictures) {
     const auto drawGround = [&] { draw.AddRectFilled(canvas.low, canvas.high, color::ground); };
     const Texture* texture = boundTexture(session);
     const auto image = texture ? session.document.images.find(*texture) : nullptr;
@@ -45,13 +66,13 @@ void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session,
     const TilePicture shown = tilePicture(state, pictures, *texture, image);
     if (shown.handle == view::PictureHandle::None)
         return drawGround();
-    if (target != Target::CubeMap)
+    if (selectedUnit(session).target != Target::CubeMap)
         return drawTiles(draw, canvas, *texture, shown, boundsOf(state.coords));
     drawGround();
     const bool isMade = shown.handle != pictures.texture;
-    const float tall =
-        isMade ? static_cast<float>(shown.height) / static_cast<float>(shown.width) : unfoldedHeight(*image);
-    drawUnfolded(draw, canvas, shown.handle, tall);
+    drawUnfolded(draw, canvas, shown.handle,
+                 isMade ? static_cast<float>(shown.height) / static_cast<float>(shown.width)
+                        : unfoldedHeight(*image));
 }
 
 OutlineMarks marksNow(const Session& session, const std::optional<Grip>& grip) {
@@ -69,9 +90,8 @@ std::vector<ImVec2> chosenPlaces(const Session& session, const PlaneCoords& coor
     constexpr std::size_t maxPlaces = 64;
     std::vector<ImVec2> places;
     for (const std::size_t vertex : chosenVertices(session.look.selection)) {
-        if (places.size() < maxPlaces && vertex < coords.resultingPlaces().size()) {
+        if (places.size() < maxPlaces && vertex < coords.resultingPlaces().size())
             places.push_back(canvas.toPixel(coords.resultingPlaces()[vertex]));
-        }
     }
     return places;
 }
@@ -99,29 +119,29 @@ void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures
     noteItem("texture space");
     const ImGuiIO& io = ImGui::GetIO();
     const Target target = selectedUnit(session).target;
+    const Mesh& mesh = selectedMesh(session);
     Canvas canvas(topLeft, size, session.look.plane);
     const float margin = ImGui::GetFontSize() * 0.4F;
-    const PlaneLegend legend = legendOf(session, state, size.x - 2 * margin);
-    canvas.legend = boxOf(legend, {topLeft.x + margin, topLeft.y + margin});
+    const PlaneLegend legend =
+        legendOf(session, state, topLeft + ImVec2(margin, margin), size.x - 2 * margin);
+    canvas.legend = legend.box;
     canvas.chosen = chosenPlaces(session, state.coords, canvas);
 
-    PlaneMouse mouse{.hovered = ImGui::IsItemHovered(),
-                     .active = ImGui::IsItemActive(),
-                     .onPatch = isOnPatch(session, canvas, io.MousePos),
-                     .grip = {}};
+    const std::vector<Inset> insets = insetsOf(probedUnit(session), canvas);
+    PlaneMouse mouse{
+        .hovered = ImGui::IsItemHovered(),
+        .active = ImGui::IsItemActive(),
+        .onPatch = std::ranges::any_of(insets, [&](const Inset& inset) { return inset.holds(io.MousePos); }),
+        .grip = {}};
     if ((mouse.hovered || mouse.active) && !mouse.onPatch)
-        mouse.grip = gripUnder(canvas, selectedMesh(session), state.coords, session.look.selection.vertex,
-                               io.MousePos);
+        mouse.grip = gripUnder(canvas, mesh, state.coords, session.look.selection.vertex, io.MousePos);
     std::optional<PickedVertex> under;
     if (mouse.grip && mouse.hovered)
         under = PickedVertex{static_cast<std::size_t>(session.look.selection.model), mouse.grip->vertex};
     if (session.look.hoveredInPlane != under)
         act(session, [under](Session& changed) { changed.look.hoveredInPlane = under; });
-    const bool ended = handlePlaneKeys(session, state, canvas, mouse);
-    if (!ended)
-        handlePlaneMouse(session, state, canvas, mouse);
+    const bool ended = handlePlaneInput(session, state, canvas, mouse);
     session.out.movesVertices = state.move.has_value();
-    const Mesh& mesh = selectedMesh(session);
     if (mouse.grip && mouse.grip->vertex >= state.coords.given().size())
         mouse.grip.reset();
     if (mouse.grip)
@@ -129,23 +149,21 @@ void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(canvas.low, canvas.high, true);
-    drawPicture(draw, canvas, session, state, pictures, target);
+    drawPicture(draw, canvas, session, state, pictures);
     const OutlineMarks marks = marksNow(session, mouse.grip);
     const bool hasPlaces = !state.coords.given().empty();
     if (target != Target::CubeMap)
         drawAxes(draw, canvas);
     if (hasPlaces && state.coords.differ())
         drawGivenOutlines(draw, canvas, mesh, state.coords, marks);
-    if (hasPlaces)
+    if (hasPlaces) {
         drawOutlines(draw, canvas, mesh, state.coords, marks);
-    if (hasPlaces)
-        drawVertexTexts(draw, canvas, state.coords, marks, {canvas.legend}, state.numbers);
-    const bool clicked =
-        mouse.hovered && !mouse.grip && !ended && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-        !io.KeyShift &&
-        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
-    drawTexelMarks(session, draw, canvas, clicked, state.look.board);
-    drawPlaneLegend(draw, legend, canvas.legend);
+        drawVertexTexts(draw, canvas, state.coords, marks, state.numbers);
+    }
+    const bool clicked = mouse.hovered && !mouse.grip && !ended &&
+                         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !io.KeyShift && !isDrag();
+    drawTexelMarks(session, draw, canvas, insets, clicked, state.look.board);
+    drawPlaneLegend(draw, legend);
     if (const std::optional<Box> box = selectionBox(state, canvas)) {
         draw.AddRect(box->low, box->high, color::shade, 0, 0, 3);
         draw.AddRect(box->low, box->high, color::chosen);

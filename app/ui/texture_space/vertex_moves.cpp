@@ -18,33 +18,25 @@ namespace {
 constexpr float angleStep = std::numbers::pi_v<float> / 12; // 15 degrees
 constexpr float factorStep = 0.25F;
 
-struct MoveRow {
-    MoveKind kind;
-    const char* one;  ///< the name in Undo, with the vertex's number
-    const char* many; ///< with the number of vertices
-};
-
-constexpr std::array moveRows{
-    MoveRow{MoveKind::Move, "Move vertex {}", "Move {} vertices"},
-    MoveRow{MoveKind::Rotate, "Rotate vertex {}", "Rotate {} vertices"},
-    MoveRow{MoveKind::Scale, "Scale vertex {}", "Scale {} vertices"},
-};
-
 std::string nameOfMove(MoveKind kind, std::span<const std::size_t> vertices) {
-    const MoveRow& row = moveRows[static_cast<std::size_t>(kind)];
+    const MoveRow& row = rowOf(kind);
     return vertices.size() == 1 ? fmt::format(fmt::runtime(row.one), vertices.front())
                                 : fmt::format(fmt::runtime(row.many), vertices.size());
 }
 
+std::vector<glm::vec2> placesOf(std::span<const std::size_t> vertices, std::span<const glm::vec2> all) {
+    std::vector<glm::vec2> places;
+    for (const std::size_t vertex : vertices)
+        places.push_back(all[vertex]);
+    return places;
+}
+
 /// The middle of their bounding rectangle.
 glm::vec2 middleOf(std::span<const glm::vec2> places) {
-    glm::vec2 low = places.front();
-    glm::vec2 high = low;
-    for (const glm::vec2& each : places) {
-        low = glm::min(low, each);
-        high = glm::max(high, each);
-    }
-    return (low + high) / 2.0F;
+    Bounds bounds{places.front(), places.front()};
+    for (const glm::vec2& each : places)
+        bounds.include(each);
+    return bounds.middle();
 }
 
 /// Changes only the coordinate that is not locked.
@@ -149,8 +141,7 @@ std::optional<VertexMove> beginMove(const Selection& selection, const PlaneCoord
     if (std::ranges::find(move.vertices, held) == move.vertices.end())
         move.held = move.vertices.front();
     const std::vector<glm::vec2>& places = results ? coords.resultingPlaces() : coords.givenPlaces();
-    for (const std::size_t vertex : move.vertices)
-        move.places.push_back(places[vertex]);
+    move.places = placesOf(move.vertices, places);
     move.heldPlace = places[move.held];
     move.centre = middleOf(move.places);
     return move;
@@ -197,11 +188,9 @@ void nudge(const Session& session, const PlaneCoords& coords, glm::vec2 way) {
 
 void mirrorVertices(const Session& session, const PlaneCoords& coords, int axis) {
     const std::vector<std::size_t> vertices = editedVertices(session);
-    std::vector<glm::vec2> places;
-    for (const std::size_t vertex : vertices)
-        places.push_back(coords.givenPlaces()[vertex]);
-    if (places.empty())
+    if (vertices.empty())
         return;
+    const std::vector<glm::vec2> places = placesOf(vertices, coords.givenPlaces());
     const glm::vec2 middle = middleOf(places);
     Result<TexCoords> list = placed(coords, false, vertices, [&](std::size_t i) {
         glm::vec2 place = places[i];

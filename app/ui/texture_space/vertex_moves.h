@@ -35,6 +35,27 @@ struct Snapping {
 /// The kind of move.
 enum class MoveKind : std::uint8_t { Move, Rotate, Scale };
 
+struct MoveRow {
+    MoveKind kind;
+    int key;
+    const char* one;  ///< the name in Undo, with the vertex's number
+    const char* many; ///< with the number of vertices
+    const char* hint; ///< with that number, too
+};
+
+inline constexpr std::array moveRows{
+    MoveRow{MoveKind::Move, 'G', "Move vertex {}", "Move {} vertices",
+            "Moving {} · S, T: one axis · Enter confirms, Escape cancels"},
+    MoveRow{MoveKind::Rotate, 'R', "Rotate vertex {}", "Rotate {} vertices",
+            "Rotating {} · Enter confirms, Escape cancels"},
+    MoveRow{MoveKind::Scale, 'S', "Scale vertex {}", "Scale {} vertices",
+            "Scaling {} · S, T: one axis · Enter confirms, Escape cancels"},
+};
+
+[[nodiscard]] inline const MoveRow& rowOf(MoveKind kind) {
+    return moveRows[static_cast<std::size_t>(kind)];
+}
+
 /// The selected vertices while they are moved: by a drag, or by the mouse alone after a key.
 struct VertexMove {
     MoveKind kind = MoveKind::Move;

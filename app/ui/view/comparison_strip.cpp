@@ -1,9 +1,7 @@
 #include "app/ui/language/translate.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
@@ -107,8 +105,8 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
     ImGui::AlignTextToFramePadding();
     plainText(words, hasShare ? color::text : color::dim);
     if (hasShare) {
-        noteItem("share over");
-        helpTip("The share of pixels that differ by more than this tolerance in red, green or blue");
+        item("share over",
+             "The share of pixels that differ by more than this tolerance in red, green or blue");
     }
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
@@ -116,8 +114,7 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
     if (ImGui::DragInt("##tolerance", &tolerance, 0.1F, 0, ViewSettings::maxTolerance, "%d",
                        ImGuiSliderFlags_AlwaysClamp))
         act(session, [tolerance](Session& changed) { changed.view.tolerance = tolerance; });
-    noteItem("tolerance");
-    helpTip("Differences up to this value are ignored. Drag it, or double-click to type a number.");
+    item("tolerance", "Differences up to this value are ignored. Drag it, or double-click to type a number.");
     ImGui::SameLine(0, narrow);
     ImGui::TextUnformatted(perByte);
 }
@@ -160,28 +157,27 @@ void numbers(const Session& session, Flow& flow, const Difference& difference, v
         return helpTip("Red, green and blue are the same everywhere.");
     }
     flow.text(fmt::format("mean {}/255", rounded(difference.mean, 3)), color::text, gap);
-    noteItem("mean difference");
-    helpTip("The mean over all components of all pixels");
+    item("mean difference", "The mean over all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
 }
 
 /// The number of lines for the longest possible numbers, so that the strip and the pictures keep their
 /// heights.
 int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, float narrow) {
-    const auto widthOf = [](const std::string& words) { return ImGui::CalcTextSize(tr(words).c_str()).x; };
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     Flow flow(strip);
     if (!comparesRenderers(settings))
-        flow.place(widthOf("A and now"), narrow);
+        flow.place(textWidth("A and now"), narrow);
     for (const ArrangementRow& row : arrangementRows) {
         if (comparesRenderers(settings))
             flow.place(buttonWidth(row.label), narrow);
     }
-    const float field = widthOf("255") + 2 * padding.x;
-    flow.place(
-        std::max(widthOf("99.99 % over"), widthOf("Tolerance")) + field + widthOf(perByte) + 2 * narrow, gap);
-    flow.place(widthOf("mean 0.999/255"), gap);
-    flow.place(widthOf("max 255/255") + 2 * padding.x + ImGui::GetFontSize() * 1.2F, gap);
+    const float field = textWidth("255") + 2 * padding.x;
+    flow.place(std::max(textWidth("99.99 % over"), textWidth("Tolerance")) + field + textWidth(perByte) +
+                   2 * narrow,
+               gap);
+    flow.place(textWidth("mean 0.999/255"), gap);
+    flow.place(textWidth("max 255/255") + 2 * padding.x + ImGui::GetFontSize() * 1.2F, gap);
     return flow.lines();
 }
 
@@ -198,24 +194,19 @@ void drawComparisonStrip(const Session& session, const Pictures& pictures, const
     Flow flow(layout.strip);
     if (!comparesRenderers(settings)) {
         flow.text("A and now", color::dim, narrow);
-        noteItem("A and now");
-        helpTip("Drag the seam. A is on the left, the present scene on the right, with the same renderer "
-                "and camera.");
+        item("A and now",
+             "Drag the seam. A is on the left, the present scene on the right, with the same renderer "
+             "and camera.");
     }
     for (const ArrangementRow& row : arrangementRows) {
         if (!comparesRenderers(settings))
             break;
-        const bool chosen = settings.arrangement == row.arrangement;
         flow.put(buttonWidth(row.label), narrow);
-        ImGui::PushStyleColor(ImGuiCol_Button,
-                              chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-        if (ImGui::Button(label(row.label)))
+        if (flatButton(label(row.label), settings.arrangement == row.arrangement))
             act(session, [&row](Session& changed) {
                 changed.view.arrangement = changed.view.comparing = row.arrangement;
             });
-        ImGui::PopStyleColor();
-        noteItem(std::string("arrangement:") + row.label);
-        helpTip(row.help);
+        item(std::string("arrangement:") + row.label, row.help);
     }
     toleranceField(session, flow, pictures.difference ? &pictures.difference->numbers : nullptr, gap);
     if (pictures.difference)

@@ -1,11 +1,9 @@
-#include "app/ui/view/false_color_view.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/view/pane_drawing.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
@@ -25,64 +23,37 @@ std::string shownLabel(const ViewSettings& settings) {
     return fmt::format("{} ▾", tr(texplorer::rowOf(settings.shown).label));
 }
 
-/// A number on a scale and its position: 0 at its left end, 1 at its right one.
-struct ScaleMark {
-    float place;
-    std::string text;
-};
-
 /// The meaning of a legend's colours.
 struct FalseColorScale {
     std::string title;
     std::string shortTitle; ///< used if there is less room
-    std::array<std::uint8_t, 4> (*colorAt)(float place, int steps);
-    int steps = 1; ///< levels above the base; only for λ
-    std::vector<ScaleMark> marks;
-    bool hasMagnified = false; ///< a field for magnification is in front of it
+    std::function<std::array<std::uint8_t, 4>(float place)> colorAt;
+    std::vector<LegendMark> marks{};                        ///< at 0 to 1
+    std::optional<std::array<std::uint8_t, 4>> magnified{}; ///< the field in front of it
 };
 
 FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
-    FalseColorScale scale;
     if (shown == Shown::Lambda) {
-        scale.title = fmt::format("λ of unit {}, black where magnified", unit);
-        scale.shortTitle = fmt::format("λ of unit {}", unit);
-        scale.colorAt = [](float place, int steps) {
-            return reference::lambdaColor(std::max(place, 1e-6F) * static_cast<float>(steps), steps);
-        };
-        scale.steps = reference::stepsOf(map);
-        for (int i = 0; i <= scale.steps; ++i)
-            scale.marks.push_back(
-                {static_cast<float>(i) / static_cast<float>(scale.steps), std::to_string(i)});
-        scale.hasMagnified = true;
+        const int steps = reference::stepsOf(map); // levels above the base
+        FalseColorScale scale{fmt::format("λ of unit {}, black where magnified", unit),
+                              fmt::format("λ of unit {}", unit), [steps](float place) {
+                                  return reference::lambdaColor(
+                                      std::max(place, 1e-6F) * static_cast<float>(steps), steps);
+                              }};
+        for (int i = 0; i <= steps; ++i)
+            scale.marks.push_back({static_cast<float>(i) / static_cast<float>(steps), std::to_string(i)});
+        scale.magnified = reference::lambdaColor(0, steps);
         return scale;
     }
-    scale.title = fmt::format("Footprint of unit {}: longer side by shorter", unit);
-    scale.shortTitle = fmt::format("Footprint of unit {}", unit);
-    scale.colorAt = [](float place, int) {
-        return reference::ratioColor(std::pow(reference::maxShownRatio, place));
-    };
+    FalseColorScale scale{fmt::format("Footprint of unit {}: longer side by shorter", unit),
+                          fmt::format("Footprint of unit {}", unit), [](float place) {
+                              return reference::ratioColor(std::pow(reference::maxShownRatio, place));
+                          }};
     for (float ratio = 1; ratio <= reference::maxShownRatio; ratio *= 2)
         scale.marks.push_back({std::log2(ratio) / std::log2(reference::maxShownRatio),
                                ratio < reference::maxShownRatio ? fmt::format("{:.0f}", ratio)
                                                                 : fmt::format("{:.0f}+", ratio)});
     return scale;
-}
-
-/// Numbers below a bar, those that do not overlap; the last one is always shown.
-void drawMarks(ImDrawList& draw, const std::vector<ScaleMark>& marks, float left, float width, float y) {
-    const float gap = ImGui::GetFontSize() * 0.35F;
-    const auto widthOf = [](const ScaleMark& mark) { return ImGui::CalcTextSize(mark.text.c_str()).x; };
-    const float last = left + width - widthOf(marks.back());
-    float free = left - gap;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        const float own = widthOf(marks[i]);
-        const float x = std::clamp(left + width * marks[i].place - own / 2, left, left + width - own);
-        const bool isLast = i + 1 == marks.size();
-        if (!isLast && (x < free || x + own + gap > last))
-            continue;
-        draw.AddText({x, y}, color::text, marks[i].text.c_str());
-        free = x + own + gap;
-    }
 }
 
 } // namespace
@@ -97,8 +68,7 @@ void shownItems(const Session& session) {
         const auto shown = static_cast<Shown>(row.value);
         if (ImGui::MenuItem(label(row.label).c_str(), nullptr, settings.shown == shown))
             act(session, [shown](Session& changed) { changed.view.shown = shown; });
-        noteItem(fmt::format("shown:{}", row.name));
-        helpTip(row.help);
+        item(fmt::format("shown:{}", row.name), row.help);
     }
     ImGui::Separator();
     const bool isIdle = settings.shown == Shown::Picture;
@@ -108,9 +78,8 @@ void shownItems(const Session& session) {
     if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp))
         act(session, [percent](Session& changed) { changed.view.opacity = percent / 100; });
     ImGui::EndDisabled();
-    noteItem("false color opacity");
-    helpTip(isIdle ? "The opacity of the false colours. None are shown at present"
-                   : "The opacity of the false colours over the picture");
+    item("false color opacity", isIdle ? "The opacity of the false colours. None are shown at present"
+                                       : "The opacity of the false colours over the picture");
     ImGui::SameLine();
     ImGui::TextUnformatted(tr("Opacity"));
 }
@@ -118,13 +87,9 @@ void shownItems(const Session& session) {
 void drawShownChoice(const Session& session) {
     const ViewSettings& settings = session.view;
     const bool isOn = settings.shown != Shown::Picture;
-    ImGui::PushStyleColor(ImGuiCol_Button, isOn ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
-                                                : ImGui::GetColorU32(ImGuiCol_Button));
-    const bool pressed = ImGui::Button(fmt::format("{}###shown", shownLabel(settings)).c_str());
-    ImGui::PopStyleColor();
-    noteItem("shown");
-    helpTip("Shows the picture, or false colours for the level of detail (λ) or the elongation of each "
-            "pixel's footprint (anisotropy)");
+    const bool pressed = markedButton(fmt::format("{}###shown", shownLabel(settings)).c_str(), isOn);
+    item("shown", "Shows the picture, or false colours for the level of detail (λ) or the elongation of each "
+                  "pixel's footprint (anisotropy)");
     if (pressed)
         ImGui::OpenPopup("shown choices");
     if (ImGui::BeginPopup("shown choices")) {
@@ -143,9 +108,7 @@ void drawFalseColors(ImDrawList& draw, const Session& session, const Pictures& p
     if (colors == view::PictureHandle::None)
         return;
     draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
-    draw.AddImage(textureId(colors), lowOf(pane.frame), highOf(pane.frame),
-                  {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},
-                  ImGui::ColorConvertFloat4ToU32({1, 1, 1, session.view.opacity}));
+    panes.draw(draw, pane, colors, ImGui::ColorConvertFloat4ToU32({1, 1, 1, session.view.opacity}));
     draw.PopClipRect();
 }
 
@@ -175,32 +138,28 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
         noteDrawn("false colors:none", {x, y}, {right, y + line});
         return;
     }
-    const FalseColorScale scale = scaleOf(*map, shown, session.look.selection.unit);
+    FalseColorScale scale = scaleOf(*map, shown, session.look.selection.unit);
     const float bar = em * 0.6F;
     const ImVec2 corner(low.x + width + pad, low.y + line + bar + pad + line);
     draw.AddRectFilled({low.x - pad, low.y - pad / 2}, corner, color::shade, pad);
-    const bool hasRoom = ImGui::CalcTextSize(tr(scale.title).c_str()).x <= width;
+    const bool hasRoom = textWidth(scale.title) <= width;
     const std::string title = fitted(hasRoom ? scale.title : scale.shortTitle, width);
     draw.AddText({low.x, low.y}, color::text, title.c_str());
     const float y = low.y + line + pad * 0.4F;
     float left = low.x;
-    if (scale.hasMagnified) {
+    if (scale.magnified) {
         const float field = ImGui::CalcTextSize("≤ 0").x;
-        const auto [r, g, b, a] = reference::lambdaColor(0, scale.steps);
+        const auto [r, g, b, a] = *scale.magnified;
         draw.AddRectFilled({left, y}, {left + field, y + bar}, IM_COL32(r, g, b, a));
         draw.AddRect({left, y}, {left + field, y + bar}, color::outline);
         draw.AddText({left, y + bar + pad * 0.2F}, color::text, "≤ 0");
         left += field + em;
     }
     const float length = low.x + width - left;
-    constexpr int columns = 128;
-    for (int i = 0; i < columns; ++i) {
-        const auto at = [&](int column) { return left + length * static_cast<float>(column) / columns; };
-        const auto [r, g, b, a] =
-            scale.colorAt((static_cast<float>(i) + 0.5F) / static_cast<float>(columns), scale.steps);
-        draw.AddRectFilled({at(i), y}, {at(i + 1), y + bar}, IM_COL32(r, g, b, a));
-    }
-    drawMarks(draw, scale.marks, left, length, y + bar + pad * 0.2F);
+    drawBar(draw, {left, y}, {length, bar}, scale.colorAt);
+    for (LegendMark& mark : scale.marks)
+        mark.x *= length;
+    drawMarks(draw, scale.marks, {left, y + bar + pad * 0.2F}, length, em * 0.35F);
     noteDrawn("false colors:legend", {low.x - pad, low.y - pad / 2}, corner);
 }
 

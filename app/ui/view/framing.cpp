@@ -27,6 +27,16 @@ void rememberFit(const Session& session, const View& view, const Layout& layout)
     act(session, [fit = Fit{view, aspectOf(layout)}](Session& s) { s.document.fit = fit; });
 }
 
+template<class Move>
+void moveCamera(const Session& session, const Layout& layout, const char* name, const Move& move) {
+    View fitted;
+    submitDrag(session, name, [&](Scene& scene) {
+        move(scene, session.look.playback.time, aspectOf(layout));
+        fitted = scene.view;
+    });
+    rememberFit(session, fitted, layout);
+}
+
 } // namespace
 
 void showOnly(Scene& scene, Show show, double time, float aspect) {
@@ -63,22 +73,14 @@ std::optional<Show> shownNow(const Scene& scene) {
 }
 
 void resetCamera(const Session& session, const Layout& layout) {
-    View fitted;
-    submitDrag(session, "Reset camera", [&](Scene& scene) {
+    moveCamera(session, layout, "Reset camera", [](Scene& scene, double time, float aspect) {
         scene.view = defaultScene().view;
-        fitDistance(scene, session.look.playback.time, aspectOf(layout));
-        fitted = scene.view;
+        fitDistance(scene, time, aspect);
     });
-    rememberFit(session, fitted, layout);
 }
 
 void frameAll(const Session& session, const Layout& layout) {
-    View fitted;
-    submitDrag(session, "Frame the models", [&](Scene& scene) {
-        frameModels(scene, session.look.playback.time, aspectOf(layout));
-        fitted = scene.view;
-    });
-    rememberFit(session, fitted, layout);
+    moveCamera(session, layout, "Frame the models", frameModels);
 }
 
 void show(const Session& session, const ShowRow& row, const Layout& layout) {

@@ -1,16 +1,11 @@
-#include "app/ui/view/magnifier.h"
-
 #include "app/ui/language/translate.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/view/pane_drawing.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -43,21 +38,21 @@ std::string textOf(const Image& image, glm::ivec2 pixel) {
     return fmt::format("{} {} {} · {}", number(0), number(1), number(2), number(3));
 }
 
-bool holds(const Image& image, glm::ivec2 pixel) {
-    return pixel.x < image.width && pixel.y < image.height;
+/// The picture of a renderer; nullptr: it is not known, or has no such pixel.
+const Image* imageWith(const Pictures& pictures, RendererKind renderer, glm::ivec2 pixel) {
+    const auto view = std::ranges::find(pictures.frames, renderer, &ViewFrame::renderer);
+    const Image* image = view == pictures.frames.end() ? nullptr : view->image.get();
+    return image && pixel.x < image->width && pixel.y < image->height ? image : nullptr;
 }
 
 /// The difference of the two compared pictures at that pixel, for each component.
 std::string differenceText(const ViewSettings& settings, const Pictures& pictures, glm::ivec2 pixel) {
-    std::array<const Image*, 2> images{};
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        const auto view = std::ranges::find(pictures.frames, settings.compared[i], &ViewFrame::renderer);
-        if (view == pictures.frames.end() || !view->image || !holds(*view->image, pixel))
-            return "…";
-        images[i] = view->image.get();
-    }
-    const ByteView a = images[0]->at(pixel.x, pixel.y);
-    const ByteView b = images[1]->at(pixel.x, pixel.y);
+    const Image* first = imageWith(pictures, settings.compared[0], pixel);
+    const Image* second = imageWith(pictures, settings.compared[1], pixel);
+    if (!first || !second)
+        return "…";
+    const ByteView a = first->at(pixel.x, pixel.y);
+    const ByteView b = second->at(pixel.x, pixel.y);
     std::string text;
     for (std::size_t c = 0; c < 3; ++c) {
         const int difference = std::to_integer<int>(b[c]) - std::to_integer<int>(a[c]);
@@ -75,11 +70,9 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
             lenses.push_back({"Difference", picture, differenceText(session.view, pictures, pixel)});
             continue;
         }
-        const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
-        const bool known = view != pictures.frames.end() && view->image && holds(*view->image, pixel);
+        const Image* image = imageWith(pictures, *pane.renderer, pixel);
         lenses.push_back({std::string(rowOf(*pane.renderer).label), picture,
-                          known ? textOf(*view->image, pixel) : "…",
-                          known ? colorOf(*view->image, pixel) : 0});
+                          image ? textOf(*image, pixel) : "…", image ? colorOf(*image, pixel) : 0});
     }
     return lenses;
 }

@@ -4,7 +4,6 @@
 #include "app/ui/model/kept.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
@@ -55,8 +54,7 @@ void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float w
             settings.offered.has(renderer) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
         if (ImGui::Selectable(label(row.label).c_str(), renderer == compared, flags))
             act(session, [which, renderer](Session& changed) { changed.view.compared.at(which) = renderer; });
-        noteItem(fmt::format("{}={}", name, row.name));
-        helpTip(helpOf(settings, row));
+        item(fmt::format("{}={}", name, row.name), helpOf(settings, row));
     }
     ImGui::EndCombo();
 }
@@ -117,9 +115,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     if (picture != view::PictureHandle::None) {
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, nullptr);
-        // The picture's first row is its bottom one.
-        draw.AddImage(textureId(picture), low, high, {panes.partLow().x, panes.partHigh().y},
-                      {panes.partHigh().x, panes.partLow().y});
+        panes.draw(draw, pane, picture);
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, &draw);
     } else if (pictures.setBlending) {
@@ -221,31 +217,41 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {
     marks.push_back(scale.top);
     marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
     const auto steps = static_cast<float>(marks.size() - 1);
-    constexpr int columns = 128;
-    for (int i = 0; i < columns; ++i) {
-        const float place = (static_cast<float>(i) + 0.5F) / columns * steps;
+    drawBar(draw, low, {width, bar}, [&](float share) {
+        const float place = share * steps;
         const auto from = static_cast<std::size_t>(place);
-        const float share = place - static_cast<float>(from);
-        const auto value =
-            std::lerp(static_cast<float>(marks[from]), static_cast<float>(marks[from + 1]), share);
-        const auto [r, g, b, a] = heatColor(value, scale);
-        draw.AddRectFilled({low.x + width * static_cast<float>(i) / columns, low.y},
-                           {low.x + width * static_cast<float>(i + 1) / columns, low.y + bar},
-                           IM_COL32(r, g, b, a));
+        return heatColor(std::lerp(static_cast<float>(marks[from]), static_cast<float>(marks[from + 1]),
+                                   place - static_cast<float>(from)),
+                         scale);
+    });
+    std::vector<LegendMark> numbers;
+    for (const int each : marks)
+        numbers.push_back({width * static_cast<float>(numbers.size()) / steps, std::to_string(each),
+                           each == scale.tolerance ? color::text : color::dim});
+    drawMarks(draw, numbers, {low.x, low.y + bar + em * 0.15F}, width, em * 0.3F);
+}
+
+void drawBar(ImDrawList& draw, ImVec2 low, ImVec2 size,
+             const std::function<std::array<std::uint8_t, 4>(float)>& colorAt) {
+    constexpr int columns = 128;
+    const auto at = [&](int column) { return low.x + size.x * static_cast<float>(column) / columns; };
+    for (int i = 0; i < columns; ++i) {
+        const auto [r, g, b, a] = colorAt((static_cast<float>(i) + 0.5F) / columns);
+        draw.AddRectFilled({at(i), low.y}, {at(i + 1), low.y + size.y}, IM_COL32(r, g, b, a));
     }
-    float free = low.x - em; // numbers don't overlap, and the last one is there in any case
-    const float last = low.x + width - ImGui::CalcTextSize(std::to_string(marks.back()).c_str()).x;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        const std::string text = std::to_string(marks[i]);
-        const float x = low.x + width * static_cast<float>(i) / steps;
-        const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
-        const float at = std::clamp(x - half, low.x, low.x + width - 2 * half);
-        const bool covers = i + 1 < marks.size() && at + 2 * half + em * 0.3F > last;
-        if (at < free || covers)
+}
+
+void drawMarks(ImDrawList& draw, const std::vector<LegendMark>& marks, ImVec2 low, float width, float gap) {
+    const auto widthOf = [](const LegendMark& mark) { return ImGui::CalcTextSize(mark.text.c_str()).x; };
+    const float last = low.x + width - widthOf(marks.back());
+    float free = low.x;
+    for (const LegendMark& mark : marks) {
+        const float own = widthOf(mark);
+        const float x = std::clamp(low.x + mark.x - own / 2, low.x, low.x + width - own);
+        if (&mark != &marks.back() && (x < free || x + own + gap > last))
             continue;
-        draw.AddText({at, low.y + bar + em * 0.15F}, marks[i] == scale.tolerance ? color::text : color::dim,
-                     text.c_str());
-        free = at + 2 * half + em * 0.3F;
+        draw.AddText({x, low.y}, mark.ink, mark.text.c_str());
+        free = x + own + gap;
     }
 }
 

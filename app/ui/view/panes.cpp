@@ -96,6 +96,21 @@ ImVec2 Panes::toWindow(const Pane& pane, glm::vec2 at) const {
     return {place.x, place.y};
 }
 
+void Panes::draw(ImDrawList& to, const Pane& pane, view::PictureHandle picture, ImU32 tint) const {
+    // The picture's first row is its bottom one.
+    to.AddImage(textureId(picture), lowOf(pane.frame), highOf(pane.frame), {low_.x, high_.y},
+                {high_.x, low_.y}, tint);
+}
+
+glm::vec2 Panes::shareAt(const Pane& pane, ImVec2 place) const {
+    const glm::vec2 at = toPicture(pane, place) / glm::max(size_, glm::vec2(1));
+    return {at.x, 1 - at.y};
+}
+
+ImVec2 Panes::shareToWindow(const Pane& pane, glm::vec2 share) const {
+    return toWindow(pane, glm::vec2(share.x, 1 - share.y) * size_);
+}
+
 std::optional<glm::ivec2> Panes::pixelAt(ImVec2 place) const {
     const Pane* pane = under(place);
     if (!pane || size_.x < 1 || size_.y < 1)

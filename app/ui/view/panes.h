@@ -1,7 +1,9 @@
 #pragma once
 
-#include "app/ui/state/layout.h"
 #include "app/ui/state/view_settings.h"
+#include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/pictures.h"
+#include "app/ui/widgets/points.h"
 #include "app/view/frame.h"
 #include "app/view/side.h"
 
@@ -21,13 +23,6 @@ struct Pane {
     view::Side side = view::Side::Now;
 };
 
-[[nodiscard]] inline ImVec2 lowOf(const Rect& rect) {
-    return {static_cast<float>(rect.x), static_cast<float>(rect.y)};
-}
-[[nodiscard]] inline ImVec2 highOf(const Rect& rect) {
-    return {static_cast<float>(rect.right()), static_cast<float>(rect.bottom())};
-}
-
 /// Maps pixels of the pictures to the window. All pictures have the same size, and every pane shows the same
 /// part of them. Window positions are Dear ImGui's, from the top left. Positions in a picture are GL's window
 /// coordinates, as in glReadPixels and Image::at: from the lower left, the middle of the first pixel at 0.5,
@@ -42,6 +37,10 @@ public:
     [[nodiscard]] glm::vec2 toPicture(const Pane& pane, ImVec2 place) const;
     [[nodiscard]] ImVec2 toWindow(const Pane& pane, glm::vec2 at) const;
 
+    // The same for fractions of the picture from its upper left, as in projectVertex and pickVertex.
+    [[nodiscard]] glm::vec2 shareAt(const Pane& pane, ImVec2 place) const;
+    [[nodiscard]] ImVec2 shareToWindow(const Pane& pane, glm::vec2 share) const;
+
     /// The pixel at a position; none: there is no pane, or it has no picture.
     [[nodiscard]] std::optional<glm::ivec2> pixelAt(ImVec2 place) const;
 
@@ -51,6 +50,10 @@ public:
     /// The visible part of the pictures as fractions: lower left and upper right.
     [[nodiscard]] glm::vec2 partLow() const { return low_; }
     [[nodiscard]] glm::vec2 partHigh() const { return high_; }
+
+    /// Draws the visible part of a picture into the pane's frame.
+    void draw(ImDrawList& to, const Pane& pane, view::PictureHandle picture,
+              ImU32 tint = IM_COL32_WHITE) const;
 
 private:
     std::vector<Pane> panes_;

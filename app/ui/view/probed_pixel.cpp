@@ -1,9 +1,7 @@
-#include "app/ui/view/probed_pixel.h"
-
 #include "app/ui/model/explaining.h"
+#include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <algorithm>
 
@@ -27,9 +25,7 @@ void drawProbedPixel(const Session& session, const Pictures& pictures, const Pan
     const Explaining& asked = session.look.explaining;
     if (asked.texel && asked.light) {
         if (const view::PictureHandle light = pictures.show(asked.light); light != view::PictureHandle::None)
-            draw.AddImage(textureId(light), lowOf(pane.frame), highOf(pane.frame),
-                          {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},
-                          color::probed);
+            panes.draw(draw, pane, light, color::probed);
     }
     if (const reference::Explanation* pinned = pinnedExplanation(session)) {
         const ImVec2 at = panes.toWindow(pane, glm::vec2(pinned->pixel.x, pinned->pixel.y) + 0.5F);

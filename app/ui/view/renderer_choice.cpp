@@ -66,13 +66,10 @@ void drawButtons(const Session& session, RendererForm form) {
     int key = 0;
     for (const RendererChoice& each : choicesOf(session.view, form)) {
         ImGui::BeginDisabled(!each.offered);
-        ImGui::PushStyleColor(ImGuiCol_Button, each.chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : 0U);
-        if (ImGui::Button(label(each.words).c_str()))
+        if (flatButton(label(each.words).c_str(), each.chosen))
             choose(session, each);
-        ImGui::PopStyleColor();
         ImGui::EndDisabled();
-        noteItem("renderer:" + each.name);
-        helpTip(fmt::format("{}\n{}", each.help, fmt::format("Key {}", ++key)));
+        item("renderer:" + each.name, fmt::format("{}\n{}", each.help, fmt::format("Key {}", ++key)));
         ImGui::SameLine(0, gap);
     }
 }
@@ -92,8 +89,7 @@ void drawList(const Session& session, float maxWidth) {
         if (ImGui::MenuItem(label(each.name).c_str(), std::to_string(++key).c_str(), each.chosen,
                             each.offered))
             choose(session, each);
-        noteItem("renderer:" + each.name);
-        helpTip(each.help);
+        item("renderer:" + each.name, each.help);
     }
     ImGui::EndMenu();
 }

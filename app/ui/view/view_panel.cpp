@@ -6,17 +6,12 @@
 #include "app/ui/model/shown_passes.h"
 #include "app/ui/state/camera.h"
 #include "app/ui/state/chosen_vertices.h"
-#include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
-#include "app/ui/view/magnifier.h"
 #include "app/ui/view/pane_drawing.h"
-#include "app/ui/view/panes.h"
-#include "app/ui/view/probed_pixel.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "texplorer/scene/picking.h"
 #include "texplorer/scene/tex_coords.h"
 
@@ -50,8 +45,7 @@ void moreMenu(const Session& session, const Layout& layout, std::size_t first) {
     ImGui::Separator();
     if (ImGui::MenuItem(label(frameLabel), "F"))
         frameAll(session, layout);
-    noteItem("frame");
-    helpTip(frameHelp);
+    item("frame", frameHelp);
     ImGui::EndPopup();
 }
 
@@ -80,11 +74,8 @@ void toolRow(const Session& session, const Layout& layout) {
     for (std::size_t i = 0; i < count; ++i) {
         const ShowRow& row = showRows[i];
         const bool chosen = shown == row.show;
-        ImGui::PushStyleColor(ImGuiCol_Button,
-                              chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-        if (ImGui::Button(label(row.label)) && !chosen)
+        if (flatButton(label(row.label), chosen) && !chosen)
             show(session, row, layout);
-        ImGui::PopStyleColor();
         noteItem(std::string("show:") + row.label);
         ImGui::SameLine(0, gap);
     }
@@ -93,8 +84,7 @@ void toolRow(const Session& session, const Layout& layout) {
     drawShownChoice(session);
     ImGui::SameLine(0, gap);
     const bool pressed = ImGui::Button(label(last));
-    noteItem(fits ? "frame" : "more choices");
-    helpTip(fits ? frameHelp : "More controls");
+    item(fits ? "frame" : "more choices", fits ? frameHelp : "More controls");
     if (pressed && fits)
         frameAll(session, layout);
     else if (pressed)
@@ -112,7 +102,7 @@ void moveView(const Session& session, bool hovered, bool active, const Layout& l
     if (io.KeyCtrl) {
         if (moved)
             act(session,
-                [layout, way = io.MouseDelta](Session& changed) { movePictures(changed.view, layout, way); });
+                [layout, by = io.MouseDelta](Session& changed) { movePictures(changed.view, layout, by); });
         if (hovered && io.MouseWheel != 0)
             act(session, [layout, place = io.MousePos, notches = io.MouseWheel > 0 ? 1 : -1](
                              Session& changed) { zoomPictures(changed.view, layout, place, notches); });
@@ -134,12 +124,6 @@ void moveView(const Session& session, bool hovered, bool active, const Layout& l
         submitDrag(session, cameraEdit, [&view](Scene& scene) { scene.view = view; });
 }
 
-/// Converts a fraction of the picture from its upper left, as in projectVertex and pickVertex, to pixels.
-glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
-    return glm::vec2(share.x, 1 - share.y) *
-           glm::vec2(static_cast<float>(size.width), static_cast<float>(size.height));
-}
-
 /// Like projectVertex, but without making the mesh again.
 std::optional<glm::vec2> placeOf(const Session& session, const PickedVertex& picked, float aspect) {
     const double time = session.look.playback.time;
@@ -151,8 +135,7 @@ std::optional<glm::vec2> placeOf(const Session& session, const PickedVertex& pic
         .front();
 }
 
-void drawMarker(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
-                view::Size picture) {
+void drawMarker(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane) {
     const Model* model = selectedModel(session);
     if (!model || !model->visible || !session.look.selection.vertex)
         return;
@@ -162,7 +145,7 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
-    const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
+    const ImVec2 at = panes.shareToWindow(pane, *place);
     noteDrawn("marker", at, at);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddCircle(at, em * 0.45F, color::shade, 0, em * 0.3F);
@@ -183,8 +166,7 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
 }
 
 /// The other selected vertices, without the one that has the marker.
-void drawChosenDots(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
-                    view::Size picture) {
+void drawChosenDots(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane) {
     const std::vector<std::size_t> chosen = chosenVertices(session.look.selection);
     const Model* model = selectedModel(session);
     constexpr std::size_t maxChosen = 500; // Dear ImGui counts the vertices of a panel with 16 bits
@@ -197,15 +179,14 @@ void drawChosenDots(const Session& session, const Layout& layout, const Panes& p
                                              time, aspectOf(layout))) {
         if (!place)
             continue;
-        const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
+        const ImVec2 at = panes.shareToWindow(pane, *place);
         draw.AddCircleFilled(at, em * 0.26F, color::shade, 12);
         draw.AddCircleFilled(at, em * 0.18F, color::chosen, 12);
     }
 }
 
 /// A ring around the vertex under the pointer, here or in the texture space.
-void drawHoverRing(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
-                   view::Size picture) {
+void drawHoverRing(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane) {
     const std::optional<PickedVertex>& hovered =
         session.look.hoveredInView ? session.look.hoveredInView : session.look.hoveredInPlane;
     const std::vector<Model>& models = presentScene(session).models;
@@ -215,7 +196,7 @@ void drawHoverRing(const Session& session, const Layout& layout, const Panes& pa
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
-    const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
+    const ImVec2 at = panes.shareToWindow(pane, *place);
     noteDrawn("hovered vertex", at, at);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddCircle(at, em * 0.5F, color::shade, 24, em * 0.3F);
@@ -223,23 +204,21 @@ void drawHoverRing(const Session& session, const Layout& layout, const Panes& pa
 }
 
 /// The vertex under the mouse, if any.
-std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layout& layout, const Panes& panes,
-                                             view::Size picture) {
+std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layout& layout,
+                                             const Panes& panes) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const Pane* pane = panes.under(mouse);
     if (!pane)
         return std::nullopt;
-    const glm::vec2 at =
-        panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
-                                                  static_cast<float>(std::max(1, picture.height)));
-    return pickVertex(presentScene(session), session.look.playback.time, aspectOf(layout), {at.x, 1 - at.y});
+    return pickVertex(presentScene(session), session.look.playback.time, aspectOf(layout),
+                      panes.shareAt(*pane, mouse));
 }
 
 /// Selects it; with Shift it is added to the selection or removed from it.
-void pick(const Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
+void pick(const Session& session, const Layout& layout, const Panes& panes) {
     if (!panes.under(ImGui::GetIO().MousePos))
         return;
-    act(session, [picked = vertexUnderMouse(session, layout, panes, picture),
+    act(session, [picked = vertexUnderMouse(session, layout, panes),
                   adds = ImGui::GetIO().KeyShift](Session& changed) {
         Selection& selection = changed.look.selection;
         if (adds && picked && std::cmp_equal(picked->model, selection.model))
@@ -330,8 +309,7 @@ void drawViewPanel(const Session& session, const Pictures& pictures, const Layou
     beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     toolRow(session, layout);
 
-    const view::Size picture = pictures.frames.front().frame.size;
-    const Panes panes(layout, session.view, picture);
+    const Panes panes(layout, session.view, pictures.frames.front().frame.size);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all()) {
         drawPane(draw, panes, pane, pictures, session.view);
@@ -361,7 +339,7 @@ void drawViewPanel(const Session& session, const Pictures& pictures, const Layou
     } else if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
                    ImGui::GetIO().MouseDragThreshold * ImGui::GetIO().MouseDragThreshold) {
-        pick(session, layout, panes, picture);
+        pick(session, layout, panes);
         clicked = true;
     }
     const auto pixel = hovered ? panes.pixelAt(ImGui::GetIO().MousePos) : std::nullopt;
@@ -371,13 +349,13 @@ void drawViewPanel(const Session& session, const Pictures& pictures, const Layou
         hoverVertex(session, std::nullopt);
     else if (const ImGuiIO& io = ImGui::GetIO();
              io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0)
-        hoverVertex(session, vertexUnderMouse(session, layout, panes, picture));
+        hoverVertex(session, vertexUnderMouse(session, layout, panes));
     for (const Pane& pane : panes.all()) {
         draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
         drawProbedPixel(session, pictures, panes, pane);
-        drawChosenDots(session, layout, panes, pane, picture);
-        drawMarker(session, layout, panes, pane, picture);
-        drawHoverRing(session, layout, panes, pane, picture);
+        drawChosenDots(session, layout, panes, pane);
+        drawMarker(session, layout, panes, pane);
+        drawHoverRing(session, layout, panes, pane);
         draw.PopClipRect();
     }
     if (hovered)

@@ -6,14 +6,31 @@
 
 namespace texplorer::ui {
 
+/// The width of a text in English, in the window's language.
+[[nodiscard]] inline float textWidth(std::string_view words) {
+    return ImGui::CalcTextSize(tr(words).c_str()).x;
+}
+
 /// The width of a button with these words, in pixels: to check before drawing whether a row fits.
-[[nodiscard]] inline float buttonWidth(const char* words) {
-    return ImGui::CalcTextSize(tr(words)).x + 2 * ImGui::GetStyle().FramePadding.x;
+[[nodiscard]] inline float buttonWidth(std::string_view words) {
+    return textWidth(words) + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
 /// The width for the text in a list with an arrow.
 [[nodiscard]] inline float listRoom(float width) {
     return width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// A button that stands out while it is marked; a flat one has no ground otherwise.
+inline bool markedButton(const char* words, bool marked, ImVec2 size = {0, 0}, bool flat = false) {
+    const ImU32 ground = flat ? 0 : ImGui::GetColorU32(ImGuiCol_Button);
+    ImGui::PushStyleColor(ImGuiCol_Button, marked ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ground);
+    const bool pressed = ImGui::Button(words, size);
+    ImGui::PopStyleColor();
+    return pressed;
+}
+inline bool flatButton(const char* words, bool marked = false, ImVec2 size = {0, 0}) {
+    return markedButton(words, marked, size, true);
 }
 
 } // namespace texplorer::ui

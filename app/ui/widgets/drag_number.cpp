@@ -7,8 +7,6 @@
 #include <fmt/core.h>
 #include <imgui_internal.h> // whether a number is being typed
 
-#include <string>
-
 namespace texplorer::ui {
 namespace {
 

@@ -1,9 +1,8 @@
-#include "app/ui/widgets/enum_control.h"
-
-#include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
@@ -14,6 +13,12 @@ namespace texplorer::ui {
 namespace {
 
 constexpr std::size_t maxSegments = 8;
+
+/// The name of a row's choice in this place.
+std::string nameOfChoice(const Session& session, const Owner& owner, const ParamRow& row,
+                         const EnumRow& choice) {
+    return owner.labelOf ? owner.labelOf(row, choice) : std::string(shownName(session.settings, choice));
+}
 
 /// The tip of the last widget, a choice: its name, its help, and a preview of the picture.
 void offerChoice(const Session& session, const ParamRow& row, const EnumRow& choice, const std::string& path,
@@ -38,10 +43,9 @@ std::vector<Segment> segmentsOf(const Session& session, const Owner& owner, cons
 bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
                    const std::string& path) {
     const EnumRow* current = findRow(row.choices, value.number);
-    const float room =
-        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const float room = listRoom(ImGui::CalcItemWidth());
     const std::string full = current ? nameOfChoice(session, owner, row, *current) : "?";
-    const bool hasRoom = owner.labelOf || !current || ImGui::CalcTextSize(tr(full).c_str()).x <= room;
+    const bool hasRoom = owner.labelOf || !current || textWidth(full) <= room;
     const std::string shown =
         fitted(hasRoom ? full : std::string(shownBrief(session.settings, *current)), room);
     bool changed = false;
@@ -50,7 +54,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
     ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
     float names = 0;
     for (const EnumRow& choice : row.choices)
-        names = std::max(names, ImGui::CalcTextSize(tr(nameOfChoice(session, owner, row, choice)).c_str()).x);
+        names = std::max(names, textWidth(nameOfChoice(session, owner, row, choice)));
     std::string_view group;
     for (const EnumRow& choice : row.choices) {
         if (choice.group != group)
@@ -79,11 +83,6 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
 }
 
 } // namespace
-
-std::string nameOfChoice(const Session& session, const Owner& owner, const ParamRow& row,
-                         const EnumRow& choice) {
-    return owner.labelOf ? owner.labelOf(row, choice) : std::string(shownName(session.settings, choice));
-}
 
 std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owner, const ParamRow& row,
                                        float width, std::size_t maxLines) {

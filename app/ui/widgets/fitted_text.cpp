@@ -1,17 +1,13 @@
 #include "app/ui/widgets/fitted_text.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "texplorer/text/printable.h"
 
 #include <algorithm>
-#include <string>
 
 namespace texplorer::ui {
 namespace {
-
-bool isContinuation(char letter) {
-    return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; // of a UTF-8 sequence 10xxxxxx
-}
 
 float widthOf(std::string_view text) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
@@ -28,9 +24,7 @@ std::string cutToFit(std::string_view text, float room) {
         const std::size_t middle = (fits + tooLong) / 2;
         (widthOf(text.substr(0, middle)) <= left ? fits : tooLong) = middle;
     }
-    while (fits > 0 && isContinuation(text[fits]))
-        --fits;
-    return std::string(text.substr(0, sensibleEnd(text, fits))) + "…";
+    return std::string(text.substr(0, sensibleEnd(text, beginningOf(text, fits).size()))) + "…";
 }
 
 } // namespace

@@ -27,33 +27,26 @@ constexpr std::array placings{
     Placing{false, true, Along::Both},   Placing{false, false, Along::Both},
 };
 
-float& along(ImVec2& vector, bool across) {
-    return across ? vector.x : vector.y;
-}
-float along(const ImVec2& vector, bool across) {
-    return across ? vector.x : vector.y;
-}
-
 std::vector<ImVec2> placed(std::span<const ImVec2> sizes, const Box& room, float gap,
                            const Placing& placing) {
-    const bool across = placing.across;
-    float left = along(room.high, across) - along(room.low, across); // of the edge, without the insets
+    float ImVec2::*along = placing.across ? &ImVec2::x : &ImVec2::y;
+    float ImVec2::*beside = placing.across ? &ImVec2::y : &ImVec2::x;
+    float left = room.high.*along - room.low.*along; // of the edge, without the insets
     for (const ImVec2& size : sizes)
-        left -= along(size, across);
+        left -= size.*along;
     const auto gaps = static_cast<float>(std::max<std::size_t>(sizes.size(), 1) - 1);
     const bool spread = placing.along == Along::Both && gaps > 0;
     const float between = spread ? std::max(gap, left / gaps) : gap;
-    float at = along(room.low, across);
+    float at = room.low.*along;
     if (placing.along == Along::End)
         at += left - gap * gaps;
     std::vector<ImVec2> places;
     for (const ImVec2& size : sizes) {
         ImVec2 place;
-        along(place, across) = at;
-        along(place, !across) =
-            placing.atEnd ? along(room.high, !across) - along(size, !across) : along(room.low, !across);
+        place.*along = at;
+        place.*beside = placing.atEnd ? room.high.*beside - size.*beside : room.low.*beside;
         places.push_back(place);
-        at += along(size, across) + between;
+        at += size.*along + between;
     }
     return places;
 }

@@ -5,6 +5,7 @@
 #include <imgui_internal.h> // the owner of Tab
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -18,8 +19,8 @@ struct KeyRow {
     ImGuiKey name;
 };
 
-/// Keys that Dear ImGui has always had names for.
-constexpr std::array editingKeys {
+constexpr std::array keyRows {
+    // Keys that Dear ImGui has always had names for.
     KeyRow{key::tab, ImGuiKey_Tab}, KeyRow{key::left, ImGuiKey_LeftArrow},
         KeyRow{key::right, ImGuiKey_RightArrow}, KeyRow{key::up, ImGuiKey_UpArrow},
         KeyRow{key::down, ImGuiKey_DownArrow}, KeyRow{key::pageUp, ImGuiKey_PageUp},
@@ -29,42 +30,21 @@ constexpr std::array editingKeys {
         KeyRow{key::space, ImGuiKey_Space}, KeyRow{key::enter, ImGuiKey_Enter},
         KeyRow{key::escape, ImGuiKey_Escape},
 #if IMGUI_VERSION_NUM >= 18700
-        KeyRow{key::keypadEnter, ImGuiKey_KeypadEnter},
+        KeyRow{key::keypadEnter, ImGuiKey_KeypadEnter}, KeyRow{'\'', ImGuiKey_Apostrophe},
+        KeyRow{',', ImGuiKey_Comma}, KeyRow{'-', ImGuiKey_Minus}, KeyRow{'.', ImGuiKey_Period},
+        KeyRow{'/', ImGuiKey_Slash}, KeyRow{';', ImGuiKey_Semicolon}, KeyRow{'=', ImGuiKey_Equal},
+        KeyRow{'[', ImGuiKey_LeftBracket}, KeyRow{'\\', ImGuiKey_Backslash},
+        KeyRow{']', ImGuiKey_RightBracket}, KeyRow{'`', ImGuiKey_GraveAccent},
+        KeyRow{key::keypadMinus, ImGuiKey_KeypadSubtract}, KeyRow{key::keypadPlus, ImGuiKey_KeypadAdd},
+        KeyRow{340, ImGuiKey_LeftShift}, KeyRow{341, ImGuiKey_LeftCtrl}, KeyRow{342, ImGuiKey_LeftAlt},
+        KeyRow{343, ImGuiKey_LeftSuper}, KeyRow{344, ImGuiKey_RightShift}, KeyRow{345, ImGuiKey_RightCtrl},
+        KeyRow{346, ImGuiKey_RightAlt}, KeyRow{347, ImGuiKey_RightSuper}, KeyRow{key::menu, ImGuiKey_Menu},
 #else
         KeyRow{key::keypadEnter, ImGuiKey_KeyPadEnter},
 #endif
 };
 
-} // namespace
-
 #if IMGUI_VERSION_NUM >= 18700
-
-namespace {
-
-constexpr std::array otherKeys{
-    KeyRow{'\'', ImGuiKey_Apostrophe},
-    KeyRow{',', ImGuiKey_Comma},
-    KeyRow{'-', ImGuiKey_Minus},
-    KeyRow{'.', ImGuiKey_Period},
-    KeyRow{'/', ImGuiKey_Slash},
-    KeyRow{';', ImGuiKey_Semicolon},
-    KeyRow{'=', ImGuiKey_Equal},
-    KeyRow{'[', ImGuiKey_LeftBracket},
-    KeyRow{'\\', ImGuiKey_Backslash},
-    KeyRow{']', ImGuiKey_RightBracket},
-    KeyRow{'`', ImGuiKey_GraveAccent},
-    KeyRow{key::keypadMinus, ImGuiKey_KeypadSubtract},
-    KeyRow{key::keypadPlus, ImGuiKey_KeypadAdd},
-    KeyRow{340, ImGuiKey_LeftShift},
-    KeyRow{341, ImGuiKey_LeftCtrl},
-    KeyRow{342, ImGuiKey_LeftAlt},
-    KeyRow{343, ImGuiKey_LeftSuper},
-    KeyRow{344, ImGuiKey_RightShift},
-    KeyRow{345, ImGuiKey_RightCtrl},
-    KeyRow{346, ImGuiKey_RightAlt},
-    KeyRow{347, ImGuiKey_RightSuper},
-    KeyRow{key::menu, ImGuiKey_Menu},
-};
 
 ImGuiKey nameOf(int code) {
     const auto after = [code](ImGuiKey first, int from) {
@@ -76,26 +56,11 @@ ImGuiKey nameOf(int code) {
         return after(ImGuiKey_0, '0');
     if (code >= key::f1 && code <= key::f12)
         return after(ImGuiKey_F1, key::f1);
-    for (const KeyRow& row : editingKeys) {
-        if (row.code == code)
-            return row.name;
-    }
-    for (const KeyRow& row : otherKeys) {
-        if (row.code == code)
-            return row.name;
-    }
-    return ImGuiKey_None;
+    const auto* row = std::ranges::find(keyRows, code, &KeyRow::code);
+    return row != keyRows.end() ? row->name : ImGuiKey_None;
 }
 
 } // namespace
-
-bool isKeyDown(int code) {
-    return ImGui::IsKeyDown(nameOf(code));
-}
-
-bool isKeyPressed(int code, bool repeats) {
-    return ImGui::IsKeyPressed(nameOf(code), repeats);
-}
 
 void prepareKeys() {
     ImGui::GetIO().ConfigInputTrickleEventQueue = false; // our input queue does this
@@ -122,17 +87,15 @@ void letTabMove(bool moves) {
 
 #else // Dear ImGui 1.86 uses the host's codes, and needs to know the keys for editing text
 
-bool isKeyDown(int code) {
-    return ImGui::IsKeyDown(code);
+int nameOf(int code) {
+    return code;
 }
 
-bool isKeyPressed(int code, bool repeats) {
-    return ImGui::IsKeyPressed(code, repeats);
-}
+} // namespace
 
 void prepareKeys() {
     int* map = ImGui::GetIO().KeyMap;
-    for (const KeyRow& row : editingKeys)
+    for (const KeyRow& row : keyRows)
         map[row.name] = row.code;
     map[ImGuiKey_A] = 'A';
     map[ImGuiKey_C] = 'C';
@@ -161,6 +124,14 @@ void letTabMove(bool moves) {
 }
 
 #endif
+
+bool isKeyDown(int code) {
+    return ImGui::IsKeyDown(nameOf(code));
+}
+
+bool isKeyPressed(int code, bool repeats) {
+    return ImGui::IsKeyPressed(nameOf(code), repeats);
+}
 
 void focusNextWidget() {
     ImGui::SetWindowFocus(); // Dear ImGui 1.90 finds the widget only in the focused window

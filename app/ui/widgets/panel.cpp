@@ -4,8 +4,8 @@ namespace texplorer::ui {
 namespace {
 
 void beginFixed(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
-    ImGui::SetNextWindowPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(rect.width), static_cast<float>(rect.height)});
+    ImGui::SetNextWindowPos(lowOf(rect));
+    ImGui::SetNextWindowSize(extentOf(rect));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::Begin(name, nullptr,
                  flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

@@ -8,24 +8,11 @@
 namespace texplorer::ui {
 namespace {
 
-bool panelItem(const char* words, const char* keys, bool marked, bool enabled = true) {
-    const bool pressed = ImGui::MenuItem(label(words), keys ? tr(keys) : nullptr, marked, enabled);
-    noteItem(fmt::format("menu:{}", words));
-    return pressed;
-}
-
-bool panelSubmenu(const char* words) {
-    const bool open = ImGui::BeginMenu(label(words));
-    noteItem(fmt::format("menu:{}", words));
-    return open;
-}
-
 void textureSpaceItems(const Session& session) {
     const Workspace& shown = session.settings.workspace;
-    if (panelItem("Shown", nullptr, shown.textureSpace))
+    if (menuChoice("Shown", shown.textureSpace))
         rearrange(session, [](Workspace& workspace) { workspace.textureSpace = !workspace.textureSpace; });
-    const bool fills = maximisedOf(shown) == Maximised::TextureSpace;
-    if (panelItem("Maximised", "Double click", fills))
+    if (menuItem("Maximised", tr("Double click"), true, maximisedOf(shown) == Maximised::TextureSpace))
         rearrange(session, [](Workspace& workspace) {
             workspace.textureSpace = true;
             toggleMaximised(workspace, Maximised::TextureSpace);
@@ -33,6 +20,25 @@ void textureSpaceItems(const Session& session) {
 }
 
 } // namespace
+
+bool menuItem(const std::string& name, const std::string& keys, bool enabled, bool marked) {
+    const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
+    noteItem("menu:" + name);
+    return pressed;
+}
+
+bool menuChoice(const std::string& name, bool marked) {
+    return menuItem(name, {}, true, marked);
+}
+
+void menuOf(const char* name, const std::function<void()>& items) {
+    const bool open = ImGui::BeginMenu(label(name));
+    noteItem(std::string("menu:") + name);
+    if (!open)
+        return;
+    items();
+    ImGui::EndMenu();
+}
 
 void textureSpaceTitle(const Session& session, float room) {
     ImGui::AlignTextToFramePadding();
@@ -51,15 +57,15 @@ void tabMenuItems(const Session& session, Tab tab) {
     const Workspace& shown = session.settings.workspace;
     const bool open = isOpen(shown, tab);
     for (const DockRow& row : dockRows) {
-        if (panelItem(row.label, nullptr, open && dockOf(shown, tab) == row.dock))
+        if (menuChoice(row.label, open && dockOf(shown, tab) == row.dock))
             rearrange(session, [tab, &row](Workspace& workspace) { moveTab(workspace, tab, row.dock); });
     }
-    if (panelItem("Closed", nullptr, !open))
+    if (menuChoice("Closed", !open))
         rearrange(session, [tab](Workspace& workspace) { closeTab(workspace, tab); });
     ImGui::Separator();
     const Maximised what = maximised(dockOf(shown, tab));
     const bool fills = isShown(shown, tab) && maximisedOf(shown) == what;
-    if (panelItem("Maximised", "Double click", fills))
+    if (menuItem("Maximised", tr("Double click"), true, fills))
         rearrange(session, [=](Workspace& workspace) {
             if (!fills)
                 showTab(workspace, tab);
@@ -71,7 +77,7 @@ void dockMenuItems(const Session& session, Dock dock) {
     const Workspace& shown = session.settings.workspace;
     for (const TabRow& row : tabRows) {
         const bool here = isOpen(shown, row.tab) && dockOf(shown, row.tab) == dock;
-        if (panelItem(row.label, nullptr, here))
+        if (menuChoice(row.label, here))
             rearrange(session, [=, &row](Workspace& workspace) {
                 if (here)
                     closeTab(workspace, row.tab);
@@ -81,35 +87,22 @@ void dockMenuItems(const Session& session, Dock dock) {
     }
 }
 
-void panelsMenu(const Session& session) {
-    if (!panelSubmenu("Panels"))
-        return;
-    if (panelItem("Parameters", nullptr, session.settings.workspace.parameters))
+void panelItems(const Session& session) {
+    if (menuChoice("Parameters", session.settings.workspace.parameters))
         rearrange(session, [](Workspace& workspace) { workspace.parameters = !workspace.parameters; });
-    if (panelSubmenu("Texture space")) {
-        textureSpaceItems(session);
-        ImGui::EndMenu();
-    }
+    menuOf("Texture space", [&] { textureSpaceItems(session); });
     ImGui::Separator();
-    for (const TabRow& row : tabRows) {
-        if (!panelSubmenu(row.label))
-            continue;
-        tabMenuItems(session, row.tab);
-        ImGui::EndMenu();
-    }
-    ImGui::EndMenu();
+    for (const TabRow& row : tabRows)
+        menuOf(row.label, [&] { tabMenuItems(session, row.tab); });
 }
 
-void layoutsMenu(const Session& session) {
-    if (!panelSubmenu("Layout"))
-        return;
+void layoutItems(const Session& session) {
     const LayoutRow* now = layoutOf(session.settings.workspace);
     for (const LayoutRow& row : layoutRows) {
-        if (panelItem(row.label, nullptr, now && now->name == row.name))
+        if (menuChoice(row.label, now && now->name == row.name))
             rearrange(session, [&row](Workspace& workspace) { chooseLayout(workspace, row); });
         helpTip(row.help);
     }
-    ImGui::EndMenu();
 }
 
 } // namespace texplorer::ui

@@ -2,7 +2,20 @@
 
 #include "app/ui/model/session.h"
 
+#include <functional>
+#include <string>
+
 namespace texplorer::ui {
+
+/// An item with its keys, "Ctrl+S". Its name in tests is "menu:Save".
+bool menuItem(const std::string& name, const std::string& keys = {}, bool enabled = true,
+              bool marked = false);
+
+/// The same for a choice of several.
+bool menuChoice(const std::string& name, bool marked);
+
+/// A menu, and its items while it is open.
+void menuOf(const char* name, const std::function<void()>& items);
 
 // Menus for opening and moving panels: of View, and of the tabs themselves.
 
@@ -14,10 +27,10 @@ void tabMenuItems(const Session& session, Tab tab);
 void textureSpaceTitle(const Session& session, float room);
 
 /// View › Panels: each panel, and a menu for each tab.
-void panelsMenu(const Session& session);
+void panelItems(const Session& session);
 
 /// View › Layout.
-void layoutsMenu(const Session& session);
+void layoutItems(const Session& session);
 
 /// The choice of the tabs in a dock, for the button at the end of its tabs.
 void dockMenuItems(const Session& session, Dock dock);

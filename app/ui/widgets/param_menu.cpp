@@ -1,11 +1,10 @@
-#include "app/ui/widgets/param_menu.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/state/pinned.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
+#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/widgets/wrapped_text.h"
@@ -20,8 +19,8 @@ namespace texplorer::ui {
 namespace {
 
 /// An item with its name in tests, "path#menu:name".
-bool menuItem(std::string_view words, const std::string& path, std::string_view name,
-              std::string_view help = {}, bool enabled = true) {
+bool rowItem(std::string_view words, const std::string& path, std::string_view name,
+             std::string_view help = {}, bool enabled = true) {
     const bool pressed = ImGui::MenuItem(label(words).c_str(), nullptr, false, enabled);
     noteItem(fmt::format("{}#menu:{}", path, name));
     if (!help.empty())
@@ -35,18 +34,18 @@ void keyItems(const Session& session, const std::string& path) {
     const float time = presentKeyTime(session);
     ImGui::Separator();
     if (const std::optional<std::size_t> here = keyAt(timeline, path, time)) {
-        if (menuItem(fmt::format("Remove the key frame at {:.2f} s", time), path, "key"))
+        if (rowItem(fmt::format("Remove the key frame at {:.2f} s", time), path, "key"))
             removeKey(session, *here);
-    } else if (menuItem(fmt::format("Add key frame at {:.2f} s", time), path, "key",
-                        "Stores the present value at this time. The parameter moves from each key frame to "
-                        "the next. The timeline lists them.")) {
+    } else if (rowItem(fmt::format("Add key frame at {:.2f} s", time), path, "key",
+                       "Stores the present value at this time. The parameter moves from each key frame to "
+                       "the next. The timeline lists them.")) {
         addKey(session, path, time);
     }
     if (!hasKeys(timeline, path))
         return;
-    if (menuItem("Show its key frames", path, "timeline"))
+    if (rowItem("Show its key frames", path, "timeline"))
         act(session, [](Session& changed) { changed.window.wantedTab = Tab::Timeline; });
-    if (menuItem("Remove its key frames", path, "no-keys", "The parameter keeps its present value."))
+    if (rowItem("Remove its key frames", path, "no-keys", "The parameter keeps its present value."))
         removeKeys(session, path);
 }
 
@@ -70,21 +69,21 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
         return false;
     caption(glNameOf(row).empty() ? std::string(row.label)
                                   : fmt::format("{} · {}", row.label, glNameOf(row)));
-    const bool resets = menuItem(resetWords(row, initial), path, "reset", {}, changed);
+    const bool resets = rowItem(resetWords(row, initial), path, "reset", {}, changed);
     const bool isThere = isEssential(path);
     const bool pinned = isPinned(session.settings, path);
-    if (menuItem(pinned ? "Unpin from Essentials" : "Pin to Essentials", path, "pin",
-                 isThere  ? "It is in Essentials already"
-                 : pinned ? "Removes it from Essentials"
-                          : "Shows it at the end of Essentials, for the selected texture, unit or model",
-                 !isThere))
+    if (rowItem(pinned ? "Unpin from Essentials" : "Pin to Essentials", path, "pin",
+                isThere  ? "It is in Essentials already"
+                : pinned ? "Removes it from Essentials"
+                         : "Shows it at the end of Essentials, for the selected texture, unit or model",
+                !isThere))
         act(session, [path](Session& s) { togglePin(s.settings, path); });
     keyItems(session, path);
     if (canSweep(row)) {
         ImGui::Separator();
         for (std::size_t side = 0; side < sheetSides.size(); ++side) {
-            if (menuItem(sheetSides[side].words, path, sheetSides[side].name,
-                         "Shows the scene with each of its values on the sheet of variations."))
+            if (rowItem(sheetSides[side].words, path, sheetSides[side].name,
+                        "Shows the scene with each of its values on the sheet of variations."))
                 act(session, [path, side](Session& s) { varyOnSheet(s, path, side); });
         }
     }

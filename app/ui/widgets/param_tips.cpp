@@ -2,8 +2,6 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/widgets/hints.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/tip.h"
 #include "texplorer/text/printable.h"
 
@@ -76,36 +74,6 @@ bool hintChoice(const EnumRow& choice) {
 }
 
 } // namespace
-
-void warningSign() {
-    const float em = ImGui::GetFontSize();
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({em * 0.85F, ImGui::GetFrameHeight()});
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float top = low.y + ImGui::GetStyle().FramePadding.y;
-    const float middle = low.x + em * 0.425F;
-    draw.AddTriangleFilled({middle, top + em * 0.1F}, {low.x + em * 0.85F, top + em * 0.9F},
-                           {low.x, top + em * 0.9F}, color::problem);
-    draw.AddRectFilled({middle - em * 0.05F, top + em * 0.38F}, {middle + em * 0.05F, top + em * 0.64F},
-                       color::ground);
-    draw.AddRectFilled({middle - em * 0.05F, top + em * 0.7F}, {middle + em * 0.05F, top + em * 0.8F},
-                       color::ground);
-}
-
-void noteSign() {
-    const float em = ImGui::GetFontSize();
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({em * 0.85F, ImGui::GetFrameHeight()});
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImVec2 middle(low.x + em * 0.425F, low.y + ImGui::GetStyle().FramePadding.y + em * 0.5F);
-    draw.AddCircleFilled(middle, em * 0.4F, color::dim);
-    const auto stroke = [&](float from, float to) {
-        draw.AddRectFilled({middle.x - em * 0.05F, middle.y + em * from},
-                           {middle.x + em * 0.05F, middle.y + em * to}, color::ground);
-    };
-    stroke(-0.26F, -0.14F);
-    stroke(-0.06F, 0.24F);
-}
 
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem, bool hasSign) {

@@ -14,11 +14,6 @@ namespace texplorer::ui {
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem, bool hasSign = true);
 
-/// A triangle with an exclamation mark, as high as a control.
-void warningSign();
-/// An i in a circle, for information that is not a warning.
-void noteSign();
-
 /// The tip of one choice of an enumeration: its label, GL's name and its help, in the status bar or next to
 /// its list.
 void choiceTip(const EnumRow& choice);

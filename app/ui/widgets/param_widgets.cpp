@@ -4,15 +4,12 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/timeline_edits.h"
-#include "app/ui/widgets/drag_number.h"
-#include "app/ui/widgets/enum_control.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/hover_link.h"
-#include "app/ui/widgets/param_menu.h"
 #include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
-#include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
-#include "app/ui/widgets/vector_controls.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/param_text.h"
 
@@ -35,10 +32,6 @@ constexpr std::size_t maxButtonLines = 3; ///< of the buttons of a choice
 /// Wide controls get their own line below the label.
 bool isWide(Kind kind) {
     return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Matrix;
-}
-
-float textWidth(std::string_view words) {
-    return ImGui::CalcTextSize(tr(words).c_str()).x;
 }
 
 /// The value of a row while its control is drawn.
@@ -247,8 +240,7 @@ void drawFolded(const Session& session, const Owner& owner, const std::vector<co
         ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
                           "%s", tr(fmt::format("No effect here ({})", rows.size())).c_str());
     ImGui::PopStyleColor();
-    noteItem(owner.path + "#no effect");
-    helpTip("Settings that the present choices don't use");
+    item(owner.path + "#no effect", "Settings that the present choices don't use");
     ImGui::PopID();
     if (open)
         drawRows(session, owner, rows);
@@ -324,8 +316,7 @@ void paramWidget(const Session& session, const Owner& owner, const ParamRow& row
     const bool ownLine = isWide(row.kind) || isNarrow || hasLines;
 
     ImGui::BeginGroup();
-    ImGui::AlignTextToFramePadding();
-    text(name, line.idle ? color::dim : line.changed ? color::changed : color::text);
+    labelText(name, line.idle ? color::dim : line.changed ? color::changed : color::text);
     noteItem(line.path + "#label");
     linkHover(session, line.path);
     paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);

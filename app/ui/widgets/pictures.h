@@ -47,4 +47,20 @@ struct Pictures {
         static_cast<std::uintptr_t>(picture));
 }
 
+/// Draws a small picture of an image, if the host makes one.
+inline void drawImage(const Pictures& pictures, const std::shared_ptr<const Image>& image, ImVec2 low,
+                      ImVec2 high, ImU32 tint = IM_COL32_WHITE) {
+    if (const view::PictureHandle picture = pictures.show(image); picture != view::PictureHandle::None)
+        ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, high, {0, 1}, {1, 0},
+                                             tint); // row 0 is the bottom one
+}
+
+/// The same in the middle of a room: `scale` pixels for each of the image's.
+inline void drawImageIn(const Pictures& pictures, const std::shared_ptr<const Image>& image, ImVec2 low,
+                        ImVec2 room, float scale) {
+    const ImVec2 size(static_cast<float>(image->width) * scale, static_cast<float>(image->height) * scale);
+    const ImVec2 at(low.x + (room.x - size.x) / 2, low.y + (room.y - size.y) / 2);
+    drawImage(pictures, image, at, {at.x + size.x, at.y + size.y});
+}
+
 } // namespace texplorer::ui

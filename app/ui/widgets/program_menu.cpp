@@ -1,9 +1,8 @@
 #include "app/ui/widgets/program_menu.h"
 
 #include "app/ui/files/program_file.h"
-#include "app/ui/language/translate.h"
-#include "app/ui/model/session.h"
-#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/panel_menus.h"
+#include "app/ui/widgets/tip.h"
 
 #include <fmt/core.h>
 
@@ -11,10 +10,9 @@ namespace texplorer::ui {
 
 void programMenuItems(const Session& session) {
     for (const EnumRow& row : emit::flavourRows) {
-        if (ImGui::MenuItem(label(row.label).c_str()))
+        if (menuItem(std::string(row.label)))
             act(session, [&row](Session& s) { askSaveProgram(s, static_cast<emit::Flavour>(row.value)); });
-        noteItem(fmt::format("menu:{}", row.label));
-        helpTip(std::string(row.help));
+        item(fmt::format("menu:{}", row.label), std::string(row.help));
     }
 }
 

@@ -1,9 +1,8 @@
 #include "app/ui/widgets/segments.h"
 
-#include "app/ui/language/translate.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/wrapped_text.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -15,12 +14,8 @@ float segmentPadding() {
     return std::floor(ImGui::GetFontSize() * 0.3F);
 }
 
-float segmentText(std::string_view words) {
-    return ImGui::CalcTextSize(tr(words).c_str()).x;
-}
-
 float minWidth(const Segment& segment) {
-    return std::ceil(segmentText(segment.text)) + 2 * segmentPadding();
+    return std::ceil(textWidth(segment.text)) + 2 * segmentPadding();
 }
 
 float sumOf(const std::vector<float>& widths) {
@@ -68,8 +63,7 @@ std::optional<SegmentPlan> planGroups(std::span<const Segment> segments, float w
         plan.lines.back().widths.push_back(0);
         most = std::max(most, plan.lines.back().widths.size());
         widest = std::max(widest, minWidth(segment));
-        plan.names =
-            std::max(plan.names, std::ceil(segmentText(segment.group)) + ImGui::GetFontSize() * 0.6F);
+        plan.names = std::max(plan.names, std::ceil(textWidth(segment.group)) + ImGui::GetFontSize() * 0.6F);
     }
     const float each = std::floor((width - plan.names - segmentGap() * static_cast<float>(most - 1)) /
                                   static_cast<float>(most));
@@ -125,13 +119,12 @@ std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const
                 ImGui::SameLine();
             const bool isChosen = chosen == number;
             ImGui::PushID(static_cast<int>(number));
-            ImGui::PushStyleColor(ImGuiCol_Button,
-                                  ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-            if (isChosen && chosenInk)
-                ImGui::PushStyleColor(ImGuiCol_Text, *chosenInk);
-            if (ImGui::Button(label(segments[number].text).c_str(), {line.widths[i], 0}))
+            const bool isInked = isChosen && chosenInk;
+            ImGui::PushStyleColor(ImGuiCol_Text, isInked ? ImGui::ColorConvertU32ToFloat4(*chosenInk)
+                                                         : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+            if (markedButton(label(segments[number].text).c_str(), isChosen, {line.widths[i], 0}))
                 pressed = number;
-            ImGui::PopStyleColor(isChosen && chosenInk ? 2 : 1);
+            ImGui::PopStyleColor();
             ImGui::PopID();
             if (isChosen) { // not only by its background
                 const ImVec2 low = ImGui::GetItemRectMin();

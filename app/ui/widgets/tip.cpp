@@ -2,21 +2,27 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fonts.h"
-#include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/inset_placement.h"
+#include "app/ui/widgets/widget_places.h"
 #include "app/ui/widgets/wrapped_text.h"
 #include "texplorer/text/printable.h"
 
+#include <fmt/core.h>
 #include <imgui_internal.h> // the positions of windows
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace texplorer::ui {
 namespace {
 
 constexpr float tipWidth = 26; ///< in letters' heights
+
+// Global, like Dear ImGui's context, for the frame that is being drawn.
+float roomForHints = 0;
+Hint hintSaid;
 
 Box boxOf(const ImGuiWindow& window) {
     return {window.Pos, {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}};
@@ -71,6 +77,26 @@ ImVec2 tipPlace(ImVec2 size) {
 
 } // namespace
 
+void beginHints(float room) {
+    roomForHints = room;
+    hintSaid = {};
+}
+
+Hint endHints() {
+    roomForHints = 0;
+    return std::exchange(hintSaid, {});
+}
+
+bool fitsBelow(std::string_view words) {
+    return roomForHints > 0 && words.find('\n') == std::string_view::npos &&
+           ImGui::CalcTextSize(tr(words).c_str()).x <= roomForHints;
+}
+
+void hint(std::string words, bool isProblem) {
+    noteItem(fmt::format("hint:{}", words));
+    hintSaid = {std::move(words), isProblem};
+}
+
 void showTip(std::span<const TipLine> lines) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float room = ImGui::GetFontSize() * tipWidth;
@@ -122,6 +148,11 @@ void helpTip(std::string_view words) {
         return;
     const TipLine line{printable(tr(words), LineBreaks::Keep)};
     showTip({&line, 1});
+}
+
+void item(std::string_view name, std::string_view help) {
+    noteItem(name);
+    helpTip(help);
 }
 
 } // namespace texplorer::ui

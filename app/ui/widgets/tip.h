@@ -8,6 +8,25 @@
 
 namespace texplorer::ui {
 
+/// One line of help for the item under the pointer, in English: the status bar translates it.
+struct Hint {
+    std::string words; ///< empty: the item has no help
+    bool isProblem = false;
+};
+
+/// Begins a frame. `room`: pixels for a hint in the status bar; 0: hints are shown as tooltips.
+void beginHints(float room);
+
+/// Ends the collection of hints: later ones in this frame are shown as tooltips. Returns the hint for the
+/// status bar.
+Hint endHints();
+
+/// Whether these words fit into one line of the status bar.
+[[nodiscard]] bool fitsBelow(std::string_view words);
+
+/// Shows the words there. The last hint of a frame is used.
+void hint(std::string words, bool isProblem = false);
+
 struct TipLine {
     std::string words; ///< in the window's language; wrapped
     ImU32 ink = color::text;
@@ -27,5 +46,8 @@ void showTip(std::span<const TipLine> lines);
 /// Help for the last item while it wants it, in English: in the status bar, or as a tooltip if it does not
 /// fit there.
 void helpTip(std::string_view text);
+
+/// Names the last item for tests, see noteItem, and shows its help.
+void item(std::string_view name, std::string_view help);
 
 } // namespace texplorer::ui

@@ -1,6 +1,5 @@
-#include "app/ui/widgets/vector_controls.h"
-
 #include "app/ui/widgets/drag_number.h"
+#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>

@@ -2,7 +2,6 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/line_breaks.h"
-#include "app/ui/widgets/palette.h"
 
 #include <imgui_internal.h> // the window's wrap position
 
@@ -21,12 +20,6 @@ constexpr std::size_t maxRemembered = 4000; // texts
 
 bool isInsideLetter(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; // of a UTF-8 sequence 10xxxxxx
-}
-
-std::string_view beginningOf(std::string_view text, std::size_t bytes) {
-    while (bytes > 0 && isInsideLetter(text[bytes]))
-        --bytes;
-    return text.substr(0, bytes);
 }
 
 std::string_view endOf(std::string_view text, std::size_t bytes) {
@@ -95,6 +88,12 @@ void drawAsItIs(std::string_view words) {
 
 } // namespace
 
+std::string_view beginningOf(std::string_view text, std::size_t bytes) {
+    while (bytes > 0 && isInsideLetter(text[bytes]))
+        --bytes;
+    return text.substr(0, bytes);
+}
+
 std::string readablePart(std::string_view words) {
     std::string shown;
     while (!words.empty()) {
@@ -154,6 +153,11 @@ void text(std::string_view words, ImU32 ink) {
 
 void dimText(std::string_view words) {
     text(words, color::dim);
+}
+
+void labelText(std::string_view words, ImU32 ink) {
+    ImGui::AlignTextToFramePadding();
+    text(words, ink);
 }
 
 void wrappedText(std::string_view words) {

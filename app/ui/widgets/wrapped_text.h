@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/ui/widgets/palette.h"
+
 #include <imgui.h>
 
 #include <string>
@@ -20,6 +22,8 @@ void plainWrappedText(std::string_view words);
 void text(std::string_view words);
 void text(std::string_view words, ImU32 ink);
 void dimText(std::string_view words);
+/// A label next to a control, and as high.
+void labelText(std::string_view words, ImU32 ink = color::text);
 /// Wraps at the available width.
 void wrappedText(std::string_view words);
 void wrappedText(std::string_view words, ImU32 ink);
@@ -34,6 +38,9 @@ void caption(std::string_view words);
 
 /// Call it if a font's letters have changed: the widths of texts may have changed as well.
 void forgetWrappedTexts();
+
+/// At most so many bytes of a longer text (UTF-8): whole letters.
+[[nodiscard]] std::string_view beginningOf(std::string_view text, std::size_t bytes);
 
 /// A text without unreadably long parts, because a draw list of Dear ImGui has room for 16,000 letters: the
 /// middle of a word is left out from 160 bytes on, the end of the text from 4,000.

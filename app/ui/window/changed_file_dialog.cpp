@@ -4,9 +4,7 @@
 #include "app/ui/files/scene_saving.h"
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/text/printable.h"
 

@@ -8,9 +8,7 @@
 #include "app/ui/files/sheet_file.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/codec/registry.h"
 #include "texplorer/scene/params/json.h"
@@ -157,6 +155,14 @@ void drawRefused(const Session& session) {
     ImGui::EndPopup();
 }
 
+constexpr std::array<std::pair<Dialog, void (*)(const Session&)>, 6> otherDialogs{
+    {{Dialog::Discard, drawDiscard},
+     {Dialog::FileHasChanged, drawChangedFile},
+     {Dialog::Picture, drawPictureQuestion},
+     {Dialog::Record, drawRecord},
+     {Dialog::Help, drawHelp},
+     {Dialog::Refused, drawRefused}}};
+
 /// Opens a dialog that the user has not requested, if no other one is open.
 void openWaitingDialog(Session& session) {
     if (session.asking.dialog != Dialog::None ||
@@ -164,7 +170,7 @@ void openWaitingDialog(Session& session) {
         return;
     if (!session.asking.refused.empty())
         session.asking.dialog = Dialog::Refused;
-    else if (const UnsavedWork* unsaved = session.services.unsaved;
+    else if (const UnsavedWork* unsaved = workers(session).unsaved;
              unsaved && !unsaved->recovery.offers().empty() && session.document.loads.empty())
         session.asking.dialog = Dialog::Restore;
 }
@@ -197,7 +203,7 @@ void drawBrowserDialog(const Session& session, DialogsState& state, const Pictur
     beginBrowsing(state, session);
     std::filesystem::path chosen;
     const Dialog dialog = session.asking.dialog;
-    const Browsing browsing = drawFileBrowser(state.browser, session.services.files, pictures, chosen);
+    const Browsing browsing = drawFileBrowser(session, state.browser, pictures, chosen);
     if (browsing == Browsing::Open)
         return;
     if (browsing == Browsing::Cancelled)
@@ -223,20 +229,12 @@ void drawDialogs(const Session& session, DialogsState& state, const Pictures& pi
     const Dialog dialog = session.asking.dialog;
     if (std::ranges::find(browserRows, dialog, &BrowserRow::dialog) != browserRows.end())
         drawBrowserDialog(session, state, pictures);
-    else if (dialog == Dialog::Discard)
-        drawDiscard(session);
-    else if (dialog == Dialog::FileHasChanged)
-        drawChangedFile(session);
-    else if (dialog == Dialog::Picture)
-        drawPictureQuestion(session);
-    else if (dialog == Dialog::Record)
-        drawRecord(session);
-    else if (dialog == Dialog::Help)
-        drawHelp(session);
     else if (dialog == Dialog::Restore)
         drawRestore(session, pictures);
-    else if (dialog == Dialog::Refused)
-        drawRefused(session);
+    for (const auto& [each, draw] : otherDialogs) {
+        if (dialog == each)
+            draw(session);
+    }
     if (dialog != state.browsed) // the next one starts again
         state.browsed = Dialog::None;
     act(session, openWaitingDialog); // after the answer of the last one

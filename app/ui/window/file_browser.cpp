@@ -2,11 +2,11 @@
 #include "app/ui/window/file_browser.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/text/printable.h"
@@ -135,18 +135,15 @@ void breadcrumbs(FileBrowser& browser) {
     if (ImGui::Button("↑"))
         target = browser.folder.parent_path();
     ImGui::EndDisabled();
-    noteItem("browser:up");
-    helpTip("One folder up");
+    item("browser:up", "One folder up");
     for (std::size_t i = 0; i < parts.size(); ++i) {
         walked /= parts[i];
         if (i < first)
             continue;
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
         ImGui::PushID(static_cast<int>(i));
-        ImGui::PushStyleColor(ImGuiCol_Button, 0);
-        if (ImGui::Button(printable(parts[i].string()).c_str()))
+        if (flatButton(printable(parts[i].string()).c_str()))
             target = walked;
-        ImGui::PopStyleColor();
         ImGui::PopID();
     }
     if (!target.empty())
@@ -154,26 +151,21 @@ void breadcrumbs(FileBrowser& browser) {
 }
 
 /// The file's small picture in a square on the left of its line, once it is ready.
-void drawThumbnail(Files& files, const FileBrowser& browser, const FileBrowser::Entry& entry,
+void drawThumbnail(const Session& session, const FileBrowser& browser, const FileBrowser::Entry& entry,
                    const Pictures& pictures, ImVec2 corner, float extent) {
-    const std::shared_ptr<const Image> image = files.thumbnail(browser.folder / entry.name, entry.modified);
+    const fs::path file = browser.folder / entry.name;
+    act(session,
+        [file, modified = entry.modified](Session& s) { workers(s).files->askThumbnail(file, modified); });
+    const std::shared_ptr<const Image> image = workers(session).files->thumbnail(file);
     if (!image || image->empty())
         return;
     noteItem("thumbnail:" + entry.name);
-    const view::PictureHandle picture = pictures.show(image);
-    if (picture == view::PictureHandle::None)
-        return;
     const float scale = (extent - 2) / static_cast<float>(std::max(image->width, image->height));
-    const ImVec2 size(static_cast<float>(image->width) * std::min(scale, 4.0F),
-                      static_cast<float>(image->height) * std::min(scale, 4.0F));
-    const ImVec2 low(corner.x + (extent * 1.5F - size.x) / 2, corner.y + (extent - size.y) / 2);
-    // Row 0 is the bottom one.
-    ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, {low.x + size.x, low.y + size.y}, {0, 1},
-                                         {1, 0});
+    drawImageIn(pictures, image, corner, {extent * 1.5F, extent}, std::min(scale, 4.0F));
 }
 
 /// Returns true if an entry was double-clicked.
-bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, float height) {
+bool entryList(const Session& session, FileBrowser& browser, const Pictures& pictures, float height) {
     bool chosen = false;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
     ImGui::BeginChild("entries", {0, height}, true);
@@ -198,7 +190,7 @@ bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, flo
             browser.scrollToMarked = false;
         }
         if (pictured && ImGui::IsItemVisible())
-            drawThumbnail(files, browser, entry, pictures, corner, tall);
+            drawThumbnail(session, browser, entry, pictures, corner, tall);
         // Drawn, not laid out: the line has the height of the selectable.
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const float top = corner.y + (tall - line) / 2;
@@ -290,24 +282,19 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
             startFile.empty() ? "scene" + std::string(sceneExtension) : startFile.filename().string();
 }
 
-Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pictures, fs::path& chosen) {
+Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pictures& pictures,
+                         fs::path& chosen) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowSize({std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F)});
-    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    const std::string id = tr(browser.title) + "###browser";
-    if (!ImGui::IsPopupOpen(id.c_str()))
-        ImGui::OpenPopup(id.c_str());
-    if (!ImGui::BeginPopupModal(id.c_str(), nullptr,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings))
+    const ImVec2 size(std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F));
+    if (!beginModal((browser.title + "###browser").c_str(), size))
         return Browsing::Open;
 
     Browsing result = Browsing::Open;
     breadcrumbs(browser);
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float below = 2 * line + ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    if (entryList(browser, files, pictures, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
+    if (entryList(session, browser, pictures, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
         result = choose(browser, chosen);
 
     if (browser.error.empty())
@@ -316,8 +303,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
                    color::dim);
     else {
         fittedText(browser.error, color::problem);
-        noteItem("browser:error");
-        helpTip(browser.error);
+        item("browser:error", browser.error);
     }
 
     if (browser.focusName) {
@@ -343,8 +329,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
         const std::string all =
             fmt::format("Lists all files, not only {}", fmt::join(browser.extensions, " "));
         ImGui::Checkbox(label("All files"), &browser.showAll);
-        noteItem("browser:all");
-        helpTip(all);
+        item("browser:all", all);
     }
     const char* verb = !browser.saving ? "Open" : browser.overwrites ? "Overwrite" : "Save";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/services/files.h"
+#include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
 #include "texplorer/files/file_fingerprint.h"
 
@@ -52,7 +52,7 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
 enum class Browsing { Open, Chosen, Cancelled };
 
 /// Draws the browser as a modal window. `chosen` is set with Browsing::Chosen.
-[[nodiscard]] Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pictures,
+[[nodiscard]] Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pictures& pictures,
                                        std::filesystem::path& chosen);
 
 } // namespace texplorer::ui

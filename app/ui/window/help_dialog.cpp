@@ -3,9 +3,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/texture_space/plane_keys.h"
 #include "app/ui/widgets/line_breaks.h"
-#include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "app/ui/window/shortcuts.h"
 
@@ -13,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <span>
 #include <string>
 #include <utility>

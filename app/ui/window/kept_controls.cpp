@@ -1,10 +1,9 @@
-#include "app/ui/window/kept_controls.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/kept.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/shortcuts.h"
+#include "app/ui/window/window_parts.h"
 
 #include <array>
 
@@ -23,14 +22,6 @@ struct KeptRow {
     bool (*isOn)(const Session& session) = nullptr;
 };
 
-void listChanges(Session& session) {
-    session.window.wantedTab = Tab::Kept;
-}
-
-void takeAll(Session& session) {
-    takeAllFromKept(session);
-}
-
 constexpr std::array keptRows{
     KeptRow{"keep", "Keep as A", "Keep as A", "keep",
             "Keeps the present scene as A, to compare later changes with it.", false, keepAsA},
@@ -40,9 +31,10 @@ constexpr std::array keptRows{
     KeptRow{"split", "Split A and now", "A | now", "split", "Shows both in one picture. Drag the seam.", true,
             splitKept, isKeptBeside},
     KeptRow{"list", "Differences", nullptr, "", "Lists the differences from A. Each can be taken over.", true,
-            listChanges},
+            [](Session& session) { session.window.wantedTab = Tab::Kept; }},
     KeptRow{"take", "Take over all of A", nullptr, "",
-            "Restores A, seen from the present camera. Undo reverts it.", true, takeAll},
+            "Restores A, seen from the present camera. Undo reverts it.", true,
+            [](Session& session) { takeAllFromKept(session); }},
     KeptRow{"forget", "Forget A", nullptr, "", "Ends the comparison.", true, forgetKept},
 };
 
@@ -71,8 +63,7 @@ void drawKeptMenu(const Session& session) {
         if (ImGui::MenuItem(label(row.label), keyOf(session, row).c_str(), isOn(session, row),
                             !row.needsKept || session.document.kept.scene))
             act(session, row.act);
-        noteItem(fmt::format("a-b:{}", row.name));
-        helpTip(row.help);
+        item(fmt::format("a-b:{}", row.name), row.help);
     }
 }
 
@@ -93,13 +84,9 @@ void drawKeptControls(const Session& session, float available) {
     for (const KeptRow& row : keptRows) {
         if (!isInRow(session, row))
             continue;
-        ImGui::PushStyleColor(ImGuiCol_Button,
-                              isOn(session, row) ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ImU32{0});
-        if (ImGui::Button(label(row.brief)))
+        if (flatButton(label(row.brief), isOn(session, row)))
             act(session, row.act);
-        ImGui::PopStyleColor();
-        noteItem(fmt::format("a-b row:{}", row.name));
-        helpTip(helpOf(session, row));
+        item(fmt::format("a-b row:{}", row.name), helpOf(session, row));
         ImGui::SameLine(0, gap);
     }
 }

@@ -1,6 +1,5 @@
-#include "app/ui/window/keyboard_focus.h"
-
 #include "app/ui/widgets/keys.h"
+#include "app/ui/window/window_parts.h"
 
 #include <imgui_internal.h> // windows and their focus
 

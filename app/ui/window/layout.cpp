@@ -101,23 +101,13 @@ void maximise(Layout& layout, Maximised what, const Rect& inner, PaneGrid grid) 
     for (Rect* hidden : {&layout.view, &layout.texture, &layout.rightDock, &layout.belowDock,
                          &layout.rightSeam, &layout.middleSeam, &layout.belowSeam})
         *hidden = {};
-    switch (what) {
-    case Maximised::None:
-        break;
-    case Maximised::View:
-        layout.view = room;
+    Rect Layout::*panel = what == Maximised::View           ? &Layout::view
+                          : what == Maximised::TextureSpace ? &Layout::texture
+                          : what == Maximised::Right        ? &Layout::rightDock
+                                                            : &Layout::belowDock;
+    layout.*panel = room;
+    if (what == Maximised::View)
         layOutView(layout, grid);
-        break;
-    case Maximised::TextureSpace:
-        layout.texture = room;
-        break;
-    case Maximised::Right:
-        layout.rightDock = room;
-        break;
-    case Maximised::Below:
-        layout.belowDock = room;
-        break;
-    }
 }
 
 /// The right column: texture space above, tabs below; either may fill it.

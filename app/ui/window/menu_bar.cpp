@@ -8,20 +8,15 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/preset_edits.h"
 #include "app/ui/model/sheet_choice.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/state/lesson_records.h"
-#include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
+#include "app/ui/view/pane_drawing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/program_menu.h"
-#include "app/ui/widgets/theme.h"
-#include "app/ui/window/kept_controls.h"
-#include "app/ui/window/menu_items.h"
 #include "app/ui/window/notes.h"
-#include "app/ui/window/playback_controls.h"
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/text_size.h"
 #include "app/ui/window/window_parts.h"
@@ -64,6 +59,14 @@ void resetEverything(Scene& scene) {
     scene.material = {};
 }
 
+/// An item that does the same as the shortcut with this name.
+void shortcutItem(const Session& session, const Layout& layout, const std::string& name,
+                  std::string_view shortcut, bool enabled = true, bool marked = false) {
+    const Shortcut& row = shortcutOf(shortcut);
+    if (menuItem(name, keysOf(session, shortcut), enabled, marked))
+        act(session, [&row, layout](Session& s) { row.act(s, layout); });
+}
+
 void examplesItems(const Session& session) {
     for (const Example& example : examples()) {
         if (menuItem(example.title))
@@ -80,8 +83,7 @@ void lessonsItems(const Session& session) {
         const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
         if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
             act(session, [name = each.name](Session& s) { askLesson(s, name); });
-        noteItem("menu:lesson:" + each.name);
-        helpTip(each.about);
+        item("menu:lesson:" + each.name, each.about);
     }
     ImGui::Separator();
     if (menuItem("Leave the lesson", {}, session.lesson.has_value()))
@@ -310,8 +312,8 @@ void viewItems(const Session& session, const Layout& layout) {
     helpTip("Shows OpenGL's names for parameters and choices.");
     comfortItems(session, layout);
     ImGui::Separator();
-    layoutsMenu(session);
-    panelsMenu(session);
+    menuOf("Layout", [&] { layoutItems(session); });
+    menuOf("Panels", [&] { panelItems(session); });
     ImGui::Separator();
     shortcutItem(session, layout, "Frame the models", "frame");
     shortcutItem(session, layout, "Reset camera", "reset camera");

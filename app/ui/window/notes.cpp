@@ -1,7 +1,7 @@
 #include "app/ui/window/notes.h"
 
-#include "app/ui/language/translate.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
@@ -38,13 +38,12 @@ void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words) {
 
 /// Completely inside of the picture area, if it fits.
 ImVec2 notePlace(const ViewNote& note, const Rect& canvas, ImVec2 size) {
-    const auto within = [](float at, int low, int extent, float own) {
-        const auto from = static_cast<float>(low);
-        const auto whole = static_cast<float>(extent);
+    const auto within = [](float at, float from, float whole, float own) {
         return std::clamp(from + at * whole, from, std::max(from, from + whole - own));
     };
-    return {within(note.at.x, canvas.x, canvas.width, size.x),
-            within(note.at.y, canvas.y, canvas.height, size.y)};
+    const ImVec2 low = lowOf(canvas);
+    const ImVec2 whole = extentOf(canvas);
+    return {within(note.at.x, low.x, whole.x, size.x), within(note.at.y, low.y, whole.y, size.y)};
 }
 
 glm::vec2 shareOfCanvas(ImVec2 at, const Rect& canvas) {

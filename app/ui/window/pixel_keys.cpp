@@ -1,4 +1,3 @@
-#include "app/ui/state/layout.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/window/window_parts.h"
 

@@ -1,8 +1,7 @@
-#include "app/ui/window/playback_controls.h"
-
 #include "app/ui/model/timeline_edits.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
+#include "app/ui/window/window_parts.h"
 #include "texplorer/scene/animation.h"
 
 #include <fmt/core.h>
@@ -26,10 +25,7 @@ bool signButton(const char* name, bool enabled,
                 void (*sign)(ImDrawList& draw, ImVec2 centre, float radius, ImU32 tint)) {
     const float side = ImGui::GetFrameHeight();
     ImGui::BeginDisabled(!enabled);
-    ImGui::PushStyleColor(ImGuiCol_Button, 0);
-    const std::string id = std::string("##") + name;
-    const bool pressed = ImGui::Button(id.c_str(), {side * 1.2F, side});
-    ImGui::PopStyleColor();
+    const bool pressed = flatButton((std::string("##") + name).c_str(), false, {side * 1.2F, side});
     ImGui::EndDisabled();
     noteItem(name);
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -157,8 +153,7 @@ void drawPlaybackControls(const Session& session) {
         }
         ImGui::EndCombo();
     }
-    noteItem("speed");
-    helpTip("The speed of the scene's time");
+    item("speed", "The speed of the scene's time");
     ImGui::SameLine(0, gap);
     if (signButton("timeline", true, keysSign))
         act(session, [](Session& changed) { changed.window.wantedTab = Tab::Timeline; });

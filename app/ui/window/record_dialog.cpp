@@ -3,9 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/base/count.h"
 #include "texplorer/scene/animation.h"
@@ -21,8 +19,7 @@ constexpr float nameColumn = 9; // in heights of a letter
 constexpr float numberWidth = 5.5F;
 
 void lineName(const char* words) {
-    ImGui::AlignTextToFramePadding();
-    dimText(words);
+    labelText(words, color::dim);
     ImGui::SameLine(ImGui::GetFontSize() * nameColumn);
 }
 
@@ -51,11 +48,11 @@ void formatLine(const Session& session) {
             ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
         if (ImGui::RadioButton(std::string(row.name).c_str(), session.recording.format == row.format))
             act(session, [&row](Session& changed) { changed.recording.format = row.format; });
-        noteItem(fmt::format("record:{}", row.name));
-        helpTip(row.format == animation::Format::Gif
-                    ? "Supported everywhere. At most 256 colours in each picture and 50 pictures a second."
-                : row.format == animation::Format::WebP ? "Supported by browsers. Small files without losses."
-                                                        : "An animated PNG without losses.");
+        item(fmt::format("record:{}", row.name),
+             row.format == animation::Format::Gif
+                 ? "Supported everywhere. At most 256 colours in each picture and 50 pictures a second."
+             : row.format == animation::Format::WebP ? "Supported by browsers. Small files without losses."
+                                                     : "An animated PNG without losses.");
     }
 }
 
@@ -76,9 +73,9 @@ void lengthLines(const Session& session) {
         if (ImGui::Button(label("As the key frames")))
             act(session, [](Session& changed) { changed.recording.seconds.reset(); });
         ImGui::EndDisabled();
-        noteItem("record:as keys");
-        helpTip("Up to the last key frame. If its values are those of the first one, the animation loops "
-                "smoothly.");
+        item("record:as keys",
+             "Up to the last key frame. If its values are those of the first one, the animation loops "
+             "smoothly.");
     }
     lineName("Pictures a second");
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);

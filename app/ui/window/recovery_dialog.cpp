@@ -1,11 +1,8 @@
 // Unsaved work of a window that crashed.
 
 #include "app/ui/files/scene_files.h"
-#include "app/ui/language/translate.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/modal.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/text/printable.h"
 
@@ -37,19 +34,17 @@ void drawPicture(const Session& session, const Pictures& pictures) {
     ImGui::Dummy(size);
     const ImVec2 high(low.x + size.x, low.y + size.y);
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, color::ground);
-    const std::shared_ptr<const Image> image = session.services.unsaved->recovery.picture();
+    const std::shared_ptr<const Image> image = workers(session).unsaved->recovery.picture();
     if (!image)
         return;
     noteItem("restore:picture");
-    const view::PictureHandle picture = pictures.show(image);
-    if (picture != view::PictureHandle::None) // row 0 is the bottom one
-        ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, high, {0, 1}, {1, 0});
+    drawImage(pictures, image, low, high);
 }
 
 } // namespace
 
 void drawRestore(const Session& session, const Pictures& pictures) {
-    const Recovery& recovery = session.services.unsaved->recovery;
+    const Recovery& recovery = workers(session).unsaved->recovery;
     if (!beginModal("Unsaved work"))
         return;
     const float em = ImGui::GetFontSize();
@@ -79,13 +74,13 @@ void drawRestore(const Session& session, const Pictures& pictures) {
     std::vector<DialogAnswer> answers; // after it the dialog opens for the next one
     if (readable)
         answers.push_back({"Restore", "restore:restore",
-                           [](Session& s) { restoreUnsaved(s, s.services.unsaved->recovery.restore()); },
+                           [](Session& s) { restoreUnsaved(s, workers(s).unsaved->recovery.restore()); },
                            key::enter});
     if (offer.place.isOpen())
         answers.push_back({"Discard", "restore:discard",
-                           [](Session& s) { s.services.unsaved->recovery.discard(); }, 0,
+                           [](Session& s) { workers(s).unsaved->recovery.discard(); }, 0,
                            "Deletes it permanently."});
-    answers.push_back({"Later", "restore:later", [](Session& s) { s.services.unsaved->recovery.later(); },
+    answers.push_back({"Later", "restore:later", [](Session& s) { workers(s).unsaved->recovery.later(); },
                        key::escape, "Asks again at the next start."});
     endWithAnswers(session, answers);
 }

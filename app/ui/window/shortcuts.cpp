@@ -60,12 +60,9 @@ void runs(Session& session, const Layout& /*layout*/) {
     act(session);
 }
 
-void undo(Session& session) {
-    session.out.requests.emplace_back(Undo{});
-}
-
-void redo(Session& session) {
-    session.out.requests.emplace_back(Redo{});
+template<class Asked>
+void asks(Session& session, const Layout& /*layout*/) {
+    session.out.requests.emplace_back(Asked{});
 }
 
 template<int steps>
@@ -79,9 +76,9 @@ void walkKeys(Session& session) {
 }
 
 constexpr std::array shortcutRows{
-    Shortcut{"undo", 'Z', true, false, "undo the last edit", runs<undo>, true},
-    Shortcut{"redo", 'Z', true, true, "redo the last undone edit", runs<redo>, true},
-    Shortcut{"", 'Y', true, false, "redo the last undone edit", runs<redo>, true},
+    Shortcut{"undo", 'Z', true, false, "undo the last edit", asks<Undo>, true},
+    Shortcut{"redo", 'Z', true, true, "redo the last undone edit", asks<Redo>, true},
+    Shortcut{"", 'Y', true, false, "redo the last undone edit", asks<Redo>, true},
     Shortcut{"open scene", 'O', true, false, "open a scene", runs<askOpenScene>},
     Shortcut{"open image", 'I', true, false, "open an image",
              [](Session& s, const Layout&) { askOpenImage(s); }},

@@ -3,17 +3,15 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/consequence.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/window/window_parts.h"
 #include "texplorer/base/count.h"
 #include "texplorer/text/printable.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -35,28 +33,26 @@ void drawProgress(const Session& session, const ImageLoader::Progress& progress)
         text(fmt::format("Reading {}", name));
     else
         text(fmt::format("Reading {} · {} %", name, progress.bytesRead * 100 / progress.fileBytes));
-    noteItem("loading");
-    helpTip(progress.path.string());
+    item("loading", progress.path.string());
 }
 
 /// The same for levels that are made from a loaded image.
 void drawProgress(const Session& session, const LevelsWorker::Progress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
-        session.services.levels.cancel(progress.ticket);
+        act(session, [ticket = progress.ticket](Session& s) { workers(s).levels->cancel(ticket); });
     noteItem("cancel levels");
     ImGui::SameLine();
     const std::string what = printable(progress.what);
     text(progress.done > 0
              ? fmt::format("Making the levels of {} · {} %", what, static_cast<int>(100 * progress.done))
              : fmt::format("Making the levels of {}", what));
-    noteItem("making levels");
-    helpTip("The previous picture stays until they are ready.");
+    item("making levels", "The previous picture stays until they are ready.");
 }
 
 /// The same for a file that is being written.
 void drawProgress(const Session& session, const FileProgress& progress) {
     if (ImGui::SmallButton(label("Cancel")))
-        session.services.writing.cancel();
+        act(session, [](Session& s) { workers(s).writing->cancel(); });
     noteItem("cancel writing");
     ImGui::SameLine();
     const std::string name = printable(progress.file.filename().string());
@@ -68,8 +64,7 @@ void drawProgress(const Session& session, const FileProgress& progress) {
         text(fmt::format("Writing {} · {} %", name, percent));
     else
         text(fmt::format("Writing {}", name));
-    noteItem("writing file");
-    helpTip(printable(progress.file.string()));
+    item("writing file", printable(progress.file.string()));
 }
 
 void drawNotice(const Session& session) {
@@ -81,14 +76,12 @@ void drawNotice(const Session& session) {
     if (!session.look.notice.file.empty()) {
         if (ImGui::SmallButton(label("Look inside")))
             act(session, [file = session.look.notice.file](Session& s) { lookInto(s, file); });
-        noteItem("look inside");
-        helpTip("Shows the bytes of the file and their meaning, up to the damage");
+        item("look inside", "Shows the bytes of the file and their meaning, up to the damage");
         ImGui::SameLine();
     }
     fittedText(session.look.notice.text, ink);
     ImGui::PopStyleColor();
-    noteItem("notice");
-    helpTip(session.look.notice.text);
+    item("notice", session.look.notice.text);
     if (dismissed)
         act(session, [](Session& changed) { changed.look.notice = {}; });
 }
@@ -103,8 +96,7 @@ void drawFinding(const Session& session, const Finding& finding, std::size_t cou
             break;
         if (ImGui::SmallButton(label(fix.label).c_str()))
             applyFix(session, fix);
-        noteItem("fix:" + fix.label);
-        helpTip(assignmentsOf(fix));
+        item("fix:" + fix.label, assignmentsOf(fix));
         ImGui::SameLine();
     }
     const std::string sentence = sentenceOf(finding);
@@ -161,10 +153,7 @@ void drawProblems(std::span<const std::string> problems) {
     fittedText(problems.size() > 1 ? fmt::format("1 of {}: {}", problems.size(), first) : first,
                color::problem);
     noteItem("problem");
-    std::string all;
-    for (const std::string& each : problems)
-        all += (all.empty() ? "" : "\n") + each;
-    helpTip(all);
+    helpTip(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
 /// The most important message: problems go before the result of a probed pixel.
@@ -172,11 +161,11 @@ void drawNews(const Session& session, const Pictures& pictures) {
     const std::vector<Finding>& findings = session.document.findings;
     const auto wrong = static_cast<std::size_t>(std::ranges::count_if(
         findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
-    if (const auto loading = session.services.files.progress())
+    if (const auto loading = workers(session).files->progress())
         drawProgress(session, *loading);
-    else if (const auto making = session.services.levels.progress())
+    else if (const auto making = workers(session).levels->progress())
         drawProgress(session, *making);
-    else if (const auto writing = session.services.writing.progress())
+    else if (const auto writing = workers(session).writing->progress())
         drawProgress(session, *writing);
     else if (!session.look.notice.text.empty())
         drawNotice(session);
@@ -186,8 +175,7 @@ void drawNews(const Session& session, const Pictures& pictures) {
         drawProblems(pictures.problems);
     else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {
         fittedText(consequence, color::text);
-        noteItem("consequence");
-        helpTip(consequence);
+        item("consequence", consequence);
     } else {
         fittedText(stateOf(session.document), color::dim);
         noteItem("state");
@@ -233,8 +221,7 @@ void drawStatusBar(const Session& session, const Pictures& pictures, const view:
     drawHint(said, left + newsRoom + em, factsFrom - left - newsRoom - 2 * em);
     ImGui::SameLine(factsFrom);
     ImGui::TextDisabled("%s", facts.c_str());
-    noteItem("status");
-    helpTip(hostText(capabilities, session.view.offered));
+    item("status", hostText(capabilities, session.view.offered));
     ImGui::End();
 }
 

@@ -1,7 +1,5 @@
 #include "app/ui/window/text_size.h"
 
-#include "app/ui/state/layout.h"
-
 #include <imgui.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "app/ui/language/translate.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/dialog_parts.h"
@@ -45,20 +45,18 @@ constexpr float tourWidth = 24; ///< of the card, in letters' heights
 
 /// Next to the rectangle if there is room, else over it.
 ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) {
-    const auto right = static_cast<float>(about.right());
-    const auto left = static_cast<float>(about.x);
-    const auto top = static_cast<float>(about.y);
-    const auto width = static_cast<float>(window.width);
-    const auto height = static_cast<float>(window.height);
-    ImVec2 place(left + gap, static_cast<float>(about.bottom()) + gap);
+    const ImVec2 low = lowOf(about);
+    const ImVec2 high = highOf(about);
+    const ImVec2 whole = extentOf(window);
+    ImVec2 place(low.x + gap, high.y + gap);
     if (about.height > window.height / 3) {
-        place.y = top + (static_cast<float>(about.height) - size.y) / 2;
-        place.x = right + gap + size.x <= width ? right + gap
-                  : left - gap - size.x >= 0    ? left - gap - size.x
-                                                : left + (static_cast<float>(about.width) - size.x) / 2;
+        place.y = low.y + (extentOf(about).y - size.y) / 2;
+        place.x = high.x + gap + size.x <= whole.x ? high.x + gap
+                  : low.x - gap - size.x >= 0      ? low.x - gap - size.x
+                                                   : low.x + (extentOf(about).x - size.x) / 2;
     }
-    return {std::clamp(place.x, gap, std::max(gap, width - size.x - gap)),
-            std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
+    return {std::clamp(place.x, gap, std::max(gap, whole.x - size.x - gap)),
+            std::clamp(place.y, gap, std::max(gap, whole.y - size.y - gap))};
 }
 
 /// In the corner of the dock below, if it has room: the card then hides nothing that it mentions, its buttons
@@ -104,10 +102,8 @@ void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
     const TourRow& row = tourRows[static_cast<std::size_t>(step)];
     const Rect& about = (layout.*row.about).isEmpty() ? layout.window : layout.*row.about;
     const float em = ImGui::GetFontSize();
-    const ImVec2 low(static_cast<float>(about.x), static_cast<float>(about.y));
-    const ImVec2 high(static_cast<float>(about.right()), static_cast<float>(about.bottom()));
-    ImGui::GetForegroundDrawList()->AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, color::accent,
-                                            0, 0, em * 0.15F);
+    ImGui::GetForegroundDrawList()->AddRect(lowOf(about) + ImVec2(1, 1), highOf(about) - ImVec2(1, 1),
+                                            color::accent, 0, 0, em * 0.15F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * 0.8F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));

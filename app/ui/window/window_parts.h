@@ -2,15 +2,39 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/state/layout.h"
-#include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/pictures.h"
+#include "app/ui/widgets/tip.h"
 #include "app/view/capabilities.h"
 
 namespace texplorer::ui {
 
 // The parts of the window around the panels, in the order of a frame.
 
+/// Whether the keyboard moves between controls.
+struct KeyboardFocus {
+    bool walks = false;
+};
+
+/// F6, with Shift backwards, moves the keyboard focus to the next panel: arrows then move between its
+/// controls, Space and Enter activate them. Escape, or a click, restores the usual meaning of the keys. Call
+/// it before the panels are drawn.
+void moveKeyboardFocus(const Session& session, KeyboardFocus& focus);
+
 void drawMenuBar(const Session& session, const Layout& layout);
+
+void drawPlaybackControls(const Session& session); ///< in the menu bar, at its end
+[[nodiscard]] float minPlaybackWidth();            ///< with less room they are only buttons
+[[nodiscard]] float playbackButtonsWidth();        ///< with less room they are left out
+
+/// The contents of the menu "A/B".
+void drawKeptMenu(const Session& session);
+
+/// Controls in the menu bar: one button while no state is kept, else the choice of what the view shows. Does
+/// nothing if there is less room; the menu has everything.
+void drawKeptControls(const Session& session, float available);
+
+/// Their width.
+[[nodiscard]] float keptControlsWidth(const Session& session);
 
 /// The minimum room for a hint in the status bar.
 [[nodiscard]] float hintRoom(const Layout& layout);

@@ -10,10 +10,10 @@
 #include "app/ui/model/level_edits.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/model/preview.h"
+#include "app/ui/model/table_colors.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/model/unseen.h"
 #include "app/ui/state/document_names.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/view/view_panel.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
@@ -23,7 +23,6 @@
 #include "app/ui/window/notes.h"
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/text_size.h"
-#include "app/ui/window/window_parts.h"
 #include "app/view/driver_facts.h"
 
 #include <imgui_internal.h> // the progress of the darkening behind a dialog
@@ -165,7 +164,9 @@ void followDocument(Session& session, PanelStates& states, const Pictures& pictu
     followForced(session);
     if (isShown(session.settings.workspace, Tab::File))
         followFile(session);
+    askAboutTextures(session);
     askAboutPicture(session, pictures.frames.front().frame.size);
+    askAboutTable(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
     restUnseen(session);
 }
@@ -215,8 +216,8 @@ void chooseKeyboard(const Session& session, PanelStates& states) {
 
 Requests endFrame(Session& session, PanelStates& states) {
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
-    Requests requests{std::exchange(session.asking.quitConfirmed, false), dimmed > 0 && dimmed < 1, false,
-                      windowTitle(session.document)};
+    Requests requests{std::exchange(session.asking.quitConfirmed, false), dimmed > 0 && dimmed < 1,
+                      std::exchange(session.out.isOutdated, false), windowTitle(session.document)};
     chooseKeyboard(session, states);
     return requests;
 }

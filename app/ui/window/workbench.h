@@ -2,11 +2,9 @@
 
 #include "app/ui/details/details_panel.h"
 #include "app/ui/parameters/parameters_panel.h"
-#include "app/ui/state/layout.h"
 #include "app/ui/texture_space/texture_space_panel.h"
 #include "app/ui/window/dialogs.h"
-#include "app/ui/window/keyboard_focus.h"
-#include "app/view/capabilities.h"
+#include "app/ui/window/window_parts.h"
 
 #include <string>
 
@@ -28,7 +26,7 @@ struct PanelStates {
 struct Requests {
     bool quit = false;
     bool fading = false; ///< the next frame differs even without input: the window darkens behind a dialog
-    bool unfinished = false; ///< textures or letters are pending: the next frame differs as well
+    bool unfinished = false; ///< textures, letters or answers are pending: the next frame differs as well
     std::string title;
 };
 

@@ -24,12 +24,17 @@ tl::unexpected<Error> noElement(const ListAt& list, std::string_view path, std::
         std::string(path));
 }
 
-/// A list whose elements can be inserted, removed and moved.
-Result<ListAt> variableListAt(Scene& scene, const std::string& path) {
+/// A list whose elements can be inserted, removed and moved; it must have elements with these indices.
+Result<ListAt> variableListAt(Scene& scene, const std::string& path,
+                              std::initializer_list<std::size_t> indices = {}) {
     Result<ListAt> list = listAt(scene, path);
     if (list && !list->row->insert)
         return fail(ErrorCode::OutOfRange,
                     fmt::format("it always has {} elements, in this order", list->size()), path);
+    for (const std::size_t index : indices) {
+        if (list && index >= list->size())
+            return noElement(*list, path, index);
+    }
     return list;
 }
 
@@ -37,8 +42,8 @@ Result<void> make(Scene& scene, const edit::Set& set) {
     return setParam(scene, set.path, set.value);
 }
 
-/// Copies of elements are copied from `shown`, which has the same lists.
-Result<void> make(Scene& scene, const edit::Insert& insert, Scene& shown) {
+/// A copied element is one of `shown`, which has the same lists; nullptr: of the scene.
+Result<void> make(Scene& scene, const edit::Insert& insert, Scene* shown = nullptr) {
     const Result<ListAt> list = variableListAt(scene, insert.list);
     if (!list)
         return fail(list.error());
@@ -49,23 +54,17 @@ Result<void> make(Scene& scene, const edit::Insert& insert, Scene& shown) {
         return noElement(*list, insert.list, insert.index);
     if (insert.copyOf && *insert.copyOf >= list->size())
         return noElement(*list, insert.list, *insert.copyOf);
-    const Result<ListAt> copied = variableListAt(shown, insert.list);
+    const Result<ListAt> copied = variableListAt(shown ? *shown : scene, insert.list);
     list->row->insert(list->owner, insert.index,
                       insert.copyOf && copied ? copied->row->at(copied->owner, *insert.copyOf) : nullptr);
     renumber(scene, insert.list, afterInsert(insert.index));
     return {};
 }
 
-Result<void> make(Scene& scene, const edit::Insert& insert) {
-    return make(scene, insert, scene);
-}
-
 Result<void> make(Scene& scene, const edit::Remove& remove) {
-    const Result<ListAt> list = variableListAt(scene, remove.list);
+    const Result<ListAt> list = variableListAt(scene, remove.list, {remove.index});
     if (!list)
         return fail(list.error());
-    if (remove.index >= list->size())
-        return noElement(*list, remove.list, remove.index);
     if (list->size() <= list->row->minCount)
         return fail(ErrorCode::TooLarge, fmt::format("it needs {} elements", list->row->minCount),
                     remove.list);
@@ -75,13 +74,9 @@ Result<void> make(Scene& scene, const edit::Remove& remove) {
 }
 
 Result<void> make(Scene& scene, const edit::Move& move) {
-    const Result<ListAt> list = variableListAt(scene, move.list);
+    const Result<ListAt> list = variableListAt(scene, move.list, {move.from, move.to});
     if (!list)
         return fail(list.error());
-    for (const std::size_t index : {move.from, move.to}) {
-        if (index >= list->size())
-            return noElement(*list, move.list, index);
-    }
     list->row->move(list->owner, move.from, move.to);
     renumber(scene, move.list, afterMove(move.from, move.to));
     return {};
@@ -146,6 +141,30 @@ Result<void> makeOne(Scene& scene, const Edit& edit) {
     return std::visit([&](const auto& each) { return make(scene, each); }, edit);
 }
 
+/// Returns whether a key was set.
+Result<bool> makeOneAt(Scene& scene, const Edit& edit, EditTime time) {
+    const auto* insert = std::get_if<edit::Insert>(&edit);
+    const bool copies = insert && insert->copyOf;
+    const auto withoutKey = [] { return false; };
+    if (scene.timeline.keys.empty() || !(copies || setsValues(edit)))
+        return makeOne(scene, edit).map(withoutKey);
+    Scene shown = sceneAt(scene, time.shown);
+    if (copies)
+        return make(scene, *insert, &shown).map(withoutKey);
+    shown.timeline = scene.timeline;
+    Scene edited = shown;
+    if (Result<void> done = makeOne(edited, edit); !done)
+        return fail(done.error());
+    if (leavesTimeline(edit))
+        shown.timeline = edited.timeline; // without the keys of removed elements
+    const Result<bool> set = keyEdits(edited, shown, time.key);
+    if (!set)
+        return fail(set.error().code, fmt::format("a key frame can't be added: {}", describe(set.error())));
+    putUnkeyed(edited, scene);
+    scene = std::move(edited);
+    return set;
+}
+
 } // namespace
 
 Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place) {
@@ -167,31 +186,9 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
     Scene made = scene;
     bool keyed = false;
     for (const Edit& each : edits) {
-        const auto* insert = std::get_if<edit::Insert>(&each);
-        const bool copies = insert && insert->copyOf;
-        if (made.timeline.keys.empty() || !(copies || setsValues(each))) {
-            if (Result<void> done = makeOne(made, each); !done)
-                return fail(done.error());
-            continue;
-        }
-        Scene shown = sceneAt(made, time.shown);
-        if (copies) {
-            if (Result<void> done = make(made, *insert, shown); !done)
-                return fail(done.error());
-            continue;
-        }
-        shown.timeline = made.timeline;
-        Scene edited = shown;
-        if (Result<void> done = makeOne(edited, each); !done)
-            return fail(done.error());
-        if (leavesTimeline(each))
-            shown.timeline = edited.timeline; // without the keys of removed elements
-        const Result<bool> set = keyEdits(edited, shown, time.key);
+        const Result<bool> set = makeOneAt(made, each, time);
         if (!set)
-            return fail(set.error().code,
-                        fmt::format("a key frame can't be added: {}", describe(set.error())));
-        putUnkeyed(edited, made);
-        made = std::move(edited);
+            return set;
         keyed |= *set;
     }
     scene = std::move(made);

@@ -122,6 +122,20 @@ TEST_F(Editor, MakesNoStepInADocumentThatAnActionHasOpened) {
 static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().document.scene)), Scene>);
 static_assert(!std::is_assignable_v<decltype((std::declval<const Session&>().asking.dialog)), Dialog>);
 
+/// Whether a const session gives only const workers.
+template<auto... services>
+constexpr bool areConst =
+    (std::is_const_v<
+         std::remove_pointer_t<decltype((std::declval<const Session&>().services.*services).operator->())>> &&
+     ...) &&
+    sizeof(Services) == sizeof...(services) * sizeof(void*);
+static_assert(
+    areConst<&Services::files, &Services::levels, &Services::reference, &Services::kept, &Services::probe,
+             &Services::levelMap, &Services::patterns, &Services::levelPictures, &Services::lessons,
+             &Services::environments, &Services::plainProbe, &Services::sheet, &Services::programs,
+             &Services::writing, &Services::unsaved, &Services::settings, &Services::captures>);
+static_assert(!std::is_convertible_v<const Lent<LevelsWorker>&, LevelsWorker&>);
+
 /// Any steps, undone and redone, lead to the same scenes.
 TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {
     std::mt19937 random(3);

@@ -34,11 +34,6 @@ public:
     [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override { return std::nullopt; }
     void watch(std::vector<std::filesystem::path> files) override { watched = std::move(files); }
     [[nodiscard]] std::vector<std::filesystem::path> changed() override { return std::exchange(told, {}); }
-    [[nodiscard]] std::shared_ptr<const Image>
-    thumbnail(const std::filesystem::path& /*file*/, std::filesystem::file_time_type /*modified*/) override {
-        return nullptr;
-    }
-    bool receiveThumbnails() override { return false; }
     void wait() const override {}
 
     std::vector<std::filesystem::path> watched;

@@ -19,7 +19,7 @@ protected:
     std::string saved(emit::Flavour flavour, const std::filesystem::path& file) {
         session.asking.flavour = flavour;
         EXPECT_TRUE(saveProgram(session, file));
-        const std::optional<FileNews> news = services.lend().writing.takeNews();
+        const std::optional<FileNews> news = services.lend().writing->takeNews();
         said = news ? news->text : std::string();
         return readText(file).value_or("");
     }

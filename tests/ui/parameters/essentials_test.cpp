@@ -1,6 +1,6 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
-#include "app/ui/parameters/anisotropy_line.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/window_sizes.h"
 #include "tests/ui/workbench.h"

@@ -1,5 +1,5 @@
 #include "app/ui/model/param_match.h"
-#include "app/ui/parameters/param_search.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
 

@@ -1,4 +1,4 @@
-#include "app/ui/parameters/unit_bar.h"
+#include "app/ui/parameters/sections.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::unit_bar_test {

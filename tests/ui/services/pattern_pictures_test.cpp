@@ -10,6 +10,8 @@ namespace {
 
 TEST(PatternPictures, AreSmallOnesOfEachPattern) {
     PatternPictures pictures(When::AtOnce);
+    EXPECT_TRUE(pictures.ask());
+    EXPECT_FALSE(pictures.ask());
     for (const EnumRow& row : patternRows) {
         const auto pattern = static_cast<Pattern>(row.value);
         const std::shared_ptr<const Image> picture = pictures.find(pattern);
@@ -22,8 +24,9 @@ TEST(PatternPictures, AreSmallOnesOfEachPattern) {
 TEST(PatternPictures, ComeOneAfterTheOtherBesideTheWindow) {
     std::latch all(static_cast<std::ptrdiff_t>(patternRows.size()));
     PatternPictures pictures(When::WhenReady, [&] { all.count_down(); });
-    (void)pictures.find(Pattern::Checker);
+    (void)pictures.ask();
     all.wait();
+    (void)pictures.ask();
     for (const EnumRow& row : patternRows)
         EXPECT_TRUE(pictures.find(static_cast<Pattern>(row.value))) << row.name;
 }

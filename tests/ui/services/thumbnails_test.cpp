@@ -19,10 +19,11 @@ protected:
     /// Requested in a frame, and available in the next one.
     std::shared_ptr<const Image> shown(const std::filesystem::path& file,
                                        std::filesystem::file_time_type modified = {}) {
-        (void)thumbnails.find(file, modified);
+        thumbnails.ask(file, modified);
         thumbnails.wait();
         (void)thumbnails.receive();
-        return thumbnails.find(file, modified);
+        thumbnails.ask(file, modified);
+        return thumbnails.find(file);
     }
     static int redOf(const std::shared_ptr<const Image>& image) {
         return image ? std::to_integer<int>(image->pixels[0]) : -1;
@@ -34,10 +35,11 @@ protected:
 
 TEST_F(ThumbnailCache, APictureComesWhenItIsMade) {
     const auto file = bmp("a.bmp", 50);
-    EXPECT_EQ(thumbnails.find(file, {}), nullptr);
+    thumbnails.ask(file, {});
+    EXPECT_EQ(thumbnails.find(file), nullptr);
     thumbnails.wait();
     EXPECT_TRUE(thumbnails.receive());
-    EXPECT_EQ(redOf(thumbnails.find(file, {})), 50);
+    EXPECT_EQ(redOf(thumbnails.find(file)), 50);
     EXPECT_FALSE(thumbnails.receive());
 }
 
@@ -58,13 +60,14 @@ TEST_F(ThumbnailCache, WhatIsOutOfSightIsCancelled) {
     std::latch seen{1}; // the file must not be done before it is out of sight
     Thumbnails held{[&seen] { seen.wait(); }};
     const auto gone = bmp("a.bmp", 50);
-    (void)held.find(gone, {});
+    held.ask(gone, {});
     (void)held.receive(); // not requested in this frame
     (void)held.receive();
     seen.count_down();
     held.wait();
     EXPECT_FALSE(held.receive());
-    EXPECT_EQ(held.find(gone, {}), nullptr) << "it was requested again";
+    held.ask(gone, {});
+    EXPECT_EQ(held.find(gone), nullptr) << "it was requested again";
 }
 
 TEST_F(ThumbnailCache, HoldsABoundedNumber) {
@@ -72,7 +75,7 @@ TEST_F(ThumbnailCache, HoldsABoundedNumber) {
     ASSERT_NE(shown(first), nullptr);
     for (std::size_t i = 0; i < Thumbnails::maxPictures + 5; ++i)
         ASSERT_EQ(redOf(shown(bmp("other" + std::to_string(i) + ".bmp", 7))), 7);
-    EXPECT_EQ(thumbnails.find(first, {}), nullptr) << "the oldest had to go";
+    EXPECT_EQ(thumbnails.find(first), nullptr) << "the oldest had to go";
 }
 
 } // namespace

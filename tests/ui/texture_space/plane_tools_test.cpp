@@ -22,6 +22,7 @@ protected:
         frames(2);
     }
     int shown(ImVec2 place, int component = 0) {
+        frames();
         const Image window = picture();
         return std::to_integer<int>(
             window.at(static_cast<int>(place.x),
@@ -234,9 +235,9 @@ protected:
     }
     void waitForAll() {
         for (int i = 0; i < 3; ++i) {
-            services.lend().levels.wait();
+            services.lend().levels->wait();
             frames(2);
-            services.lend().levelPictures.wait();
+            services.lend().levelPictures->wait();
             frames(2);
         }
     }

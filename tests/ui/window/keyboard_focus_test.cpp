@@ -1,5 +1,4 @@
 #include "app/ui/widgets/keys.h"
-#include "app/ui/window/keyboard_focus.h"
 #include "tests/ui/workbench.h"
 
 #include <imgui_internal.h>

@@ -1,0 +1,203 @@
+// The tab "Memory": the memory of the bound texture, level by level, and the loss by its compression.
+
+#include "app/ui/levels/memory_tab.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/levels/level_strip_drawing.h"
+#include "app/ui/model/level_view.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "texplorer/base/count.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+/// "1,398,100"
+std::string grouped(std::size_t number) {
+    return number < 1000 ? fmt::format("{}", number)
+                         : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
+}
+
+/// Sentences about the bound texture: the renderer's, and those about levels that were not drawn yet.
+std::vector<std::string> sentencesOf(const Session& session, const Pictures& pictures,
+                                     const LevelsSummary* summary) {
+    const std::string where = fmt::format("textures[{}]: ", selectedUnit(session).texture);
+    std::vector<std::string> sentences;
+    const auto add = [&](std::string sentence) {
+        if (std::ranges::find(sentences, sentence) == sentences.end())
+            sentences.push_back(std::move(sentence));
+    };
+    for (const std::string& problem : pictures.problems) {
+        if (problem.starts_with(where))
+            add(problem.substr(where.size()));
+    }
+    if (summary) {
+        for (const std::string& note : summary->notes)
+            add(note);
+    }
+    return sentences;
+}
+
+void drawSentences(const std::vector<std::string>& sentences) {
+    for (std::size_t i = 0; i < sentences.size(); ++i) {
+        std::string sentence = sentences[i];
+        if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
+            sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+        wrappedText(fmt::format("{}.", sentence), color::problem);
+        noteItem(fmt::format("memory:note {}", i));
+    }
+}
+
+/// The memory of the levels, their number and format.
+std::string sumText(const Texture& texture, const LevelsSummary& summary) {
+    const TextureReport& report = summary.report;
+    const std::string bytes = grouped(report.bytes);
+    const std::string levels = countOf(report.levels.size(), "level");
+    const std::string_view format =
+        summary.compressed ? rowOf(*summary.compressed).label : rowOf(texture.internalFormat).label;
+    return summary.compressed && summary.byDriver
+               ? fmt::format("{} bytes in {}, {}, by the driver", bytes, levels, format)
+               : fmt::format("{} bytes in {}, {}", bytes, levels, format);
+}
+
+/// The sum, compared with the base level and with an uncompressed texture.
+void drawSum(const Texture& texture, const LevelsSummary& summary) {
+    const TextureReport& report = summary.report;
+    ImGui::PushTextWrapPos(0);
+    text(sumText(texture, summary));
+    ImGui::PopTextWrapPos();
+    noteItem("memory:sum");
+    float used = 0; // of the line; what does not fit begins the next one
+    const auto fact = [&](const std::string& words, const char* name, const char* help) {
+        const float gap = ImGui::GetFontSize();
+        const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
+        if (used > 0 && used + gap + width <= ImGui::GetContentRegionMax().x)
+            ImGui::SameLine(0, gap);
+        else
+            used = 0;
+        used += gap + width;
+        dimText(words);
+        item(name, help);
+    };
+    fact(fmt::format("{:.3f} × base", report.ratioToBase), "memory:ratio",
+         "Each level of an image has a quarter of the texels of the level before, so a full chain has "
+         "about 4/3 of its base level.");
+    fact(fmt::format("{:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
+         "The share of the memory of the same levels with four bytes a texel");
+    fact(fmt::format("{:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
+         "The share of the memory of the same levels with three bytes a texel");
+}
+
+/// The next item, with this text, is at the right edge of its column.
+void alignRight(const char* words) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
+}
+
+void rightAligned(const std::string& text, ImU32 ink = color::text) {
+    alignRight(text.c_str());
+    plainText(text, ink);
+}
+
+/// The size of a level relative to the base, as a bar behind its bytes.
+void shareBar(double share) {
+    const float line = ImGui::GetTextLineHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {low.x + width * (1 - static_cast<float>(std::clamp(share, 0.0, 1.0))), low.y + line * 0.06F},
+        {low.x + width, low.y + line * 0.94F}, color::lit);
+}
+
+void missingRow(int number) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    rightAligned(std::to_string(number), color::problem);
+    noteItem(fmt::format("memory:level {}", number));
+    ImGui::TableNextColumn();
+    rightAligned(tr("missing"), color::problem);
+    helpTip("The texture is incomplete for filters that use mipmaps and is drawn as if its unit were off.");
+}
+
+void drawLevels(const LevelsSummary& summary, Target target) {
+    const std::vector<LevelReport>& levels = summary.report.levels;
+    const bool measured =
+        std::ranges::any_of(levels, [](const LevelReport& level) { return level.psnr.has_value(); });
+    constexpr ImGuiTableFlags flags =
+        ImGuiTableFlags_ScrollY | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg;
+    if (!ImGui::BeginTable("levels", measured ? 4 : 3, flags))
+        return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    constexpr std::array names{"Level", "Texels", "Bytes", "PSNR"};
+    ImGui::TableSetupColumn(names[0], ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize(tr(names[0])).x);
+    ImGui::TableSetupColumn(names[1], ImGuiTableColumnFlags_WidthStretch, 1.2F);
+    ImGui::TableSetupColumn(names[2], ImGuiTableColumnFlags_WidthStretch, 1.2F);
+    if (measured)
+        ImGui::TableSetupColumn(names[3], ImGuiTableColumnFlags_WidthStretch, 0.8F);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int column = 0; column < (measured ? 4 : 3); ++column) {
+        ImGui::TableSetColumnIndex(column);
+        const char* name = names.at(static_cast<std::size_t>(column));
+        alignRight(tr(name));
+        ImGui::TableHeader(label(name));
+        if (column == 3)
+            helpTip("The similarity of the compressed level to its source over all components. Differences "
+                    "are hardly visible above 40 dB and clearly visible below 30 dB.");
+    }
+    const double base = levels.empty() ? 1 : static_cast<double>(std::max<std::size_t>(1, levels[0].bytes));
+    int next = levels.empty() ? 0 : levels.front().number;
+    for (const LevelReport& level : levels) {
+        for (; next < level.number; ++next)
+            missingRow(next);
+        next = level.number + 1;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        rightAligned(std::to_string(level.number), color::dim);
+        noteItem(fmt::format("memory:level {}", level.number));
+        ImGui::TableNextColumn();
+        const std::string extents = levelExtentsText(level, target);
+        rightAligned(level.faces > 1 ? fmt::format("{} × {}", level.faces, extents) : extents);
+        ImGui::TableNextColumn();
+        shareBar(static_cast<double>(level.bytes) / base);
+        rightAligned(grouped(level.bytes));
+        if (measured) {
+            ImGui::TableNextColumn();
+            if (level.psnr)
+                rightAligned(std::isinf(*level.psnr) ? tr("exact") : fmt::format("{:.1f} dB", *level.psnr));
+        }
+    }
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void drawMemoryTab(const Session& session, const Pictures& pictures) {
+    const std::optional<LevelsRequest> request = requestLevels(session);
+    if (!request)
+        return;
+    const std::shared_ptr<const LevelsSummary> summary = summaryOf(session, *request);
+    if (summary && summary->problem.empty())
+        drawSum(*boundTexture(session), *summary);
+    else if (summary) {
+        wrappedText(summary->problem, color::problem);
+    } else if (workers(session).levels->isCancelled(*request)) {
+        wrappedText("Making the levels was cancelled. The previous picture stays.");
+        if (ImGui::Button(label("Make them")))
+            act(session, [request](Session& changed) { workers(changed).levels->retry(*request); });
+        noteItem("memory:retry");
+    } else {
+        dimText("The levels are being made…");
+        noteItem("memory:waiting");
+    }
+    drawSentences(sentencesOf(session, pictures, summary.get()));
+    if (summary && !summary->report.levels.empty())
+        drawLevels(*summary, request->target);
+}
+
+} // namespace texplorer::ui
