@@ -20,45 +20,45 @@
 
 namespace texplorer::ui {
 
-/// Something that the host owns: through a const one only its const functions can be called.
+/// A reference to a service of the host: through a const one only its const functions can be called.
 template<class T>
-class Lent {
+class ServiceRef {
 public:
-    Lent(T& lent) // NOLINT(google-explicit-constructor): as a reference
-        : lent_(&lent) {}
-    Lent(T* lent = nullptr) // NOLINT(google-explicit-constructor): as a pointer; nullptr: there is none
-        : lent_(lent) {}
+    ServiceRef(T& service) // NOLINT(google-explicit-constructor): as a reference
+        : service_(&service) {}
+    ServiceRef(T* service = nullptr) // NOLINT(google-explicit-constructor): nullptr: none
+        : service_(service) {}
 
-    T* operator->() { return lent_; }
-    const T* operator->() const { return lent_; }
-    operator T&() { return *lent_; }            // NOLINT(google-explicit-constructor)
-    operator T*() { return lent_; }             // NOLINT(google-explicit-constructor)
-    operator const T*() const { return lent_; } // NOLINT(google-explicit-constructor)
+    T* operator->() { return service_; }
+    const T* operator->() const { return service_; }
+    operator T&() { return *service_; }            // NOLINT(google-explicit-constructor)
+    operator T*() { return service_; }             // NOLINT(google-explicit-constructor)
+    operator const T*() const { return service_; } // NOLINT(google-explicit-constructor)
 
 private:
-    T* lent_;
+    T* service_;
 };
 
 /// The workers of the window. Owned by the host; must outlive the session.
 struct Services {
-    Lent<Files> files;
-    Lent<LevelsWorker> levels;                ///< of the scene's textures
-    Lent<reference::DrawWorker> reference;    ///< of the reference's picture
-    Lent<reference::DrawWorker> kept;         ///< of its picture of the kept state A
-    Lent<reference::ProbeWorker> probe;       ///< of the pixel that is explained
-    Lent<reference::LevelMapWorker> levelMap; ///< of the levels that each pixel reads
-    Lent<PatternPictures> patterns;           ///< of the choice of patterns
-    Lent<LevelPictures> levelPictures;        ///< of the level shown in texture space
-    Lent<LessonWork> lessons;                 ///< of the open lesson
-    Lent<EnvironmentPictures> environments;   ///< of the table of environments
-    Lent<reference::ProbeWorker>
-        plainProbe;            ///< of the same pixel for that table, regardless of the texture's format
-    Lent<SheetPictures> sheet; ///< of the sheet of variations
-    Lent<emit::ProgramWorker> programs; ///< of the calls in the tab
-    Lent<FileWriting> writing;          ///< of sheets, animations and programs
-    Lent<UnsavedWork> unsaved{};        ///< nullptr: unsaved work is not kept
-    Lent<SettingsFile> settings{};      ///< nullptr: settings are not kept
-    Lent<Captures> captures{};          ///< nullptr: no pictures are written
+    ServiceRef<Files> files;
+    ServiceRef<LevelsWorker> levels;                ///< of the scene's textures
+    ServiceRef<reference::DrawWorker> reference;    ///< of the reference's picture
+    ServiceRef<reference::DrawWorker> kept;         ///< of its picture of the kept state A
+    ServiceRef<reference::ProbeWorker> probe;       ///< of the pixel that is explained
+    ServiceRef<reference::LevelMapWorker> levelMap; ///< of the levels that each pixel reads
+    ServiceRef<PatternPictures> patterns;           ///< of the choice of patterns
+    ServiceRef<LevelPictures> levelPictures;        ///< of the level shown in texture space
+    ServiceRef<LessonWork> lessons;                 ///< of the open lesson
+    ServiceRef<EnvironmentPictures> environments;   ///< of the table of environments
+    ServiceRef<reference::ProbeWorker>
+        plainProbe;                  ///< of the same pixel for that table, regardless of the texture's format
+    ServiceRef<SheetPictures> sheet; ///< of the sheet of variations
+    ServiceRef<emit::ProgramWorker> programs; ///< of the calls in the tab
+    ServiceRef<FileWriting> writing;          ///< of sheets, animations and programs
+    ServiceRef<UnsavedWork> unsaved{};        ///< nullptr: unsaved work is not kept
+    ServiceRef<SettingsFile> settings{};      ///< nullptr: settings are not kept
+    ServiceRef<Captures> captures{};          ///< nullptr: no pictures are written
 };
 
 /// The services of a window, which reads files with a `FilesKind`.

@@ -134,7 +134,7 @@ static_assert(
              &Services::levelMap, &Services::patterns, &Services::levelPictures, &Services::lessons,
              &Services::environments, &Services::plainProbe, &Services::sheet, &Services::programs,
              &Services::writing, &Services::unsaved, &Services::settings, &Services::captures>);
-static_assert(!std::is_convertible_v<const Lent<LevelsWorker>&, LevelsWorker&>);
+static_assert(!std::is_convertible_v<const ServiceRef<LevelsWorker>&, LevelsWorker&>);
 
 /// Any steps, undone and redone, lead to the same scenes.
 TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {
