@@ -35,9 +35,9 @@ LevelsRequest levelsOf(const Session& session, const Texture& texture, Target ta
 }
 
 std::optional<LevelsRequest> boundLevels(const Session& session) {
-    const Texture* texture = boundTexture(session);
-    const bool isLoaded = texture && session.document.images.find(*texture);
-    return isLoaded ? std::optional(levelsOf(session, *texture, selectedUnit(session).target)) : std::nullopt;
+    return boundImage(session)
+               ? std::optional(levelsOf(session, *boundTexture(session), selectedUnit(session).target))
+               : std::nullopt;
 }
 
 std::shared_ptr<const LevelsSummary> summaryOf(const Session& session, const LevelsRequest& request) {

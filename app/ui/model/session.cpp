@@ -163,4 +163,9 @@ const Texture* boundTexture(const Session& session) {
     return hasPass ? textureOf(scene, selectedUnit(session)) : nullptr;
 }
 
+std::shared_ptr<const TextureImage> boundImage(const Session& session) {
+    const Texture* texture = boundTexture(session);
+    return texture ? session.document.images.find(*texture) : nullptr;
+}
+
 } // namespace texplorer::ui

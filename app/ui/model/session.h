@@ -112,5 +112,7 @@ void resetToSaved(const Session& session);
 /// The texture bound to the selected unit, which is both used and edited as after glBindTexture. nullptr:
 /// none.
 [[nodiscard]] const Texture* boundTexture(const Session& session);
+/// Its image; nullptr: no texture, or it is not loaded.
+[[nodiscard]] std::shared_ptr<const TextureImage> boundImage(const Session& session);
 
 } // namespace texplorer::ui

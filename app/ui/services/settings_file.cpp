@@ -87,7 +87,7 @@ std::string writeChanges(const SettingsPlaces& places, const Settings& before, c
             places.settings,
             [](const std::string& text) {
                 std::vector<std::string> ignored; // they stay in the file
-                return parseKnownSettings(text, ignored).map([](const Settings&) {});
+                return parseSettings(text, ignored).map([](const Settings&) {});
             },
             [&](const std::string& there) { return mergeSettings(there, before, now); });
     if (before.recentFiles == now.recentFiles)
@@ -98,7 +98,7 @@ std::string writeChanges(const SettingsPlaces& places, const Settings& before, c
         places.recent,
         [&](const std::string& text) {
             std::vector<std::string> ignored;
-            return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> found) {
+            return parseRecentFiles(text, ignored).map([&](std::vector<fs::path> found) {
                 files = std::move(found);
             });
         },
@@ -153,7 +153,7 @@ Settings SettingsFile::read() {
         places_.settings,
         [&](const std::string& text) {
             std::vector<std::string> leftOut;
-            return parseKnownSettings(text, leftOut).map([&](Settings settings) {
+            return parseSettings(text, leftOut).map([&](Settings settings) {
                 told_ = std::move(settings);
                 problem = leftOutText(places_.settings, leftOut);
             });
@@ -163,7 +163,7 @@ Settings SettingsFile::read() {
         places_.recent,
         [&](const std::string& text) {
             std::vector<std::string> ignored; // lost recent files do not matter
-            return parseKnownFiles(text, ignored).map([&](std::vector<fs::path> files) {
+            return parseRecentFiles(text, ignored).map([&](std::vector<fs::path> files) {
                 told_.recentFiles = std::move(files);
             });
         },

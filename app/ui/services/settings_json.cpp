@@ -17,21 +17,20 @@ using SettingsJson = nlohmann::ordered_json;
 
 constexpr std::size_t maxPinned = 1000;
 
-/// A stored member. `read` returns what it expected if it does not accept the value.
+/// A stored member. `read` returns whether it accepts the value.
 struct SettingRow {
     const char* key;
     SettingsJson (*write)(const Settings& settings);
-    const char* (*read)(const SettingsJson& value, Settings& settings);
+    bool (*read)(const SettingsJson& value, Settings& settings);
 };
 
 template<bool Settings::*member>
 constexpr SettingRow switchRow(const char* key) {
     return {key, [](const Settings& settings) { return SettingsJson(settings.*member); },
-            [](const SettingsJson& value, Settings& settings) -> const char* {
-                if (!value.is_boolean())
-                    return "true or false";
-                settings.*member = value.get<bool>();
-                return nullptr;
+            [](const SettingsJson& value, Settings& settings) {
+                if (value.is_boolean())
+                    settings.*member = value.get<bool>();
+                return value.is_boolean();
             }};
 }
 
@@ -39,39 +38,39 @@ SettingsJson writeTheme(const Settings& settings) {
     return std::ranges::find(themeRows, settings.theme, &ThemeRow::theme)->name;
 }
 
-const char* readTheme(const SettingsJson& value, Settings& settings) {
+bool readTheme(const SettingsJson& value, Settings& settings) {
     const auto row = value.is_string()
                          ? std::ranges::find(themeRows, value.get<std::string>(), &ThemeRow::name)
                          : themeRows.end();
     if (row == themeRows.end())
-        return "the name of a theme";
+        return false;
     settings.theme = row->theme;
-    return nullptr;
+    return true;
 }
 
-const char* readLanguage(const SettingsJson& value, Settings& settings) {
+bool readLanguage(const SettingsJson& value, Settings& settings) {
     const auto row = value.is_string()
                          ? std::ranges::find(languageRows, value.get<std::string>(), &LanguageRow::name)
                          : languageRows.end();
     if (row == languageRows.end())
-        return "the name of a language";
+        return false;
     settings.language = row->language;
-    return nullptr;
+    return true;
 }
 
-const char* readTextPercent(const SettingsJson& value, Settings& settings) {
+bool readTextPercent(const SettingsJson& value, Settings& settings) {
     if (!value.is_number_integer() || value < Settings::minText || value > Settings::maxText)
-        return "a whole number from 75 to 250";
+        return false;
     settings.textPercent = value.get<int>();
-    return nullptr;
+    return true;
 }
 
-const char* readPinned(const SettingsJson& value, Settings& settings) {
+bool readPinned(const SettingsJson& value, Settings& settings) {
     const auto isText = [](const SettingsJson& each) { return each.is_string(); };
     if (!value.is_array() || value.size() > maxPinned || !std::ranges::all_of(value, isText))
-        return "a list of parameters";
+        return false;
     settings.pinned = value.get<std::vector<std::string>>();
-    return nullptr;
+    return true;
 }
 
 SettingsJson writeLessons(const Settings& settings) {
@@ -85,34 +84,33 @@ SettingsJson writeLessons(const Settings& settings) {
     return lessons;
 }
 
-const char* readLessons(const SettingsJson& value, Settings& settings) {
-    constexpr const char* expected = "of each lesson a list of steps, each true or false and two numbers";
+bool readLessons(const SettingsJson& value, Settings& settings) {
     if (!value.is_object() || value.size() > maxLessonsKept)
-        return expected;
+        return false;
     std::map<std::string, std::vector<StepRecord>> lessons;
     for (const auto& [name, steps] : value.items()) {
         if (!steps.is_array() || steps.size() > maxStepsKept)
-            return expected;
+            return false;
         for (const SettingsJson& step : steps) {
             const auto isWithin = [](const SettingsJson& each, int min, int max) {
                 return each.is_number_integer() && each >= min && each <= max;
             };
             if (!step.is_array() || step.size() != 3 || !step[0].is_boolean() ||
                 !isWithin(step[1], 0, maxTriesKept) || !isWithin(step[2], -1, maxTriesKept))
-                return expected;
+                return false;
             lessons[name].push_back({step[0].get<bool>(), step[1].get<int>(), step[2].get<int>()});
         }
     }
     settings.lessons = std::move(lessons);
-    return nullptr;
+    return true;
 }
 
-const char* readWorkspace(const SettingsJson& value, Settings& settings) {
-    Result<Workspace> workspace = parseWorkspace(value.dump());
+bool readWorkspace(const SettingsJson& value, Settings& settings) {
+    const std::optional<Workspace> workspace = parseWorkspace(value.dump());
     if (!workspace)
-        return "which panels are open, and where";
+        return false;
     settings.workspace = *workspace;
-    return nullptr;
+    return true;
 }
 
 constexpr std::array settingRows{
@@ -207,23 +205,7 @@ std::string writeSettings(const Settings& settings, std::string_view before) {
     return settingsText(object);
 }
 
-Result<Settings> parseSettings(std::string_view json) {
-    const Result<SettingsJson> object = parseObject(json);
-    if (!object)
-        return fail(object.error());
-    Settings settings;
-    for (const SettingRow& row : settingRows) {
-        const auto value = object->find(row.key);
-        if (value == object->end())
-            continue;
-        if (const char* expected = row.read(*value, settings))
-            return fail(ErrorCode::Malformed, fmt::format("expected {}", expected),
-                        fmt::format("/{}", row.key));
-    }
-    return settings;
-}
-
-Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut) {
+Result<Settings> parseSettings(std::string_view json, std::vector<std::string>& leftOut) {
     const Result<SettingsJson> object = parseObject(json);
     if (!object)
         return fail(object.error());
@@ -234,7 +216,7 @@ Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::stri
             continue;
         const auto isKnown = [&row](const SettingsJson& part) {
             Settings ignored;
-            return row.read(part, ignored) == nullptr;
+            return row.read(part, ignored);
         };
         if (const std::optional<SettingsJson> known =
                 knownPart(*value, isKnown, SettingsJson::json_pointer() / row.key, leftOut))
@@ -250,16 +232,8 @@ std::string writeRecentFiles(const Settings& settings) {
     return settingsText(list);
 }
 
-Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json) {
-    std::vector<std::string> leftOut;
-    Result<std::vector<std::filesystem::path>> files = parseKnownFiles(json, leftOut);
-    if (files && !leftOut.empty())
-        return fail(ErrorCode::Malformed, "expected a list of files", leftOut.front());
-    return files;
-}
-
-Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
-                                                           std::vector<std::string>& leftOut) {
+Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json,
+                                                            std::vector<std::string>& leftOut) {
     const Result<SettingsJson> list = parseText(json);
     if (!list)
         return fail(list.error());

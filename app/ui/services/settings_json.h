@@ -14,15 +14,10 @@ namespace texplorer::ui {
 [[nodiscard]] std::string writeSettings(const Settings& settings, std::string_view before = {});
 [[nodiscard]] std::string writeRecentFiles(const Settings& settings);
 
-/// Missing values are as in `Settings{}`; unknown keys are ignored. Fails, with the JSON pointer in
-/// Error::where, for invalid JSON, wrong types, and unknown names and sizes.
-[[nodiscard]] Result<Settings> parseSettings(std::string_view json);
-[[nodiscard]] Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json);
-
-/// The same, but skips invalid values and adds their JSON pointers to `leftOut`: they may be from a later
-/// version. Fails for invalid JSON and other documents.
-[[nodiscard]] Result<Settings> parseKnownSettings(std::string_view json, std::vector<std::string>& leftOut);
-[[nodiscard]] Result<std::vector<std::filesystem::path>> parseKnownFiles(std::string_view json,
-                                                                         std::vector<std::string>& leftOut);
+/// Missing values are as in `Settings{}`; unknown keys are ignored. Invalid values are skipped and their JSON
+/// pointers added to `leftOut`: they may be from a later version. Fails for invalid JSON and other documents.
+[[nodiscard]] Result<Settings> parseSettings(std::string_view json, std::vector<std::string>& leftOut);
+[[nodiscard]] Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json,
+                                                                          std::vector<std::string>& leftOut);
 
 } // namespace texplorer::ui

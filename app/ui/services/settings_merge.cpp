@@ -46,8 +46,7 @@ std::size_t countOfOpened(const std::vector<std::filesystem::path>& before,
 
 std::string mergeSettings(std::string_view file, const Settings& before, const Settings& now) {
     std::vector<std::string> ignored; // unknown values stay in the file
-    const Result<Settings> there =
-        file.empty() ? Result<Settings>(before) : parseKnownSettings(file, ignored);
+    const Result<Settings> there = file.empty() ? Result<Settings>(before) : parseSettings(file, ignored);
     Settings mine = now;
     if (there)
         mine.pinned = mergeLists(there->pinned, before.pinned, now.pinned);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/state/details_tabs.h"
-#include "texplorer/base/result.h"
 
 #include <array>
 #include <optional>
@@ -100,9 +99,8 @@ void chooseLayout(Workspace& workspace, const LayoutRow& row);
 /// As JSON, for the settings file; parseWorkspace(writeWorkspace(w)) == w if nothing is maximised.
 [[nodiscard]] std::string writeWorkspace(const Workspace& workspace);
 
-/// Missing values and tabs have their initial state; unknown keys are ignored. Fails, with the JSON pointer
-/// in Error::where, for invalid JSON, wrong types, unknown docks and tabs, and sizes that are not finite or
-/// below 0.
-[[nodiscard]] Result<Workspace> parseWorkspace(std::string_view json);
+/// Missing values and tabs have their initial state; unknown keys and the names of unknown front tabs are
+/// ignored. None: invalid JSON, wrong types, unknown docks, and sizes out of range.
+[[nodiscard]] std::optional<Workspace> parseWorkspace(std::string_view json);
 
 } // namespace texplorer::ui

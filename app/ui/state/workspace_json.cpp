@@ -1,6 +1,5 @@
 #include "app/ui/state/workspace.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -31,22 +30,6 @@ constexpr std::array seamRows{
     SeamRow{"below", &Seams::below, 1},
 };
 
-/// A value, and its JSON pointer.
-struct Place {
-    const WorkspaceJson& value;
-    std::string where{};
-};
-
-/// `words` end with a place for the value: hostile text may be deep or long.
-template<class... Accepted>
-Result<void> refuse(const Place& at, ErrorCode code, const char* words, const Accepted&... accepted) {
-    constexpr std::size_t maxShown = 40;
-    const std::string type = at.value.type_name();
-    const std::string text = at.value.is_primitive() ? at.value.dump() : type;
-    const std::string& found = text.size() > maxShown ? type : text;
-    return fail(code, fmt::format(fmt::runtime(words), accepted..., found), at.where);
-}
-
 /// The row with this name, among those that a reader knows.
 template<class Rows>
 const auto* rowNamed(const Rows& rows, const WorkspaceJson& name) {
@@ -56,70 +39,53 @@ const auto* rowNamed(const Rows& rows, const WorkspaceJson& name) {
     return found == rows.end() ? nullptr : &*found;
 }
 
-template<class Rows>
-std::string workspaceNames(const Rows& rows) {
-    std::string names;
-    for (const auto& row : rows)
-        names.append(names.empty() ? "" : ", ").append(row.name);
-    return names;
-}
-
-/// Reads the member of an object, if it has it.
+/// Whether `read` accepts the member of an object, if it has it.
 template<class Read>
-Result<void> readMember(const Place& object, std::string_view name, const Read& read) {
-    if (!object.value.is_object())
-        return refuse(object, ErrorCode::Malformed, "expected an object, found {}");
-    const auto member = object.value.find(name);
-    return member == object.value.end() ? Result<void>()
-                                        : read(Place{*member, fmt::format("{}/{}", object.where, name)});
+bool readMember(const WorkspaceJson& object, std::string_view name, const Read& read) {
+    if (!object.is_object())
+        return false;
+    const auto member = object.find(name);
+    return member == object.end() || read(*member);
 }
 
 /// The same for each row's member.
 template<class Rows, class Read>
-Result<void> readMembers(const Place& object, const Rows& rows, const Read& read) {
-    for (const auto& row : rows) {
-        const auto readRow = [&](const Place& at) { return read(row, at); };
-        if (Result<void> done = readMember(object, row.name, readRow); !done)
-            return done;
-    }
-    return {};
-}
-
-Result<void> readSwitch(const Place& at, bool& isOn) {
-    if (!at.value.is_boolean())
-        return refuse(at, ErrorCode::Malformed, "expected true or false, found {}");
-    isOn = at.value.get<bool>();
-    return {};
-}
-
-Result<void> readDock(const Place& at, Dock& dock) {
-    const DockRow* named = rowNamed(dockRows, at.value);
-    if (!named)
-        return refuse(at, ErrorCode::OutOfRange, "expected one of {}, found {}", workspaceNames(dockRows));
-    dock = named->dock;
-    return {};
-}
-
-Result<void> readTab(const Place& tab, TabPlace& place) {
-    return readMember(tab, "dock", [&](const Place& at) { return readDock(at, place.dock); }).and_then([&] {
-        return readMember(tab, "open", [&](const Place& at) { return readSwitch(at, place.open); });
+bool readMembers(const WorkspaceJson& object, const Rows& rows, const Read& read) {
+    return std::ranges::all_of(rows, [&](const auto& row) {
+        return readMember(object, row.name, [&](const WorkspaceJson& value) { return read(row, value); });
     });
 }
 
-Result<void> readFront(const Place& at, Tab& front) {
-    if (!at.value.is_string())
-        return refuse(at, ErrorCode::Malformed, "expected the name of a tab, found {}");
-    if (const TabRow* tab = rowNamed(tabRows, at.value)) // otherwise from another version
-        front = tab->tab;
-    return {};
+bool readSwitch(const WorkspaceJson& value, bool& isOn) {
+    if (value.is_boolean())
+        isOn = value.get<bool>();
+    return value.is_boolean();
 }
 
-Result<void> readSeam(const Place& at, float max, float& seam) {
-    const float number = at.value.is_number() ? at.value.get<float>() : -1;
-    if (!(number >= 0 && number <= max))
-        return refuse(at, ErrorCode::OutOfRange, "expected a number from 0 to {}, found {}", max);
-    seam = number;
-    return {};
+bool readDock(const WorkspaceJson& value, Dock& dock) {
+    const DockRow* named = rowNamed(dockRows, value);
+    if (named)
+        dock = named->dock;
+    return named != nullptr;
+}
+
+bool readTab(const WorkspaceJson& tab, TabPlace& place) {
+    return readMember(tab, "dock", [&](const WorkspaceJson& value) { return readDock(value, place.dock); }) &&
+           readMember(tab, "open", [&](const WorkspaceJson& value) { return readSwitch(value, place.open); });
+}
+
+bool readFront(const WorkspaceJson& value, Tab& front) {
+    if (const TabRow* tab = rowNamed(tabRows, value)) // otherwise from another version
+        front = tab->tab;
+    return value.is_string();
+}
+
+bool readSeam(const WorkspaceJson& value, float max, float& seam) {
+    const float number = value.is_number() ? value.get<float>() : -1;
+    const bool isWithin = number >= 0 && number <= max;
+    if (isWithin)
+        seam = number;
+    return isWithin;
 }
 
 } // namespace
@@ -139,34 +105,28 @@ std::string writeWorkspace(const Workspace& workspace) {
     return json.dump(2) + "\n";
 }
 
-Result<Workspace> parseWorkspace(std::string_view text) {
+std::optional<Workspace> parseWorkspace(std::string_view text) {
     const WorkspaceJson json = WorkspaceJson::parse(text, nullptr, false);
-    if (!json.is_object())
-        return fail(ErrorCode::Malformed,
-                    json.is_discarded() ? std::string("expected a JSON object, found no JSON")
-                                        : fmt::format("expected a JSON object, found {}", json.type_name()));
     Workspace workspace;
-    const Place whole{json};
     const auto part = [&](std::string_view name, const auto& rows, const auto& read) {
-        return readMember(whole, name, [&](const Place& at) { return readMembers(at, rows, read); });
+        return readMember(json, name,
+                          [&](const WorkspaceJson& value) { return readMembers(value, rows, read); });
     };
-    const auto shown = [&](const ShownRow& row, const Place& at) {
-        return readSwitch(at, workspace.*row.member);
+    const auto shown = [&](const ShownRow& row, const WorkspaceJson& value) {
+        return readSwitch(value, workspace.*row.member);
     };
-    const auto tab = [&](const TabRow& row, const Place& at) {
-        return readTab(at, workspace.tabs[static_cast<std::size_t>(row.tab)]);
+    const auto tab = [&](const TabRow& row, const WorkspaceJson& value) {
+        return readTab(value, workspace.tabs[static_cast<std::size_t>(row.tab)]);
     };
-    const auto front = [&](const DockRow& row, const Place& at) {
-        return readFront(at, workspace.front[static_cast<std::size_t>(row.dock)]);
+    const auto front = [&](const DockRow& row, const WorkspaceJson& value) {
+        return readFront(value, workspace.front[static_cast<std::size_t>(row.dock)]);
     };
-    const auto seam = [&](const SeamRow& row, const Place& at) {
-        return readSeam(at, row.max, workspace.seams.*row.member);
+    const auto seam = [&](const SeamRow& row, const WorkspaceJson& value) {
+        return readSeam(value, row.max, workspace.seams.*row.member);
     };
-    return readMembers(whole, shownRows, shown)
-        .and_then([&] { return part("tabs", tabRows, tab); })
-        .and_then([&] { return part("front", dockRows, front); })
-        .and_then([&] { return part("seams", seamRows, seam); })
-        .map([&] { return workspace; });
+    const bool isKnown = readMembers(json, shownRows, shown) && part("tabs", tabRows, tab) &&
+                         part("front", dockRows, front) && part("seams", seamRows, seam);
+    return isKnown ? std::optional(workspace) : std::nullopt;
 }
 
 } // namespace texplorer::ui

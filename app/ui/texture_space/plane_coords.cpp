@@ -19,9 +19,8 @@ bool generatesAny(const Unit& unit) {
 }
 
 LateFlip flipOfBound(const Session& session, const Unit& unit) {
-    const Texture* texture = boundTexture(session);
-    const auto image = texture ? session.document.images.find(*texture) : nullptr;
-    return image ? lateFlipOf(*texture, *image, unit.target) : LateFlip::None;
+    const auto image = boundImage(session);
+    return image ? lateFlipOf(*boundTexture(session), *image, unit.target) : LateFlip::None;
 }
 
 } // namespace

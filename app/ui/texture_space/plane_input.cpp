@@ -67,8 +67,7 @@ Snapping snappingNow(const TextureSpaceState& state) {
 TexelCounts texelsOf(const Session& session, const TextureSpaceState& state) {
     if (state.level.picture() && state.look.level != 0)
         return {state.level.picture()->width, state.level.picture()->height};
-    const Texture* texture = boundTexture(session);
-    const auto image = texture ? session.document.images.find(*texture) : nullptr;
+    const auto image = boundImage(session);
     if (!image || image->surfaces.empty())
         return {1, 1};
     const Surface& base = image->surfaces.front();

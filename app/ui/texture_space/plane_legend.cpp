@@ -28,7 +28,7 @@ float legendPad() {
 /// The texture's size in OpenGL, which may differ from the image's: "64 × 64", "64 × 1", "32 × 32 × 32", "6
 /// faces of 128 × 128". Empty: not known yet.
 std::string extentsOf(const Session& session) {
-    const std::optional<glm::ivec3> texels = firstExtentOfBound(session);
+    const std::optional<glm::ivec3> texels = extentOfBound(session);
     if (!texels)
         return {};
     const std::string extents = fmt::format("{} × {}", texels->x, texels->y);
@@ -63,8 +63,7 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, Pla
 } // namespace
 
 PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImVec2 corner, float room) {
-    const Texture* texture = boundTexture(session);
-    const auto image = texture ? session.document.images.find(*texture) : nullptr;
+    const auto image = boundImage(session);
     PlaneLegend legend;
     legend.extents = image ? extentsOf(session) : std::string("no texture");
     if (state.legend)

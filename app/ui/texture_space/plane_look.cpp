@@ -2,6 +2,7 @@
 
 #include "app/ui/model/level_view.h"
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -40,16 +41,19 @@ std::vector<int> levelsOfBound(const Session& session) {
     return numbers;
 }
 
-std::optional<glm::ivec3> firstExtentOfBound(const Session& session) {
+std::optional<glm::ivec3> extentOfBound(const Session& session, std::optional<int> level) {
     const std::optional<LevelsRequest> request = boundLevels(session);
     const auto summary = request ? summaryOf(session, *request) : nullptr;
-    if (!summary || summary->report.levels.empty())
+    if (!summary)
         return std::nullopt;
-    const LevelReport& first = summary->report.levels.front();
+    const std::vector<LevelReport>& levels = summary->report.levels;
+    const auto found = level ? std::ranges::find(levels, *level, &LevelReport::number) : levels.begin();
+    if (found == levels.end())
+        return std::nullopt;
     const int border = boundTexture(session)->border != 0 ? 2 : 0; // it belongs to the level
     const Target target = request->target;
-    return glm::ivec3(first.width - border, target == Target::Texture1D ? 1 : first.height - border,
-                      target == Target::Texture3D ? first.depth - border : 1);
+    return glm::ivec3(found->width - border, target == Target::Texture1D ? 1 : found->height - border,
+                      target == Target::Texture3D ? found->depth - border : 1);
 }
 
 } // namespace texplorer::ui

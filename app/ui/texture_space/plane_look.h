@@ -72,8 +72,8 @@ private:
 /// The numbers of the bound texture's levels; empty if not known yet.
 [[nodiscard]] std::vector<int> levelsOfBound(const Session& session);
 
-/// The extent of the bound texture's first level as passed to OpenGL, without a border: width, height and
-/// depth. None: not known yet, or there are no levels.
-[[nodiscard]] std::optional<glm::ivec3> firstExtentOfBound(const Session& session);
+/// The extent of a level of the bound texture, its first one by default, as passed to OpenGL, without a
+/// border: width, height and depth. None: not known yet, or there is no such level.
+[[nodiscard]] std::optional<glm::ivec3> extentOfBound(const Session& session, std::optional<int> level = {});
 
 } // namespace texplorer::ui

@@ -1,7 +1,7 @@
 #include "app/ui/texture_space/texel_marks.h"
 
 #include "app/ui/model/explaining.h"
-#include "app/ui/model/level_view.h"
+#include "app/ui/texture_space/plane_look.h"
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
@@ -130,21 +130,6 @@ reference::TexelPlace texelOf(const Texture& texture, Target target, const Level
     return {patch.level, {index.x, index.y, face}};
 }
 
-/// The extent of a level of the bound texture.
-std::optional<glm::ivec2> extentOf(const Session& session, int level) {
-    const std::optional<LevelsRequest> request = boundLevels(session);
-    const auto summary = request ? summaryOf(session, *request) : nullptr;
-    if (!summary)
-        return std::nullopt;
-    const auto found = std::ranges::find(summary->report.levels, level, &LevelReport::number);
-    if (found == summary->report.levels.end())
-        return std::nullopt;
-    // The report includes a border in the level, the indices of texels begin after it.
-    const int border = boundTexture(session)->border != 0 ? 2 : 0;
-    const bool flat = request->target == Target::Texture1D;
-    return glm::ivec2(found->width - border, flat ? 1 : found->height - border);
-}
-
 /// The selected texel, if it belongs to the selected unit.
 std::optional<reference::TexelPlace> askedTexel(const Session& session) {
     const std::optional<reference::TexelQuestion>& asked = session.look.explaining.texel;
@@ -199,11 +184,11 @@ void markCells(const Session& session, ImDrawList& draw, const Texture& texture,
 void chooseInPlane(const Session& session, const Canvas& canvas, const Texture& texture,
                    const reference::UnitExplanation* unit) {
     const int level = unit ? heaviestPatch(*unit).level : texture.baseLevel;
-    const std::optional<glm::ivec2> extent = extentOf(session, level);
+    const std::optional<glm::ivec3> extent = extentOfBound(session, level);
     if (!extent)
         return;
     const glm::vec2 at = canvas.toCoord(ImGui::GetIO().MousePos) * glm::vec2(*extent);
-    act(session, [texel = texelAt(texture, selectedUnit(session).target, level, *extent,
+    act(session, [texel = texelAt(texture, selectedUnit(session).target, level, glm::ivec2(*extent),
                                   {reference::floorToInt(at.x), reference::floorToInt(at.y)},
                                   0)](Session& s) { chooseTexel(s, texel); });
 }
@@ -229,9 +214,9 @@ void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canv
         noteDrawn("texel marks", marks.low, marks.high);
     }
     if (const auto asked = askedTexel(session); asked && !isCube) {
-        if (const auto extent = extentOf(session, asked->level)) {
-            drawTexel(draw, canvas, glm::ivec2(asked->index), *extent, color::chosen);
-            drawFlag(draw, texelBox(canvas, glm::ivec2(asked->index), *extent));
+        if (const auto extent = extentOfBound(session, asked->level)) {
+            drawTexel(draw, canvas, glm::ivec2(asked->index), glm::ivec2(*extent), color::chosen);
+            drawFlag(draw, texelBox(canvas, glm::ivec2(asked->index), glm::ivec2(*extent)));
         }
     }
     for (const Inset& inset : insets) {

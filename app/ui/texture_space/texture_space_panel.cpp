@@ -60,7 +60,7 @@ void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session,
                  const Pictures& pictures) {
     const auto drawGround = [&] { draw.AddRectFilled(canvas.low, canvas.high, color::ground); };
     const Texture* texture = boundTexture(session);
-    const auto image = texture ? session.document.images.find(*texture) : nullptr;
+    const auto image = boundImage(session);
     if (!image || image->surfaces.empty())
         return drawGround();
     const TilePicture shown = tilePicture(state, pictures, *texture, image);

@@ -16,6 +16,7 @@ namespace {
 using namespace ui;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 Settings unusual() {
     Settings settings;
@@ -30,60 +31,68 @@ Settings unusual() {
     return settings;
 }
 
+/// All values must be known.
+Settings settingsIn(std::string_view text) {
+    std::vector<std::string> leftOut;
+    Settings settings = parseSettings(text, leftOut).value();
+    EXPECT_THAT(leftOut, IsEmpty());
+    return settings;
+}
+
 TEST(Settings, ComeBackFromTheirText) {
-    EXPECT_EQ(parseSettings(writeSettings(unusual())).value(), unusual());
-    EXPECT_EQ(parseSettings(writeSettings({})).value(), Settings{});
-    EXPECT_EQ(parseSettings("{}").value(), Settings{});
+    EXPECT_EQ(settingsIn(writeSettings(unusual())), unusual());
+    EXPECT_EQ(settingsIn(writeSettings({})), Settings{});
+    EXPECT_EQ(settingsIn("{}"), Settings{});
 }
 
 TEST(Settings, KeepWhatALaterVersionWrote) {
     const std::string text = writeSettings(unusual(), R"({"fromLater": [1, 2], "theme": "light"})");
     EXPECT_THAT(text, HasSubstr("fromLater"));
-    EXPECT_EQ(parseSettings(text).value().theme, Theme::HighContrast);
+    EXPECT_EQ(settingsIn(text).theme, Theme::HighContrast);
 }
 
-struct Refused {
+TEST(Settings, AreRefusedIfTheyAreNoObject) {
+    std::vector<std::string> leftOut;
+    for (const std::string_view text : {"", "[1]", "{\"theme\"", R"({"textPercent": 1e400})"})
+        EXPECT_FALSE(parseSettings(text, leftOut)) << text;
+    EXPECT_EQ(parseSettings({"{}\0{}", 5}, leftOut).error().where, "line 1");
+    EXPECT_FALSE(parseSettings(std::string(100'000, '['), leftOut));
+}
+
+struct Unknown {
     std::string_view text;
     const char* where;
 };
 
 TEST(Settings, SayWhereTheyAreWrong) {
-    for (const Refused& row : {Refused{"", ""},
-                               Refused{"[1]", ""},
-                               Refused{"{\"theme\"", ""},
-                               Refused{R"({"theme": "pink"})", "/theme"},
-                               Refused{R"({"theme": 3})", "/theme"},
-                               Refused{R"({"textPercent": 74})", "/textPercent"},
-                               Refused{R"({"textPercent": 251})", "/textPercent"},
-                               Refused{R"({"textPercent": 1e400})", ""},
-                               Refused{{"{}\0{}", 5}, "line 1"},
-                               Refused{R"({"textPercent": "big"})", "/textPercent"},
-                               Refused{R"({"glNames": 1})", "/glNames"},
-                               Refused{R"({"pinned": [1]})", "/pinned"},
-                               Refused{R"({"lessons": []})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": 3}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [true]}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [[true, 1]]}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [[1, 1, 1]]}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [[true, -1, 1]]}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [[true, 1e300, 1]]}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [[true, 99999999999999, 1]]}})", "/lessons"},
-                               Refused{R"({"lessons": {"wrap": [[true, 1, -2]]}})", "/lessons"},
-                               Refused{R"({"workspace": []})", "/workspace"}}) {
-        const Result<Settings> read = parseSettings(row.text);
-        ASSERT_FALSE(read) << row.text;
-        EXPECT_EQ(read.error().where, row.where) << row.text;
+    for (const Unknown& row :
+         {Unknown{R"({"theme": "pink"})", "/theme"}, Unknown{R"({"theme": 3})", "/theme"},
+          Unknown{R"({"textPercent": 74})", "/textPercent"},
+          Unknown{R"({"textPercent": 251})", "/textPercent"},
+          Unknown{R"({"textPercent": "big"})", "/textPercent"}, Unknown{R"({"glNames": 1})", "/glNames"},
+          Unknown{R"({"pinned": [1]})", "/pinned/0"}, Unknown{R"({"lessons": []})", "/lessons"},
+          Unknown{R"({"lessons": {"wrap": 3}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [true]}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [[true, 1]]}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [[1, 1, 1]]}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [[true, -1, 1]]}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [[true, 1e300, 1]]}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [[true, 99999999999999, 1]]}})", "/lessons/wrap"},
+          Unknown{R"({"lessons": {"wrap": [[true, 1, -2]]}})", "/lessons/wrap"},
+          Unknown{R"({"workspace": []})", "/workspace"}}) {
+        std::vector<std::string> leftOut;
+        EXPECT_EQ(parseSettings(row.text, leftOut).value(), Settings{}) << row.text;
+        EXPECT_THAT(leftOut, ElementsAre(row.where)) << row.text;
     }
-    EXPECT_FALSE(parseSettings(std::string(100'000, '[')));
 }
 
 TEST(Settings, OneThatIsNotKnownIsLeftOutAlone) {
     std::vector<std::string> leftOut;
-    const Settings settings = parseKnownSettings(R"({"theme": "pink", "textPercent": 150, "glNames": 1,
+    const Settings settings = parseSettings(R"({"theme": "pink", "textPercent": 150, "glNames": 1,
         "pinned": ["a", 3, "b"],
         "lessons": {"wrap": [[true, 3, 1]], "odd": [[true, 1, 1], [2]]},
         "workspace": {"tabs": {"vertices": {"open": true}, "commands": {"dock": "moon"}}, "seams": 7}})",
-                                                 leftOut)
+                                            leftOut)
                                   .value();
     Settings expected;
     expected.textPercent = 150;
@@ -93,8 +102,6 @@ TEST(Settings, OneThatIsNotKnownIsLeftOutAlone) {
     EXPECT_EQ(settings, expected);
     EXPECT_THAT(leftOut, ElementsAre("/theme", "/glNames", "/pinned/1", "/lessons/odd",
                                      "/workspace/tabs/commands/dock", "/workspace/seams"));
-    EXPECT_FALSE(parseKnownSettings("[]", leftOut));
-    EXPECT_FALSE(parseKnownSettings("{", leftOut));
 }
 
 TEST(RecentFiles, ComeFirstWhenTheyAreOpened) {
@@ -108,13 +115,17 @@ TEST(RecentFiles, ComeFirstWhenTheyAreOpened) {
         rememberFile(settings, "/" + std::to_string(i));
     EXPECT_EQ(settings.recentFiles.size(), maxRecentFiles);
     EXPECT_EQ(settings.recentFiles.front(), "/19");
-    EXPECT_EQ(parseRecentFiles(writeRecentFiles(settings)).value(), settings.recentFiles);
+    std::vector<std::string> leftOut;
+    EXPECT_EQ(parseRecentFiles(writeRecentFiles(settings), leftOut).value(), settings.recentFiles);
+    EXPECT_THAT(leftOut, IsEmpty());
 }
 
 TEST(RecentFiles, RefuseWhatIsNoListOfThem) {
-    EXPECT_FALSE(parseRecentFiles("{}"));
-    EXPECT_FALSE(parseRecentFiles("[1]"));
-    EXPECT_FALSE(parseRecentFiles("["));
+    std::vector<std::string> leftOut;
+    EXPECT_FALSE(parseRecentFiles("{}", leftOut));
+    EXPECT_FALSE(parseRecentFiles("[", leftOut));
+    EXPECT_THAT(parseRecentFiles(R"([1, "/a"])", leftOut).value(), ElementsAre("/a"));
+    EXPECT_THAT(leftOut, ElementsAre("/0"));
 }
 
 /// On a clock that a test sets.

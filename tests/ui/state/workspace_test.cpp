@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+
 namespace texplorer::ui::workspace_test {
 namespace {
 
@@ -76,9 +79,7 @@ TEST(Workspace, IsTheSameAfterItWasWrittenAndRead) {
         moveTab(workspace, Tab::Memory, Dock::Right);
         closeTab(workspace, Tab::File);
         workspace.seams = {300.5F, 400, 0.25F, 0.75F};
-        const Result<Workspace> read = parseWorkspace(writeWorkspace(workspace));
-        ASSERT_TRUE(read) << describe(read.error());
-        EXPECT_EQ(*read, workspace) << row.name;
+        EXPECT_EQ(parseWorkspace(writeWorkspace(workspace)), workspace) << row.name;
     }
 }
 
@@ -86,7 +87,7 @@ TEST(Workspace, WhatJsonLeavesOutIsAsAtTheStart) {
     EXPECT_EQ(parseWorkspace("{}"), Workspace{});
     EXPECT_EQ(parseWorkspace(R"({"tabs": {"of another version": {"dock": "left"}}, "unknown": [1]})"),
               Workspace{});
-    const Result<Workspace> read = parseWorkspace(
+    const std::optional<Workspace> read = parseWorkspace(
         R"({"parameters": false, "tabs": {"memory": {"dock": "right"}}, "seams": {"split": 0.5}})");
     ASSERT_TRUE(read);
     EXPECT_FALSE(read->parameters);
@@ -95,52 +96,15 @@ TEST(Workspace, WhatJsonLeavesOutIsAsAtTheStart) {
     EXPECT_EQ(read->seams.split, 0.5F);
 }
 
-struct BadCase {
-    const char* name;
-    const char* json;
-    const char* where;
-    const char* message;
-};
-class BadWorkspace : public testing::TestWithParam<BadCase> {};
-
-TEST_P(BadWorkspace, IsRefusedWithAPlace) {
-    const Result<Workspace> read = parseWorkspace(GetParam().json);
-    ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().where, GetParam().where);
-    EXPECT_EQ(read.error().message, GetParam().message);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Texts, BadWorkspace,
-    testing::Values(BadCase{"NoJson", "{", "", "expected a JSON object, found no JSON"},
-                    BadCase{"NoObject", "[]", "", "expected a JSON object, found array"},
-                    BadCase{"NoBoolean", R"({"textureSpace": 1})", "/textureSpace",
-                            "expected true or false, found 1"},
-                    BadCase{"NoTabs", R"({"tabs": [[[]]]})", "/tabs", "expected an object, found array"},
-                    BadCase{"NoTab", R"({"tabs": {"file": "right"}})", "/tabs/file",
-                            R"(expected an object, found "right")"},
-                    BadCase{"NoDock", R"({"tabs": {"file": {"dock": "left"}}})", "/tabs/file/dock",
-                            R"(expected one of right, below, found "left")"},
-                    BadCase{"NotOpenOrClosed", R"({"tabs": {"file": {"open": null}}})", "/tabs/file/open",
-                            "expected true or false, found null"},
-                    BadCase{"NoFront", R"({"front": {"right": 3}})", "/front/right",
-                            "expected the name of a tab, found 3"},
-                    BadCase{"Negative", R"({"seams": {"details": -1}})", "/seams/details",
-                            "expected a number from 0 to 100000, found -1"},
-                    BadCase{"MoreThanAll", R"({"seams": {"below": 1.5}})", "/seams/below",
-                            "expected a number from 0 to 1, found 1.5"},
-                    BadCase{"NoNumber", R"({"seams": {"split": "half"}})", "/seams/split",
-                            R"(expected a number from 0 to 1, found "half")"}),
-    [](const auto& test) { return test.param.name; });
-
-TEST(Workspace, OfADeepOrLongTextIsRefusedWithAShortSentence) {
+TEST(Workspace, IsRefusedAsAWhole) {
+    for (const char* json :
+         {"{", "[]", R"({"textureSpace": 1})", R"({"tabs": [[[]]]})", R"({"tabs": {"file": "right"}})",
+          R"({"tabs": {"file": {"dock": "left"}}})", R"({"tabs": {"file": {"open": null}}})",
+          R"({"front": {"right": 3}})", R"({"seams": {"details": -1}})", R"({"seams": {"below": 1.5}})",
+          R"({"seams": {"split": "half"}})"})
+        EXPECT_EQ(parseWorkspace(json), std::nullopt) << json;
     const std::string deep = R"({"tabs": )" + std::string(20000, '[') + std::string(20000, ']') + "}";
-    const Result<Workspace> read = parseWorkspace(deep);
-    ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "expected an object, found array");
-    const Result<Workspace> longName = parseWorkspace(R"({"tabs": ")" + std::string(100000, 'x') + R"("})");
-    ASSERT_FALSE(longName);
-    EXPECT_EQ(longName.error().message, "expected an object, found string");
+    EXPECT_EQ(parseWorkspace(deep), std::nullopt);
 }
 
 TEST(Layouts, KeepALessonThatIsOpen) {
