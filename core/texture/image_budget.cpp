@@ -19,16 +19,15 @@ Error beyondBudget(std::size_t needed, std::size_t left) {
             {}};
 }
 
-Result<TextureImage> decodeWithin(ByteView file, std::size_t left, Decoding decoding) {
-    DecodeLimits limits;
-    limits.pixels = false;
-    Result<TextureImage> outline =
-        decoding == Decoding::Outline ? outlineTexture(file, dissect(file)) : decodeTexture(file, limits);
+Result<TextureImage> decodeWithin(ByteView file, std::size_t left, Decoding decoding,
+                                  const std::stop_token* stop) {
+    Result<TextureImage> outline = decoding == Decoding::Outline ? outlineTexture(file, dissect(file))
+                                                                 : decodeTexture(file, {.pixels = false});
     if (!outline)
         return outline;
     if (const std::size_t needed = byteCount(*outline); needed > left)
         return fail(beyondBudget(needed, left));
-    return decoding == Decoding::Outline ? std::move(outline) : decodeTexture(file);
+    return decoding == Decoding::Outline ? std::move(outline) : decodeTexture(file, {.stop = stop});
 }
 
 } // namespace texplorer

@@ -22,8 +22,9 @@ inline constexpr std::size_t sceneImageBytes = DecodeLimits{}.maxBytes;
 enum class Decoding : bool { Outline, Pixels };
 
 /// decodeTexture, if the image needs at most `left` bytes of sceneImageBytes, which is checked before memory
-/// for its pixels is allocated. Errors: those of decodeTexture, and beyondBudget.
+/// for its pixels is allocated. `stop`: as in DecodeLimits. Errors: those of decodeTexture, and beyondBudget.
 [[nodiscard]] Result<TextureImage> decodeWithin(ByteView file, std::size_t left,
-                                                Decoding decoding = Decoding::Pixels);
+                                                Decoding decoding = Decoding::Pixels,
+                                                const std::stop_token* stop = nullptr);
 
 } // namespace texplorer

@@ -17,14 +17,19 @@ namespace {
 using Content = ImageLoader::Content;
 using Wanted = ImageLoader::Wanted;
 
-constexpr DecodeLimits thumbnailLimits{
-    .maxExtent = 8192, .maxPixels = std::size_t{32} << 20, .maxBytes = std::size_t{256} << 20};
+DecodeLimits thumbnailLimits(const std::stop_token& stop) {
+    return {.maxExtent = 8192,
+            .maxPixels = std::size_t{32} << 20,
+            .maxBytes = std::size_t{256} << 20,
+            .stop = &stop};
+}
 
 constexpr FailureWords loadingFailure{"not enough memory for what it holds", "can't be loaded"};
 
 /// `decoding` is called when the file is read.
 Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size_t left,
-                     const ReadObserver& observer, const std::function<void()>& decoding) {
+                     const std::stop_token& stop, const ReadObserver& observer,
+                     const std::function<void()>& decoding) {
     const std::size_t maxBytes =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
     Result<Content> content = tried(loadingFailure, [&]() -> Result<Content> {
@@ -36,8 +41,8 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
         if (wanted == Wanted::Anatomy)
             return dissectFile(std::move(*bytes));
         const bool small = wanted == Wanted::Thumbnail;
-        Result<TextureImage> texture =
-            small ? decodeTexture(*bytes, thumbnailLimits) : decodeWithin(*bytes, left);
+        Result<TextureImage> texture = small ? decodeTexture(*bytes, thumbnailLimits(stop))
+                                             : decodeWithin(*bytes, left, Decoding::Pixels, &stop);
         if (!texture)
             return fail(texture.error());
         if (small)
@@ -115,7 +120,7 @@ std::optional<ImageLoader::Loaded> ImageLoader::State::load(const Loading::Task&
         progress.step = Step::Decoding;
         task.report(progress);
     };
-    return Loaded{job.ticket, job.path, work(job.path, job.wanted, left(), reading, decoding)};
+    return Loaded{job.ticket, job.path, work(job.path, job.wanted, left(), task.stop(), reading, decoding)};
 }
 
 ImageLoader::ImageLoader(std::function<void()> wake)
@@ -149,7 +154,7 @@ void ImageLoader::wait() const {
 }
 
 Result<ImageLoader::Content> loadNow(const std::filesystem::path& path, ImageLoader::Wanted wanted) {
-    return work(path, wanted, sceneImageBytes, {}, {});
+    return work(path, wanted, sceneImageBytes, {}, {}, {});
 }
 
 } // namespace texplorer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 
 namespace texplorer {
 
@@ -17,6 +18,10 @@ struct DecodeLimits {
     /// Whether to read every layer of an array and the data that is not pixels (TextureImage::parts), for
     /// writing the file again. If false, only the first layer of an array is read.
     bool everything = false;
+    /// If given, PNG and JPEG fail with Cancelled soon after its request. It must outlive the call.
+    const std::stop_token* stop = nullptr;
+
+    [[nodiscard]] bool isStopped() const { return stop != nullptr && stop->stop_requested(); }
 };
 
 } // namespace texplorer

@@ -116,7 +116,7 @@ Image rgbOfCmyk(Image image, bool inverted) {
 }
 
 Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimits& limits) {
-    JpegReader reader(file);
+    JpegReader reader(file, limits);
     const Result<JpegReader::Header> header = reader.readHeader();
     if (!header)
         return fail(inJpeg(header.error()));

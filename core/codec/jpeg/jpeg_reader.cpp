@@ -27,8 +27,9 @@ Error unreadableComponents(std::size_t count) {
             {}};
 }
 
-JpegReader::JpegReader(ByteView file)
-    : file_(file) {
+JpegReader::JpegReader(ByteView file, const DecodeLimits& limits)
+    : file_(file)
+    , limits_(limits) {
     jpeg_.err = jpeg_std_error(&errors_);
     errors_.error_exit = onError;
     errors_.emit_message = onMessage;
@@ -76,6 +77,8 @@ void JpegReader::onMessage(j_common_ptr jpeg, int level) {
 
 void JpegReader::onProgress(j_common_ptr jpeg) {
     JpegReader& reader = readerOf(jpeg);
+    if (reader.limits_.isStopped())
+        std::longjmp(reader.failed_, 1); // NOLINT
     if (reader.jpeg_.input_scan_number <= maxScans)
         return;
     try {
@@ -87,6 +90,8 @@ void JpegReader::onProgress(j_common_ptr jpeg) {
 }
 
 Error JpegReader::failure() const {
+    if (limits_.isStopped())
+        return {ErrorCode::Cancelled, "decoding was cancelled", {}};
     if (outOfMemory_)
         return {ErrorCode::TooLarge, "not enough memory for the decoder", {}};
     return {ErrorCode::Malformed, error_, {}};

@@ -4,6 +4,7 @@
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
+#include "texplorer/codec/common/decode_limits.h"
 #include "texplorer/image/image.h"
 
 #include <csetjmp>
@@ -21,8 +22,8 @@ namespace texplorer {
 /// Reads one file: `readHeader`, then `readPixels`. After an error, no more calls.
 class JpegReader {
 public:
-    /// `file` must outlive the reader.
-    explicit JpegReader(ByteView file);
+    /// `file` and `limits`, of which `stop` is used, must outlive the reader.
+    JpegReader(ByteView file, const DecodeLimits& limits);
     JpegReader(const JpegReader&) = delete;
     JpegReader& operator=(const JpegReader&) = delete;
     ~JpegReader();
@@ -57,6 +58,7 @@ private:
     [[nodiscard]] Error failure() const;
 
     ByteView file_;
+    const DecodeLimits& limits_;
     jpeg_decompress_struct jpeg_{};
     jpeg_error_mgr errors_{};
     jpeg_progress_mgr progress_{};

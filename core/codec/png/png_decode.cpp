@@ -134,7 +134,7 @@ struct Decoder {
     ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
 
     bool start(const DecodeLimits& limits) noexcept;
-    bool readPixels(std::byte* topRow, std::size_t rowBytes, png_uint_32 height) noexcept;
+    bool readPixels(Image& image, const DecodeLimits& limits) noexcept;
 };
 
 Decoder& decoderOf(png_voidp pointer) {
@@ -206,13 +206,15 @@ bool Decoder::start(const DecodeLimits& limits) noexcept {
     return true;
 }
 
-bool Decoder::readPixels(std::byte* topRow, std::size_t rowBytes, png_uint_32 height) noexcept {
+bool Decoder::readPixels(Image& image, const DecodeLimits& limits) noexcept {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
     for (int passes = png_set_interlace_handling(png); passes > 0; --passes) {
-        auto* row = reinterpret_cast<png_bytep>(topRow);
-        for (png_uint_32 y = 0; y < height; ++y, row -= rowBytes)
-            png_read_row(png, row, nullptr);
+        for (int y = image.height - 1; y >= 0; --y) {
+            if (limits.isStopped())
+                return false;
+            png_read_row(png, reinterpret_cast<png_bytep>(image.at(0, y).data()), nullptr);
+        }
     }
     png_read_end(png, nullptr);
     return true;
@@ -260,8 +262,9 @@ Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& lim
                                      png_get_rowbytes(decoder.png, decoder.info), image.rowBytes()));
     if (limits.pixels) {
         image.pixels.resize(image.byteCount());
-        if (!decoder.readPixels(image.at(0, image.height - 1).data(), image.rowBytes(), found.header.height))
-            return failure(decoder);
+        if (!decoder.readPixels(image, limits))
+            return limits.isStopped() ? fail(ErrorCode::Cancelled, "PNG: decoding was cancelled")
+                                      : failure(decoder);
     }
 
     TextureImage texture = textureOf(std::move(image), "PNG");

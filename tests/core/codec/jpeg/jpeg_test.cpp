@@ -110,6 +110,11 @@ TEST_F(JpegFiles, LimitsAreTheCallersToSay) {
               "JPEG: at most 34 pixels are read, the file has 35");
     EXPECT_EQ(decodeJpeg(file, {.maxBytes = 104}).error().message,
               "JPEG: at most 104 bytes of pixels are read, the file has 105");
+    std::stop_source source;
+    const std::stop_token stop = source.get_token();
+    EXPECT_TRUE(decodeJpeg(file, {.stop = &stop}));
+    source.request_stop();
+    EXPECT_EQ(decodeJpeg(file, {.stop = &stop}).error().code, ErrorCode::Cancelled);
 }
 
 TEST_F(JpegFiles, WithStrayBytesAreReadAndTheyAreNoted) {

@@ -194,6 +194,11 @@ TEST(PngDecode, LimitsAreTheCallersToSay) {
               "PNG: at most 5 pixels are read, the file has 6");
     EXPECT_EQ(decodePng(file, {.maxBytes = 17}).error().message,
               "PNG: at most 17 bytes of pixels are read, the file has 18");
+    std::stop_source source;
+    const std::stop_token stop = source.get_token();
+    EXPECT_TRUE(decodePng(file, {.stop = &stop}));
+    source.request_stop();
+    EXPECT_EQ(decodePng(file, {.stop = &stop}).error().code, ErrorCode::Cancelled);
 }
 
 TEST(PngDecode, GammaChangesNoPixel) {
