@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace texplorer::lesson {
 namespace {
@@ -146,6 +147,17 @@ void checkKeys(const std::vector<LessonKey>& keys, const std::vector<Scene>& sta
     }
 }
 
+/// Whether a step itself keeps its scene from beginning, rather than a step whose scene it goes on with.
+/// `before`: what keeps that of the step before, if this one goes on with it.
+bool isOwnFault(const Error& fault, std::size_t step, const std::optional<Error>& before) {
+    const std::string place = placeOf(step);
+    if (!fault.where.starts_with(place))
+        return false; // an earlier step's edits
+    if (!before || fault.message != before->message)
+        return true;
+    return fault.where.substr(place.size()) != before->where.substr(placeOf(step - 1).size());
+}
+
 void checkTask(const Try&, const LessonScene&, const std::string&, Problems&) {}
 void checkTask(const std::monostate&, const LessonScene&, const std::string&, Problems&) {}
 
@@ -154,11 +166,15 @@ void checkTask(const std::monostate&, const LessonScene&, const std::string&, Pr
 Problems checkLesson(const LessonFolder& folder, const Lesson& lesson) {
     Problems problems;
     std::vector<Scene> starts;
+    std::optional<Error> fault; // of the step before
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const Step& step = lesson.steps[i];
         const Result<LessonScene> start = startOf(folder, lesson, i);
-        if (!start) {
-            problems.push_back(start.error());
+        const std::optional<Error> before = step.scene.empty() ? fault : std::nullopt;
+        fault = start ? std::optional<Error>() : start.error();
+        if (fault) {
+            if (isOwnFault(*fault, i, before))
+                problems.push_back(*fault);
             continue;
         }
         const std::string place = placeOf(i);

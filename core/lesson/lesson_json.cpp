@@ -1,7 +1,6 @@
 #include "texplorer/lesson/lesson.h"
-#include "texplorer/scene/params/json_object.h"
-#include "texplorer/scene/params/json_problem.h"
-#include "texplorer/text/json_end.h"
+#include "texplorer/lesson/strict_json.h"
+#include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 namespace texplorer::lesson {
@@ -16,30 +16,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int maxDepth = 16;
-
-/// Sentences of lessons tell what is expected alone.
 struct Members : JsonObject {
-    Members(const Json& json, std::string where, std::optional<Error>& problem)
-        : JsonObject(json, std::move(where), problem, Tells::Expected) {}
+    using JsonObject::JsonObject;
 
     void text(const char* key, std::string& target, bool isNeeded) {
         JsonObject::text(key, target, maxLessonBytes);
         if (isNeeded && target.empty())
             refuse(key, "a text that isn't empty");
-    }
-
-    template<class Take>
-    void list(const char* key, std::size_t min, std::size_t max, const Take& take) {
-        const Json* value = find(key);
-        const std::size_t count = value && value->is_array() ? value->size() : 0;
-        if ((value && !value->is_array()) || count < min || count > max) {
-            if (value || min > 0)
-                refuse(key, fmt::format("a list of {} to {}", min, max));
-            return;
-        }
-        for (std::size_t i = 0; i < count; ++i)
-            take((*value)[i], fmt::format("{}/{}", placeOf(key), i));
     }
 };
 
@@ -55,7 +38,9 @@ void readEdits(Members& members, std::vector<Edit>& edits, std::size_t min) {
         if (std::optional<Edit> edit = parseEdit(json.is_string() ? json.get<std::string>() : std::string()))
             edits.push_back(*std::move(edit));
         else if (!members.problem())
-            members.problem() = Error{ErrorCode::Malformed, "expected PATH=VALUE or preset:NAME", where};
+            members.problem() =
+                Error{ErrorCode::Malformed,
+                      fmt::format("expected PATH=VALUE or preset:NAME, found {}", foundText(json)), where};
     });
 }
 
@@ -73,7 +58,10 @@ void readLook(const Json& json, const std::string& where, std::optional<Error>& 
     if (!probe)
         return;
     if (!probe->is_array() || probe->size() != 2 || !std::ranges::all_of(*probe, isThousandth))
-        return members.refuse("probe", "two whole numbers from 0 to 999, in thousandths from the top left");
+        return members.say(ErrorCode::Malformed, "probe",
+                           fmt::format("expected {}, found {}",
+                                       "two whole numbers from 0 to 999, in thousandths from the top left",
+                                       shortened(probe->dump())));
     look.probeX = (*probe)[0].get<int>();
     look.probeY = (*probe)[1].get<int>();
 }
@@ -159,10 +147,11 @@ void readAddition(Members& members, Addition& addition) {
     else
         addition.component = static_cast<int>(at);
     const Json* add = members.find("add");
-    const float amount = add && add->is_number() ? add->get<float>() : 0;
-    if (amount == 0 || !std::isfinite(amount))
-        members.refuse("add", "a number other than 0");
-    addition.amount = amount;
+    const double amount = add && add->is_number() ? add->get<double>() : 0;
+    constexpr double max = std::numeric_limits<float>::max();
+    addition.amount = std::abs(amount) <= max ? static_cast<float>(amount) : 0;
+    if (addition.amount == 0)
+        members.refuse("add", "a number other than 0 between -3.4e38 and 3.4e38");
 }
 
 void readKey(const Json& json, const std::string& where, std::optional<Error>& problem,
@@ -178,7 +167,9 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     members.text("label", key.label, true);
     const bool isCycle = members.has("cycle");
     if (isCycle == members.has("path"))
-        members.say(ErrorCode::Malformed, "", "expected either cycle, or path and add");
+        members.say(ErrorCode::Malformed, "",
+                    isCycle ? "expected either cycle, or path and add, found both"
+                            : "expected either cycle, or path and add, found neither");
     if (members.has("path"))
         readAddition(members, key.effect.emplace<Addition>());
     else
@@ -186,53 +177,17 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     keys.push_back(std::move(key));
 }
 
-tl::unexpected<Error> tooDeep() {
-    return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxDepth));
-}
-
-Result<Json> parseJson(std::string_view text) {
-    if (text.size() > maxLessonBytes)
-        return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} bytes, found {}", maxLessonBytes, text.size()));
-    if (const Result<void> whole = checkNoNul(text); !whole)
-        return fail(whole.error());
-    bool isTooDeep = false;
-    const auto shallow = [&isTooDeep](int depth, Json::parse_event_t, const Json&) {
-        isTooDeep = isTooDeep || depth > maxDepth;
-        return !isTooDeep;
-    };
-    try {
-        Json json = Json::parse(text, shallow);
-        if (isTooDeep)
-            return tooDeep();
-        return json;
-    } catch (const Json::parse_error& error) {
-        if (isTooDeep)
-            return tooDeep();
-        const std::string_view read = text.substr(0, std::min(text.size(), error.byte));
-        const auto line = 1 + std::ranges::count(read, '\n');
-        return fail(ErrorCode::Malformed, mistakeIn(error.id, error.what()), fmt::format("line {}", line));
-    } catch (const Json::exception& error) {
-        return fail(ErrorCode::Malformed, mistakeIn(error.id, error.what()));
-    }
-}
-
 } // namespace
 
 Result<Lesson> parseLesson(std::string_view text) {
-    const Result<Json> json = parseJson(text);
+    const Result<Json> json = parseStrictJson(text, maxLessonBytes);
     if (!json)
         return fail(json.error());
     Lesson lesson;
     std::optional<Error> problem;
     {
         Members members(*json, "", problem);
-        const Json* version = members.find("lesson");
-        if (!version || !version->is_number_integer() || *version < 1)
-            members.refuse("lesson", fmt::format("the version of the format, {}", lessonFormatVersion));
-        else if (*version > lessonFormatVersion)
-            members.say(ErrorCode::Unsupported, "lesson",
-                        fmt::format("expected version {}, found {}", lessonFormatVersion, version->dump()));
+        readVersion(members, "lesson", lessonFormatVersion);
         members.text("title", lesson.title, true);
         members.text("source", lesson.source, false);
         members.text("about", lesson.about, true);

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "texplorer/scene/params/json_object.h"
+#include "texplorer/lesson/strict_json.h"
 
 namespace texplorer::suite {
 
 using Json = nlohmann::json;                ///< an ordered object would search all its keys for each member
 using OrderedJson = nlohmann::ordered_json; ///< for writing: few keys, in the order of their lines
-
-/// Parses a whole text. Errors: TooLarge above `maxBytes` and for deep nesting; Malformed with the line, also
-/// for repeated keys.
-[[nodiscard]] Result<Json> parseJson(std::string_view text, std::size_t maxBytes);
 
 /// Writes JSON; invalid UTF-8 in strings becomes U+FFFD.
 template<class AnyJson>

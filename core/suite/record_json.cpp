@@ -185,12 +185,7 @@ void readTexts(JsonObject& object, const char* key, std::vector<std::string>& te
 
 /// What a final report and the first line of a journal have.
 void readHead(JsonObject& object, RunRecord& run) {
-    const Json* version = object.need("run");
-    if (version && (!version->is_number_unsigned() || *version < 1))
-        object.refuse("run", fmt::format("the version of the format, {}", recordFormatVersion));
-    else if (version && *version > recordFormatVersion)
-        object.say(ErrorCode::Unsupported, "run",
-                   fmt::format("expected version {}, found {}", recordFormatVersion, version->dump()));
+    readVersion(object, "run", recordFormatVersion);
     object.text("program", run.program, maxRecordText);
     object.text("command", run.command, maxRecordText);
     object.text("started", run.started, maxRecordText);
@@ -243,7 +238,7 @@ private:
 };
 
 Result<RunRecord> parseHead(std::string_view line) {
-    const Result<Json> json = parseJson(line, maxRecordBytes);
+    const Result<Json> json = parseStrictJson(line, maxRecordBytes);
     if (!json)
         return fail(json.error().code, json.error().message); // it is the line that is said
     RunRecord run;
@@ -306,7 +301,7 @@ std::string journalLine(const CaseRecord& record) {
 }
 
 Result<CaseRecord> parseCaseRecord(std::string_view text) {
-    const Result<Json> json = parseJson(text, maxRecordBytes);
+    const Result<Json> json = parseStrictJson(text, maxRecordBytes);
     if (!json)
         return fail(json.error().code, json.error().message);
     CaseRecord record;
@@ -357,7 +352,7 @@ Result<RunRecord> parseRun(std::string_view text) {
     const std::string_view first = text.substr(0, text.find('\n'));
     if (first.size() < text.size() && first.starts_with('{') && first.ends_with('}'))
         return parseJournal(text).map([](Journal journal) { return std::move(journal.run); });
-    const Result<Json> json = parseJson(text, maxRecordBytes);
+    const Result<Json> json = parseStrictJson(text, maxRecordBytes);
     if (!json)
         return fail(json.error());
     return parseReport(*json);

@@ -99,16 +99,14 @@ std::vector<std::size_t> casesOfShard(std::span<const std::string> names, const 
 }
 
 Result<Durations> parseDurations(std::string_view text) {
-    const Result<Json> json = parseJson(text, maxDurationsBytes);
+    const Result<Json> json = parseStrictJson(text, maxDurationsBytes);
     if (!json)
         return fail(json.error());
     Durations durations;
     Problem problem;
     {
         JsonObject object(*json, "", problem);
-        const Json* version = object.need("version");
-        if (version && *version != durationsFormatVersion)
-            object.refuse("version", fmt::format("{}", durationsFormatVersion));
+        readVersion(object, "version", durationsFormatVersion);
         const Json* seconds = object.need("seconds");
         if (seconds && !seconds->is_object())
             object.refuse("seconds", "an object");

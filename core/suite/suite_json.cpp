@@ -334,7 +334,7 @@ void refuseDefaultsWithoutEffect(const Json& defaults, const std::vector<Entry>&
 } // namespace
 
 Result<Suite> parseSuite(std::string_view text) {
-    const Result<Json> json = parseJson(text, maxSuiteBytes);
+    const Result<Json> json = parseStrictJson(text, maxSuiteBytes);
     if (!json)
         return fail(json.error());
     Suite suite;
@@ -342,12 +342,7 @@ Result<Suite> parseSuite(std::string_view text) {
     {
         JsonObject object(*json, "", problem);
         object.find("$schema");
-        const Json* version = object.need("suite");
-        if (version && (!version->is_number_unsigned() || *version < 1))
-            object.refuse("suite", fmt::format("the version of the format, {}", suiteFormatVersion));
-        else if (version && *version > suiteFormatVersion)
-            object.say(ErrorCode::Unsupported, "suite",
-                       fmt::format("expected version {}, found {}", suiteFormatVersion, version->dump()));
+        readVersion(object, "suite", suiteFormatVersion);
         object.text("name", suite.name, maxSuiteTextBytes);
         object.text("about", suite.about, maxSuiteTextBytes);
         Settings defaults;

@@ -148,7 +148,7 @@ Result<std::vector<ImageJob>> planOfFolder(const ImageFiles& files, const ImageF
 Result<std::vector<ImageJob>> planInPlace(const ImageFiles& files) {
     std::vector<ImageJob> jobs;
     for (const std::string& in : files.files) {
-        const Result<const CodecRow*> format = imageFormatOf(in, {});
+        const Result<const CodecRow*> format = imageFormatOf(in, {}, {}, "IN");
         if (!format)
             return fail(format.error());
         jobs.push_back({in, in, *format});
@@ -363,7 +363,7 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
     if (alone) {
         const CodecRow* format = jobs->front().format;
         auto opened = openImageOutput(jobs->front().out, format != nullptr ? format->name : formatInItsPlace,
-                                      formats.only);
+                                      formats.only, "OUT");
         if (!opened)
             return opened.error();
         first = *std::move(opened);

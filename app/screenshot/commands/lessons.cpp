@@ -7,6 +7,7 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
+#include "texplorer/base/count.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/lesson/lesson_check.h"
 #include "texplorer/lesson/numbers.h"
@@ -167,8 +168,8 @@ ExitCode check(const std::string& path, bool json) {
         return printProblems(file, problems, found->steps.size());
     if (!problems.empty())
         return failure;
-    const Result<void> written =
-        print(fmt::format("{}: {} steps, nothing is wrong\n", printable(file), found->steps.size()));
+    const Result<void> written = print(
+        fmt::format("{}: {}, nothing is wrong\n", printable(file), countOf(found->steps.size(), "step")));
     return written ? success : complain(written.error());
 }
 

@@ -101,14 +101,25 @@ ExitCode probePixel(const ProbeOptions& options, ShotRequest request) {
     return printed ? success : complain(printed.error());
 }
 
+/// The option that asks for what the scene lacks; empty: the error is about something else.
+std::string_view optionAtFault(const ProbeOptions& options, const Scene& scene, const Error& error) {
+    if (error.code != ErrorCode::OutOfRange)
+        return {};
+    return static_cast<std::size_t>(options.pass) < scene.passes.size() ? "--texel" : "--pass";
+}
+
 ExitCode findPixels(const ProbeOptions& options, const ShotRequest& request) {
     const Result<reference::TexelQuestion> question = parseTexel(options.texel, options.pass);
     if (!question)
         return complain(question.error(), wrongCall);
     const Result<reference::Contributions> found =
         reference::contributions(request.drawRequest(), *question, {.levels = request.levels});
-    if (!found)
-        return complain(found.error(), found.error().code == ErrorCode::OutOfRange ? wrongCall : failure);
+    if (!found) {
+        const Error& error = found.error();
+        const std::string_view option = optionAtFault(options, request.scene, error);
+        return option.empty() ? complain(error)
+                              : complain({error.code, error.message, std::string(option)}, wrongCall);
+    }
     complainAbout(found->problems);
     const Result<void> printed =
         options.json ? writeJson(*found, *question, print) : print(asText(*found, *question));

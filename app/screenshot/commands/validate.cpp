@@ -31,6 +31,7 @@ struct Validity {
     std::vector<std::string> faults{};
     std::vector<std::string> remarks{}; ///< what is right and Texplorer doesn't follow
     bool drawn = true;                  ///< false: an image that isn't decoded
+    bool read = true;                   ///< false: standard error says why not
 
     [[nodiscard]] bool isValid() const { return faults.empty(); }
 };
@@ -41,7 +42,7 @@ void addOnce(std::vector<std::string>& faults, std::string fault) {
 }
 
 /// Of an image that isn't decoded: what is wrong with it, or why it isn't. What is merely larger than
-/// anything that is decoded is looked at without its pixels.
+/// anything that is decoded is looked at without its pixels; what is too large for that as well is a fault.
 void addRefusal(ByteView file, const Error& refusal, Validity& validity) {
     if (refusal.code == ErrorCode::TooLarge) {
         DecodeLimits limits;
@@ -49,7 +50,8 @@ void addRefusal(ByteView file, const Error& refusal, Validity& validity) {
         limits.maxPixels = limits.maxBytes = std::numeric_limits<std::size_t>::max() / 4;
         limits.pixels = false;
         if (const Result<TextureImage> outline = decodeTexture(file, limits); !outline) {
-            validity.faults.push_back(outline.error().message);
+            const bool isTooLarge = outline.error().code == ErrorCode::TooLarge;
+            validity.faults.push_back((isTooLarge ? refusal : outline.error()).message);
             return;
         }
     }
@@ -68,9 +70,15 @@ Validity validateImage(const std::string& in, ByteView file) {
         validity.remarks = texture->remarks;
     else
         addRefusal(file, texture.error(), validity);
-    for (const std::string& note : texture ? texture->notes : std::vector<std::string>())
-        addOnce(validity.faults, note);
     const Anatomy anatomy = dissect(file);
+    const auto isOfField = [&anatomy](const std::string& note) {
+        return std::ranges::any_of(anatomy.fields, [&note](const Field& field) {
+            return field.wrong.find(note) != std::string::npos;
+        });
+    };
+    for (const std::string& note : texture ? texture->notes : std::vector<std::string>())
+        if (!isOfField(note))
+            addOnce(validity.faults, note);
     for (const Field& field : anatomy.fields)
         if (!field.wrong.empty())
             addOnce(validity.faults, fmt::format("{} at {}: {}", field.name, field.offset, field.wrong));
@@ -237,8 +245,8 @@ Validity validateFile(const std::string& in) {
             return head(start) || beginsAsJson(start);
         });
     if (!file) {
-        noteError(describe(file.error()));
-        return {in, {}, {file.error().message}};
+        static_cast<void>(complain(file.error()));
+        return {.file = in, .kind = {}, .faults = {file.error().message}, .read = false};
     }
     return validate(in, *file);
 }
@@ -246,6 +254,8 @@ Validity validateFile(const std::string& in) {
 std::string validityText(const std::vector<Validity>& all) {
     std::string text;
     for (const Validity& each : all) {
+        if (!each.read)
+            continue;
         std::string faults;
         for (const std::string& fault : each.faults)
             faults += (faults.empty() ? "" : "; ") + printable(fault);
@@ -304,10 +314,10 @@ void addValidate(CommandLine& line) {
         "--json", options->json,
         "As JSON, for programs: \"valid\" and \"files\" (file, valid, kind, drawn, faults, remarks).");
     command.footer(
-        "A line for each file on standard output. For an image, defects that readers recover from are also "
-        "faults; valid data that Texplorer ignores is mentioned. For a scene, unknown keys and values out "
-        "of range are faults, as many as can be found; for a suite, the first that \"texshot test --list\" "
-        "finds. Use \"texshot check\" for the meaning of a scene.\n"
+        "A line for each file on standard output, or on standard error if it can't be read. For an image, "
+        "defects that readers recover from are also faults; valid data that Texplorer ignores is mentioned. "
+        "For a scene, unknown keys and values out of range are faults, as many as can be found; for a suite, "
+        "the first that \"texshot test --list\" finds. Use \"texshot check\" for the meaning of a scene.\n"
         "Exit status: 0 all are valid, 1 one is invalid or can't be read, 2 invalid arguments.");
     command.onCall([options] { return validateAll(options->files, options->json); });
 }

@@ -106,7 +106,7 @@ Result<void> ImageOutput::write(const TextureImage& texture, const WriteOptions&
 }
 
 Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
-                                      std::string_view only) {
+                                      std::string_view only, const char* argument) {
     const CodecRow* format = codecForExtension(path);
     if (format == nullptr && !streamFormat.empty() && isStream(path) &&
         !std::filesystem::path(path).has_extension())
@@ -115,12 +115,13 @@ Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view 
         return format;
     return fail(ErrorCode::Unsupported,
                 fmt::format("expected a name that ends in {}{}, found \"{}\"", only.empty() ? "one of " : "",
-                            writtenExtensions(", ", only), path));
+                            writtenExtensions(", ", only), path),
+                argument);
 }
 
 tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std::string_view streamFormat,
-                                                    std::string_view only) {
-    const Result<const CodecRow*> format = imageFormatOf(path, streamFormat, only);
+                                                    std::string_view only, const char* argument) {
+    const Result<const CodecRow*> format = imageFormatOf(path, streamFormat, only, argument);
     if (!format)
         return tl::unexpected(complain(format.error(), wrongCall));
     if (isTerminal(path))

@@ -47,16 +47,19 @@ struct ImageOutput {
     [[nodiscard]] Result<void> write(const TextureImage& texture, const WriteOptions& options = {}) const;
 };
 
-/// The format that a file's extension names; the error is about the path. `streamFormat` (empty: only files
-/// are meant) and `only`: see openImageOutput.
+/// The format that a file's extension names; the error is about the path, which `argument` has given.
+/// `streamFormat` (empty: only files are meant) and `only`: see openImageOutput.
 [[nodiscard]] Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
-                                                    std::string_view only = {});
+                                                    std::string_view only = {},
+                                                    const char* argument = "--out");
 
 /// Opens the output before the work that leads to it. Its extension is its format; what has none and is no
 /// file (-, a pipe, /dev/null) gets `streamFormat`. A terminal is refused, as it would only be disturbed.
 /// `only`: the one format that the command writes. What goes wrong is said on standard error; the error is
 /// the exit status.
-[[nodiscard]] tl::expected<ImageOutput, ExitCode>
-openImageOutput(const std::string& path, std::string_view streamFormat, std::string_view only = {});
+[[nodiscard]] tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path,
+                                                                  std::string_view streamFormat,
+                                                                  std::string_view only = {},
+                                                                  const char* argument = "--out");
 
 } // namespace texplorer::screenshot

@@ -129,6 +129,21 @@ TEST_F(LessonScenes, WithoutTheirImageAreRefusedByPlace) {
     EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/steps/0/scene"))));
 }
 
+TEST_F(LessonScenes, AreRefusedOnceForAllStepsThatGoOnWithThem) {
+    const Edit unknown = edit::Set{"textures[0].wrapQ", "1"};
+    const Step own = stepOf("", {unknown});
+    const Step wrong = stepOf("cube", {unknown});
+    lesson.steps = {wrong, stepOf(""), own, wrong, stepOf("")};
+    EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/steps/0: edits/0")),
+                                        Field(&Error::where, HasSubstr("/steps/3: edits/0"))));
+
+    writePictured("s.json", "missing.png");
+    lesson.steps = {stepOf("s.json"), stepOf(""), own, stepOf(""), stepOf("s.json"), stepOf("")};
+    EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/steps/0/scene")),
+                                        Field(&Error::where, HasSubstr("/steps/2: edits/0")),
+                                        Field(&Error::where, HasSubstr("/steps/4/scene"))));
+}
+
 TEST_F(LessonScenes, HaveNoImagesOfOtherFolders) {
     ASSERT_TRUE(writeFileAtomically(parent / "red.bmp",
                                     viewBytes(texplorer::test::onePixelBmp({'\0', '\0', '\xff'}))));

@@ -103,7 +103,7 @@ TEST(Shard, BrokenDurationsAreRefused) {
     const std::array<std::pair<std::string, std::string>, 6> wrongs{{
         {"", "the file ends"},
         {"{}", "expected the key \"version\""},
-        {R"({"version": 2, "seconds": {}})", "expected 1, found 2"},
+        {R"({"version": 2, "seconds": {}})", "/version: expected version 1, found 2"},
         {R"({"version": 1, "seconds": []})", "expected an object"},
         {R"({"version": 1, "seconds": {"a": -1}})", "/seconds/a: expected seconds from 0"},
         {R"({"version": 1, "seconds": {"a": "1"}})", "/seconds/a: expected seconds from 0"},

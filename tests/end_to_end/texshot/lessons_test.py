@@ -56,7 +56,7 @@ class Checking(Lessons):
     def test_a_good_one(self):
         folder = self.lesson()
         self.assertEqual(self.succeeds("lessons", "--check", folder).decode(),
-                         f"{folder}/lesson.json: 1 steps, nothing is wrong\n")
+                         f"{folder}/lesson.json: 1 step, nothing is wrong\n")
 
     def test_json_names_each_mistake(self):
         folder = self.lesson()
@@ -76,8 +76,8 @@ class Checking(Lessons):
 
     def test_what_is_wrong_in_a_step(self):
         for step, *expected in [
-                ({**STEP, "titel": "x"}, "/steps/0/titel", "expected one of"),
-                (predicting(), "/steps/0/predict/answers", "a list of 2 to 4"),
+                ({**STEP, "titel": "x"}, "/steps/0/titel", 'did you mean "title"?'),
+                (predicting(), "/steps/0/predict/answers", "expected a list of 2 to 4, found 0"),
                 (predicting({"text": "one"}, {"text": "two"}, right=2), "/steps/0/predict/right"),
                 (predicting({"text": "one"}, {"text": "two"}, reason="{colour}"), "/steps/0/predict/reason"),
                 (predicting({"text": "one", "edits": ["no=1"]}, {"text": "two"}), "/steps/0/predict/answers/0: edits/0"),

@@ -40,12 +40,13 @@ class Outputs(Texshot):
                     with Image.open(out) as written:
                         self.assertEqual(written.format, format)
                     out.unlink()
+            argument = "--out" if name == "shot" else "OUT"
             for wrong in ("out.jpg", "out.jpeg", "out.xyz", "out", "png"):
-                self.complains(2, f'expected a name that ends in one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
+                self.complains(2, f'texshot: {argument}: expected a name that ends in one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
                                *before, self.path / wrong, *after)
         before, after = self.writers["compress"]
         for wrong in ("out.png", "out"):
-            self.complains(2, "expected a name that ends in .dds, found", *before, self.path / wrong, *after)
+            self.complains(2, "texshot: OUT: expected a name that ends in .dds, found", *before, self.path / wrong, *after)
 
     def test_pipes_and_devices_are_written(self):
         magic = {"shot": b"\x89PNG", "decode": b"\x89PNG", "convert": b"\x89PNG", "flip": b"DDS ", "compress": b"DDS "}

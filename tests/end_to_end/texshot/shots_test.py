@@ -169,7 +169,7 @@ class Shots(Texshot):
                      "--axis", "passes[0].units[0].envMode=*", "--axis", "passes[0].units[1].envMode=*",
                      "-o", self.out / "{envMode}.png")
         self.refuses("expected a name and } after each {", a, b, "-o", self.out / "{scene.png")
-        self.refuses("expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
+        self.refuses("--out: expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
         self.refuses('expected a name that differs for each picture, as in {minFilter}.png or {number}.png, found "-"',
                      a, *axis, "-o", "-")
         self.refuses("expected each axis once, found textures[0].minFilter twice", a, *axis, *axis, "-o", self.out / "{number}.png")

@@ -60,6 +60,18 @@ class Validate(Texshot):
         struct.pack_into("<i", claim, 18, 20000)
         self.faulty("pixel data needs", self.make("claim.bmp", bytes(claim)))
 
+    def test_what_is_too_large_to_be_looked_at_is_told_the_limit_of_all_commands(self):
+        claim = bytearray(bmp(4, 4, lambda x, y: (0, 0, 0)))
+        struct.pack_into("<ii", claim, 18, 0x7FFFFFFF, 0x7FFFFFFF)
+        self.faulty("at most 16384 × 16384 pixels are read, the file has 2147483647 × 2147483647 pixels",
+                    self.make("huge.bmp", bytes(claim)))
+
+    def test_a_fault_of_a_field_is_said_once(self):
+        file = bytearray(dds(4, 4, bytes(64), 28, levels=2))  # with DDSD_MIPMAPCOUNT
+        struct.pack_into("<I", file, 28, 0)  # dwMipMapCount
+        self.faulty(": DDS, not valid: dwMipMapCount at 28: dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level "
+                    "is read\n", self.make("levels.dds", bytes(file)))
+
     def test_what_is_right_and_not_followed_is_said_of_a_valid_file(self):
         file = self.path / "turned.jpg"
         exif = Image.Exif()
@@ -139,11 +151,16 @@ class Validate(Texshot):
         good = self.make("good.bmp", bmp(2, 2, lambda x, y: (0, 0, 0)))
         bad = self.make("bad.json", b"{}x")
         result = texshot("validate", good, bad, self.path / "missing.png", self.path)
-        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        self.assertEqual(result.returncode, 1)
         lines = result.stdout.decode().splitlines()
-        self.assertEqual(lines[0], f"{good}: BMP, valid")
-        self.assertEqual(lines[2], f"{self.path}/missing.png: not valid: can't be opened: No such file or directory")
-        self.assertEqual(lines[3], f"{self.path}: not valid: is a directory, not a file")
+        self.assertEqual((lines[0], len(lines)), (f"{good}: BMP, valid", 2))
+        self.assertEqual(result.stderr.decode().splitlines(),
+                         [f"texshot: {self.path}/missing.png: can't be opened: No such file or directory",
+                          f"texshot: {self.path}: is a directory, not a file"])
+        result = texshot("validate", "--json", self.path / "missing.png", good)
+        told = json.loads(result.stdout)
+        self.assertEqual(result.stderr.decode(), f"texshot: {told['error']}\n")
+        self.assertEqual([each["faults"] for each in told["files"]], [["can't be opened: No such file or directory"], []])
         told = json.loads(texshot("validate", "--json", good, bad).stdout)
         self.assertFalse(told["valid"])
         self.assertEqual([(each["file"], each["kind"], each["valid"]) for each in told["files"]],
