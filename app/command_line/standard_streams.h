@@ -1,12 +1,14 @@
 #pragma once
 
-// Standard output as a file that may be full or closed, or a pipe without a reader.
+// Standard output as a file that may be full or closed, or a pipe without a reader; and standard error.
 
 #include "texplorer/files/file_io.h"
 #include "texplorer/files/file_kind.h"
+#include "texplorer/text/printable.h"
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -47,6 +49,11 @@ inline void prepareStandardStreams() {
         std::raise(SIGPIPE);
     }
     return fail(ErrorCode::Unwritable, "can't be written: " + systemText(error), "standard output");
+}
+
+/// Writes "program: sentence" to standard error.
+inline void complain(const char* program, const std::string& sentence) {
+    static_cast<void>(std::fprintf(stderr, "%s: %s\n", program, printable(sentence).c_str()));
 }
 
 } // namespace texplorer

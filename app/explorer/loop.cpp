@@ -1,5 +1,6 @@
 #include "app/explorer/loop.h"
 
+#include "app/command_line/standard_streams.h"
 #include "app/explorer/reopening.h"
 #include "app/opengl/window_graphics.h"
 #include "app/stage/loop.h"
@@ -12,12 +13,21 @@
 #include "app/ui/model/session.h"
 #include "app/ui/services/unsaved_work.h"
 
+#include <fmt/core.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <optional>
 
 namespace texplorer::explorer {
 namespace {
+
+/// Writes unsaved work when the program is ended from outside: only standard error can still tell of a
+/// failure.
+void storeAtEnd(Autosave& autosave) {
+    if (const Result<void> stored = autosave.flush(); !stored)
+        complain("texplorer", fmt::format("unsaved work can't be stored: {}", describe(stored.error())));
+}
 
 std::atomic<Autosave*> keptWithoutDisplay = nullptr;
 
@@ -29,7 +39,7 @@ public:
         keptWithoutDisplay = &autosave;
         Window::whenDisplayIsLost([] {
             if (Autosave* kept = keptWithoutDisplay)
-                (void)kept->flush();
+                storeAtEnd(*kept);
         });
     }
     KeptWithoutDisplay(const KeptWithoutDisplay&) = delete;
@@ -62,7 +72,7 @@ public:
     KeptWhenHanging(const Host& host, Autosave& autosave)
         : watch_(host.watch) {
         watch_.whenHanging([&autosave, &restart = host.restart](double seconds) {
-            (void)autosave.flush();
+            storeAtEnd(autosave);
             restart.run(seconds);
         });
     }
@@ -164,7 +174,7 @@ Result<void> runLoop(const Host& host, const Beginning& beginning) {
 
     for (;;) {
         if (host.signals.received() != 0) {
-            (void)unsaved.autosave.flush(); // including the changes of the last frame
+            storeAtEnd(unsaved.autosave); // including the changes of the last frame
             return {};
         }
         const double now = Window::now();

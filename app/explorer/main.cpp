@@ -9,13 +9,11 @@
 #include "app/view/pretence.h"
 #include "texplorer/base/thrown.h"
 #include "texplorer/lesson/lesson_files.h"
-#include "texplorer/text/printable.h"
 #include "texplorer/texture/image_budget.h"
 
 #include <fmt/core.h>
 
 #include <charconv>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -35,7 +33,7 @@ constexpr const char* withoutWindow =
     "texshot draws the same window without a display: texshot shot --ui -o window.png";
 
 int complain(const std::string& sentence) {
-    std::fprintf(stderr, "texplorer: %s\n", printable(sentence).c_str());
+    texplorer::complain("texplorer", sentence);
     return failure;
 }
 

@@ -7,7 +7,6 @@
 
 #include <charconv>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -25,10 +24,6 @@ namespace fs = std::filesystem;
 /// Tells the new process why it was started: the seconds that the driver had.
 constexpr std::string_view variable = "TEXPLORER_HUNG";
 constexpr const char* itself = "/proc/self/exe";
-
-void say(const std::string& sentence) {
-    static_cast<void>(std::fprintf(stderr, "texplorer: %s\n", sentence.c_str()));
-}
 
 /// The lock of the unsaved work must be free for the new process, the driver's device must be closed.
 void closeFilesOnExec() {
@@ -84,13 +79,16 @@ std::vector<std::string> Restart::words() const {
 void Restart::run(double seconds) {
     const std::scoped_lock lock(mutex_);
     if (!reopened_.helps) {
-        say(fmt::format(
-            "the driver did not finish a picture of the window within {:g} s, although it does not "
-            "draw the scene; unsaved work is stored and offered at the next start",
-            seconds));
+        complain("texplorer",
+                 fmt::format(
+                     "the driver did not finish a picture of the window within {:g} s, although it does not "
+                     "draw the scene; unsaved work is stored and offered at the next start",
+                     seconds));
         std::_Exit(EXIT_FAILURE);
     }
-    say(fmt::format("the driver did not finish a picture within {:g} s; the window starts again, and the "
+    complain(
+        "texplorer",
+        fmt::format("the driver did not finish a picture within {:g} s; the window starts again, and the "
                     "reference renderer draws",
                     seconds));
     std::vector<std::string> arguments = words();
@@ -103,7 +101,7 @@ void Restart::run(double seconds) {
         std::signal(SIGPIPE, SIG_DFL);
     signals_.restore();
     ::execve(path, pointersTo(arguments).data(), pointersTo(variables).data());
-    say(fmt::format("the window can't be started again: {}", systemText(errno)));
+    complain("texplorer", fmt::format("the window can't be started again: {}", systemText(errno)));
     std::_Exit(EXIT_FAILURE);
 }
 

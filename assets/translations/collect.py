@@ -36,7 +36,7 @@ CATALOGUES = {
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/files/", "core/text/", "core/codec/", "core/compare/difference", "core/image/",
                  "core/s3tc/", "core/texture/", "core/scene/", "core/sheet/", "core/animation/", "core/emit/",
-                 "core/lesson/lesson_json", "core/lesson/lesson_files", "core/lesson/lesson_keys",
+                 "core/lesson/lesson_json", "core/lesson/strict_json", "core/lesson/lesson_files", "core/lesson/lesson_keys",
                  "core/lesson/lesson_scene", "app/animation/", "app/lettering/", "app/render/", "app/opengl/",
                  "app/explorer/"],
 }

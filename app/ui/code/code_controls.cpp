@@ -1,8 +1,8 @@
-#include "app/ui/code/code_controls.h"
-
+#include "app/ui/code/commands_tab.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/hover_link.h"
+#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
@@ -69,11 +69,7 @@ float codeNumber(const Session& session, const emit::Part& part, const ParamPlac
                  const CodeLook& look) {
     const float width = codeWidth(part);
     const Range range = rangeOf(place);
-    const int decimals = place.row->kind == Kind::Int ? 0
-                         : range.step >= 0.5F         ? 1
-                         : range.step >= 0.01F        ? 2
-                                                      : 3;
-    const std::string format = fmt::format("%.{}f", decimals);
+    const std::string format = fmt::format("%.{}f", place.row->kind == Kind::Int ? 0 : decimalsOf(range));
     const bool isTyped = ImGui::TempInputIsActive(ImGui::GetID("##number"));
     const float sign = part.negated ? -1.0F : 1.0F;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -176,9 +172,7 @@ float codePart(const Session& session, const emit::Part& part, const CodeLook& l
     using Kind = emit::Part::Kind;
     float width = codeWidth(part);
     if (part.path.empty() || part.kind == Kind::Plain || part.kind == Kind::Comment) {
-        ImGui::PushStyleColor(ImGuiCol_Text, codeInk(part, look));
-        ImGui::TextUnformatted(part.text.c_str(), part.text.c_str() + part.text.size());
-        ImGui::PopStyleColor();
+        plainText(part.text, codeInk(part, look));
         linkHover(session, part.path);
         return width;
     }
@@ -212,29 +206,19 @@ float codeSwatch(const Session& session, const emit::Line& line, const CodeLook&
     const std::optional<ParamPlace> place = placeOf(presentScene(session), number->path);
     if (!place || place->row->kind != Kind::Color)
         return 0;
-    constexpr ImGuiColorEditFlags flags =
-        ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_Float;
     const float side = ImGui::GetFontSize();
     Value value = place->row->read(place->owner.values);
     glm::vec4& shown = std::get<glm::vec4>(value);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + look.letter);
     ImGui::PushID(number->path.c_str());
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
-    if (ImGui::ColorButton("##swatch", {shown.x, shown.y, shown.z, shown.w},
-                           flags | ImGuiColorEditFlags_NoTooltip, {side, side}))
-        ImGui::OpenPopup("picker");
+    ImGui::SetNextItemWidth(side);
+    colorControl(shown);
     ImGui::PopStyleVar();
     noteItem(fmt::format("command:{}#color", number->path));
     linkHover(session, number->path);
     if (beginCodePopup("picker")) {
-        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 15);
-        const bool edited =
-            ImGui::ColorPicker4("##picker", &shown.x,
-                                flags | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
-                                    ImGuiColorEditFlags_DisplayHex);
-        noteItem(fmt::format("command:{}#picker", number->path));
-        sealAfterItem(session); // before the edit: a press is already an edit
-        if (edited)
+        if (colorPicker(session, shown, fmt::format("command:{}#picker", number->path)))
             assignParam(session, place->owner, *place->row, value);
         endCodePopup();
     }

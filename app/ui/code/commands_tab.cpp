@@ -1,6 +1,5 @@
 #include "app/ui/code/commands_tab.h"
 
-#include "app/ui/code/code_controls.h"
 #include "app/ui/files/program_file.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
@@ -41,19 +40,17 @@ void toolRow(const Session& session, CommandsTabState& state) {
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::Button(label(copy))) {
+    if (button(copy, "commands:copy", "Copies the listed program as C")) {
         const std::string program = emit::textOf(state.lines, all);
         ImGui::SetClipboardText(program.c_str());
         act(session, [lines = std::ranges::count(program, '\n')](Session& s) {
             tell(s, fmt::format("Copied: {} lines", lines));
         });
     }
-    item("copy commands", "Copies the listed program as C");
     ImGui::SameLine(0, inner);
-    if (ImGui::Button(label(save)))
+    if (button(save, "commands:export",
+               "Writes a program that draws the scene into a file: in C, or as a page for a browser"))
         ImGui::OpenPopup("export");
-    item("export commands",
-         "Writes a program that draws the scene into a file: in C, or as a page for a browser");
     const ImVec2 corner = ImGui::GetItemRectMax();
     const float height =
         ImGui::GetFrameHeightWithSpacing() * static_cast<float>(emit::flavourRows.size() + 1);

@@ -61,9 +61,8 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::Button(label("Copy")))
+    if (button("Copy", "glsl:copy", "Copies the source of the stage as passed to the driver"))
         ImGui::SetClipboardText(sourceOf(shader, state.stage).text.c_str());
-    item("copy glsl", "Copies the source of the stage as passed to the driver");
 }
 
 /// The messages of the compiler, if any: a click goes to the line.
@@ -124,9 +123,7 @@ void drawPart(const std::vector<GlslToken>& tokens, std::string_view part, float
         const char* end = std::min(token.text.data() + token.text.size(), part.data() + part.size());
         if (begin >= end)
             continue;
-        ImGui::PushStyleColor(ImGuiCol_Text, tintOf(token.kind));
-        ImGui::TextUnformatted(begin, end);
-        ImGui::PopStyleColor();
+        plainText({begin, static_cast<std::size_t>(end - begin)}, tintOf(token.kind));
         ImGui::SameLine(0, 0);
     }
     ImGui::NewLine();

@@ -23,13 +23,6 @@ void followScene(const Session& session, KeptTabState& state) {
     state.changes = changesSinceKept(session);
 }
 
-bool button(const char* words, std::string_view name, std::string_view help) {
-    const bool pressed = ImGui::Button(label(words));
-    item(name, help);
-    ImGui::SameLine();
-    return pressed;
-}
-
 void beforeKeeping(const Session& session) {
     wrappedText("Keep the scene as A and change something. T switches between A and now, Shift+T shows "
                 "both in one picture, and each difference is listed here.");
@@ -43,20 +36,20 @@ void keptButtons(const Session& session, std::size_t count) {
                "Keeps the present scene as A.\n"
                "Key K"))
         act(session, keepAsA);
+    ImGui::SameLine();
     if (button(isKeptShown(session) ? "Show now" : "Show A", "a-b tab:flip",
                "Shows A or the present scene "
                "in the view.\n"
                "Key T"))
         act(session, flipKept);
+    ImGui::SameLine();
     if (button(isKeptBeside(session) ? "One picture" : "Split", "a-b tab:split",
                "Shows both in one picture, or one again.\n"
                "Key Shift+T"))
         act(session, splitKept);
-    ImGui::BeginDisabled(count == 0);
-    if (button("Take over all", "a-b tab:take all", "Restores A. Undo reverts it."))
+    ImGui::SameLine();
+    if (button("Take over all", "a-b tab:take all", "Restores A. Undo reverts it.", count > 0))
         takeAllFromKept(session);
-    ImGui::EndDisabled();
-    ImGui::NewLine();
 }
 
 void drawChanges(const Session& session, const std::vector<SceneChange>& changes) {

@@ -1,5 +1,4 @@
-#include "app/ui/details/vertex_parts.h"
-
+#include "app/ui/details/vertices_tab.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "texplorer/scene/mesh_edits.h"
 #include "texplorer/scene/model_mesh.h"

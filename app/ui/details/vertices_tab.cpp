@@ -31,12 +31,7 @@ class ButtonLine {
 public:
     bool button(const char* words, std::string_view name, const char* help, bool enabled = true) {
         place(buttonWidth(words));
-        ImGui::BeginDisabled(!enabled);
-        const bool pressed = ImGui::Button(label(words));
-        noteItem(name);
-        ImGui::EndDisabled();
-        helpTip(help);
-        return pressed && enabled;
+        return ui::button(words, name, help, enabled);
     }
 
     /// A button of a choice.

@@ -1,11 +1,37 @@
 #pragma once
 
-#include "app/ui/details/vertex_parts.h"
 #include "app/ui/model/session.h"
+#include "texplorer/scene/params/params.h"
 
+#include <glm/vec4.hpp>
+
+#include <array>
 #include <optional>
+#include <string>
 
 namespace texplorer::ui {
+
+/// The values of vertices that the list shows. Shapes other than meshes have only editable coordinates.
+enum class VertexPart : std::uint8_t { Coordinates, Position, Normal, Color };
+
+/// One part of the vertex values, as four numbers of which some are used.
+struct VertexPartRow {
+    VertexPart part;
+    const char* label;
+    std::array<const char*, 4> names; ///< the column headings
+    int components;
+    Range range;
+    std::string (*path)(const Session& session);
+    glm::vec4 (*read)(const Scene& scene, const Model& model, std::size_t vertex);
+    void (*write)(const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool together);
+    const char* edit; ///< the name in Undo
+    const char* help;
+};
+
+[[nodiscard]] const VertexPartRow& rowOf(VertexPart part);
+
+/// A list of the selected model's mesh.
+[[nodiscard]] std::string meshPath(const Session& session, const std::string& key);
 
 /// The state of the tab.
 struct VerticesTabState {

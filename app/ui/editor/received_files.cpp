@@ -54,16 +54,17 @@ void finishImport(Session& session, const Load& load) {
            [&](Scene& scene) { bindFile(scene, load.pass, load.unit, load.file); });
 }
 
-/// Puts all of them into one undo step.
-void finishAdd(Session& session, Load& load) {
-    submit(session, fmt::format("Open {} images", load.added.size()),
-           [&](Scene& scene) { addImages(scene, session.document.images, load); });
-}
-
 /// The user gets the message in the next frame that has room for it.
 void tellRefused(Session& session, std::vector<Error>& refused) {
     session.asking.refused.insert(session.asking.refused.end(), refused.begin(), refused.end());
     refused.clear();
+}
+
+/// Puts all of them into one undo step.
+void finishAdd(Session& session, Load& load) {
+    submit(session, fmt::format("Open {} images", load.added.size()),
+           [&](Scene& scene) { addImages(scene, session.document.images, load); });
+    tellRefused(session, load.refused);
 }
 
 void finishSetFile(Session& session, const Load& load) {
@@ -93,28 +94,7 @@ bool isEdit(const Load& load) {
 bool finish(Session& session, Load& load) {
     if (session.out.movesVertices && isEdit(load))
         return false; // otherwise the move would be two undo steps with this one in between
-    switch (load.kind) {
-    case Load::Kind::Import:
-        putAll(session.document.images, load);
-        finishImport(session, load);
-        return true;
-    case Load::Kind::Add:
-        putAll(session.document.images, load);
-        finishAdd(session, load);
-        tellRefused(session, load.refused);
-        return true;
-    case Load::Kind::SetFile:
-        putAll(session.document.images, load);
-        finishSetFile(session, load);
-        return true;
-    case Load::Kind::Reload:
-        putAll(session.document.images, load);
-        finishReload(session, load);
-        return true;
-    case Load::Kind::Used:
-        putAll(session.document.images, load);
-        return true;
-    case Load::Kind::Scene:
+    if (load.kind == Load::Kind::Scene) {
         if (session.asking.dialog != Dialog::None)
             return false;
         putAll(load.images, load);
@@ -123,6 +103,15 @@ bool finish(Session& session, Load& load) {
         showLoadedScene(session, std::move(load));
         return true;
     }
+    putAll(session.document.images, load);
+    if (load.kind == Load::Kind::Import)
+        finishImport(session, load);
+    else if (load.kind == Load::Kind::Add)
+        finishAdd(session, load);
+    else if (load.kind == Load::Kind::SetFile)
+        finishSetFile(session, load);
+    else if (load.kind == Load::Kind::Reload)
+        finishReload(session, load);
     return true;
 }
 
@@ -173,22 +162,23 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
     }
 }
 
-/// The images that are in a folder.
-std::vector<std::string> filesOnDisk(const ImageSource& images) {
-    std::vector<std::string> files = images.files();
-    std::erase_if(files, [&](const std::string& file) { return images.fileInMemory(file) != nullptr; });
+/// The images that are in a folder, and those that are being read: they may have changed after it.
+std::set<std::string> filesOnDisk(const Document& document) {
+    std::set<std::string> files;
+    for (const std::string& file : document.images.files()) {
+        if (!document.images.fileInMemory(file))
+            files.insert(file);
+    }
+    for (const Load& load : document.loads) {
+        if (!load.file.empty())
+            files.insert(load.file);
+    }
     return files;
 }
 
 /// Returns true if the open lesson has changed: it is read again in the next frame that has room for it.
 bool reloadChanged(Session& session) {
-    std::set<std::string> files;
-    for (const std::string& file : filesOnDisk(session.document.images))
-        files.insert(file);
-    for (const Load& load : session.document.loads) { // what is being read may have changed after it was read
-        if (!load.file.empty())
-            files.insert(load.file);
-    }
+    const std::set<std::string> files = filesOnDisk(session.document);
     std::optional<LessonRun>& lesson = session.lesson;
     bool lessonHasChanged = false;
     for (const fs::path& changed : session.services.files->changed()) {
@@ -218,12 +208,8 @@ void loadUsed(Session& session) {
 
 void watchFiles(Session& session) {
     std::vector<fs::path> paths;
-    for (const std::string& file : filesOnDisk(session.document.images))
+    for (const std::string& file : filesOnDisk(session.document))
         paths.push_back(session.document.images.directory() / file);
-    for (const Load& load : session.document.loads) {
-        if (!load.file.empty())
-            paths.push_back(session.document.images.directory() / load.file);
-    }
     if (!session.look.fileView.shown.empty() && !session.look.fileView.inMemory)
         paths.push_back(session.look.fileView.shown);
     if (session.lesson)

@@ -4,6 +4,8 @@
 
 #include "texplorer/reference/explain/explanation_steps.h"
 
+#include <imgui.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -83,5 +85,9 @@ struct Card {
 
 /// The card of `cards` for the same stage of the same unit; nullptr: none.
 [[nodiscard]] const Card* sameCard(const std::vector<Card>& cards, const Card& card);
+
+/// Draws the small picture of a card into a rectangle: what its stage did.
+void drawStagePicture(ImDrawList& draw, ImVec2 low, ImVec2 high, const Card& card,
+                      const reference::FragmentExplanation& fragment);
 
 } // namespace texplorer::ui

@@ -1,6 +1,4 @@
-#include "app/ui/explain/explain_comparison.h"
-
-#include "app/ui/explain/explain_cards.h"
+#include "app/ui/explain/explain_tab.h"
 #include "app/ui/model/explaining.h"
 
 #include <fmt/core.h>

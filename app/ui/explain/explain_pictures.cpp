@@ -1,20 +1,17 @@
-#include "app/ui/explain/explain_pictures.h"
-
+#include "app/ui/explain/explain_cards.h"
+#include "app/ui/figures/plot.h"
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/palette.h"
 #include "texplorer/text/word.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cfloat>
 #include <cmath>
 #include <map>
-#include <string>
-#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -47,17 +44,8 @@ struct Sketch {
     }
 };
 
-float sketchLine() {
-    return std::max(1.0F, ImGui::GetFontSize() / 12);
-}
-
-ImU32 opaqueOf(glm::vec4 color) {
-    const glm::vec4 c = glm::clamp(color, 0.0F, 1.0F);
-    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
-}
-
-void filledBox(const Sketch& box, glm::vec4 color) {
-    box.draw.AddRectFilled(box.low, box.high, opaqueOf(color));
+void filledBox(const Sketch& box, glm::vec3 color) {
+    box.draw.AddRectFilled(box.low, box.high, plotColor(color));
     box.draw.AddRect(box.low, box.high, color::outline);
 }
 
@@ -72,7 +60,7 @@ void sketchText(ImDrawList& draw, ImVec2 middle, const std::string& text, ImU32 
 
 void sketchDot(const Sketch& box, ImVec2 at) {
     const float radius = ImGui::GetFontSize() * 0.22F;
-    box.draw.AddCircleFilled(at, radius + sketchLine(), color::ground);
+    box.draw.AddCircleFilled(at, radius + plotLine(), color::ground);
     box.draw.AddCircleFilled(at, radius, color::probed);
 }
 
@@ -80,7 +68,7 @@ void sketchDot(const Sketch& box, ImVec2 at) {
 struct NamedColor {
     const char* sign;
     const char* name;
-    glm::vec4 color;
+    glm::vec3 color;
 };
 void drawNamedColors(const Sketch& box, const std::vector<NamedColor>& colors) {
     const float line = ImGui::GetFontSize() * 0.9F;
@@ -119,12 +107,12 @@ void drawVerticesSketch(const Sketch& whole, const FragmentExplanation& fragment
     const auto at = [&](glm::vec2 place) { return shape.at(place.x, place.y); };
     const ImVec2 here = at(count == 1 ? places[0] : glm::clamp(pixel, -0.1F, 1.1F));
     for (std::size_t i = 0; i < count; ++i) {
-        whole.draw.AddLine(at(places.at(i)), at(places.at((i + 1) % count)), color::outline, sketchLine());
+        whole.draw.AddLine(at(places.at(i)), at(places.at((i + 1) % count)), color::outline, plotLine());
         const float weight = std::clamp(fragment.vertices[i].weight, 0.0F, 1.0F);
-        whole.draw.AddLine(here, at(places.at(i)), color::probed, sketchLine() + em * 0.3F * weight);
+        whole.draw.AddLine(here, at(places.at(i)), color::probed, plotLine() + em * 0.3F * weight);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        whole.draw.AddCircleFilled(at(places.at(i)), em * 0.28F, opaqueOf(fragment.vertices[i].primary));
+        whole.draw.AddCircleFilled(at(places.at(i)), em * 0.28F, plotColor(fragment.vertices[i].primary));
         whole.draw.AddCircle(at(places.at(i)), em * 0.28F, color::outline);
     }
     sketchDot(whole, here);
@@ -149,7 +137,7 @@ void drawCoordinatesSketch(const Sketch& whole, const UnitExplanation& unit) {
     const auto at = [&](float s, float t) {
         return box.at((s - low) / (high - low), (t - low) / (high - low));
     };
-    const float line = sketchLine();
+    const float line = plotLine();
     whole.draw.AddRectFilled(at(0, 1), at(1, 0), ImGui::GetColorU32(ImGuiCol_FrameBgActive));
     whole.draw.AddRect(at(0, 1), at(1, 0), color::outline);
     whole.draw.AddLine(at(0, 0), at(1, 0), color::s, 2 * line);
@@ -187,7 +175,7 @@ void drawLodSketch(const Sketch& whole, const UnitExplanation& unit) {
     const glm::vec2 extent = baseExtent(unit);
     glm::vec2 dx = glm::vec2(change.dx) * extent;
     glm::vec2 dy = glm::vec2(change.dy) * extent;
-    const float line = sketchLine();
+    const float line = plotLine();
     float reach = std::max({std::abs(dx.x) + std::abs(dy.x), std::abs(dx.y) + std::abs(dy.y)});
     if (!std::isfinite(reach)) {
         reach = 1;
@@ -268,7 +256,7 @@ void drawPatchSketch(const Sketch& whole, const reference::LevelPatch& patch) {
     }
     for (const reference::PlacedTap& tap : patch.taps) {
         const Sketch each = box(tap.at);
-        const float width = std::clamp(tap.tap.weight, 0.0F, 1.0F) * 3 * sketchLine() + 1;
+        const float width = std::clamp(tap.tap.weight, 0.0F, 1.0F) * 3 * plotLine() + 1;
         whole.draw.AddRect(each.low, each.high, color::shade, 0, 0, width + 1.5F);
         whole.draw.AddRect(each.low, each.high, color::probed, 0, 0, width);
     }
@@ -315,7 +303,7 @@ void drawFilterSketch(const Sketch& whole, const UnitExplanation& unit) {
     float y = top;
     for (const Bar& bar : bars) {
         const float next = y + 2 * half * std::clamp(bar.weight, 0.0F, 1.0F);
-        whole.draw.AddRectFilled({left, y}, {left + 2 * half, next}, opaqueOf(bar.color));
+        whole.draw.AddRectFilled({left, y}, {left + 2 * half, next}, plotColor(bar.color));
         y = next;
     }
     whole.draw.AddRect({left, top}, {left + 2 * half, top + 2 * half}, color::outline);

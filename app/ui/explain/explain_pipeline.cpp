@@ -1,11 +1,9 @@
 #include "app/ui/explain/explain_pipeline.h"
 
-#include "app/ui/explain/explain_pictures.h"
 #include "app/ui/explain/step_rows.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
@@ -246,29 +244,21 @@ void drawCards(OpenCards& cards, const Lane& lane, std::span<const Card> line, c
 }
 
 /// In one line, or in two if there is not enough width.
-struct StagesPlan {
-    float em = ImGui::GetFontSize();
-    float pad = std::floor(em * 0.4F);
-    float arrow = std::floor(em * 0.85F);
-    float title = std::floor(em * 1.2F);
+struct StagesPlan : CardMeasure {
     float width = 0; ///< of a card
     float scale = 1; ///< of its text
     std::vector<std::vector<const StageRow*>> lines;
 
-    [[nodiscard]] float textHeight(const StageRow& row) const {
-        const float wrap = (width - 2 * pad) / scale;
-        return wrappedSize(tr(row.help), wrap).y * scale;
-    }
-    [[nodiscard]] float height(const std::vector<const StageRow*>& line) const {
+    [[nodiscard]] float height(const std::vector<const StageRow*>& rows) const {
         float height = 0;
-        for (const StageRow* row : line)
-            height = std::max(height, textHeight(*row));
-        return height + title + 3 * pad;
+        for (const StageRow* row : rows)
+            height = std::max(height, wrappedSize(tr(row->help), (width - 2 * pad) / scale).y * scale);
+        return height + line + 3 * pad;
     }
     [[nodiscard]] float height() const {
         float sum = -ImGui::GetStyle().ItemSpacing.y;
-        for (const auto& line : lines)
-            sum += height(line) + ImGui::GetStyle().ItemSpacing.y;
+        for (const auto& rows : lines)
+            sum += height(rows) + ImGui::GetStyle().ItemSpacing.y;
         return sum;
     }
 };
@@ -294,8 +284,7 @@ StagesPlan planStages(ImVec2 available) {
                                 all.begin() + static_cast<std::ptrdiff_t>(std::min(i + perLine, all.size())));
     if (plan.height() > available.y) {
         plan.scale = 0.85F;
-        plan.pad = std::floor(plan.em * 0.2F);
-        plan.title = std::floor(plan.em * 1.05F);
+        plan.flatten();
     }
     return plan;
 }
@@ -307,7 +296,7 @@ void drawStage(const StagesPlan& plan, const StageRow& row, ImVec2 low, ImVec2 h
                        ImGui::GetStyle().FrameRounding);
     draw.AddText({low.x + plan.pad, low.y + plan.pad}, color::text, fitted(row.name, wrap).c_str());
     draw.AddText(ImGui::GetFont(), ImGui::GetFontSize() * plan.scale,
-                 {low.x + plan.pad, low.y + plan.pad + plan.title}, color::dim,
+                 {low.x + plan.pad, low.y + plan.pad + plan.line}, color::dim,
                  wrappedLines(tr(row.help), wrap / plan.scale).c_str());
     noteDrawn(fmt::format("stage:{}", row.name), low, high);
     if (&row != &stageRows.back())

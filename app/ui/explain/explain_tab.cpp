@@ -1,6 +1,5 @@
 #include "app/ui/explain/explain_tab.h"
 
-#include "app/ui/explain/explain_comparison.h"
 #include "app/ui/explain/step_rows.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
@@ -8,13 +7,10 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 namespace texplorer::ui {
 namespace {

@@ -31,6 +31,20 @@ struct ExplainTabState {
     AnswerSteps pinnedSteps;
 };
 
+/// The colours of the reference and of the pictures at the pixel.
+struct Comparison {
+    std::vector<reference::StepRow> rows;
+    std::vector<std::string> compared; ///< labels of the renderers that are compared with the reference
+    int most = 0;                      ///< the largest difference that is not a tie
+};
+
+/// For the explained pixel. Nothing is compared while the answer belongs to an earlier picture.
+[[nodiscard]] Comparison compareRenderers(const Session& session, const Pictures& pictures,
+                                          const reference::Explanation& explanation);
+
+/// Whether the method of the anisotropic filter may be the only difference.
+[[nodiscard]] bool mayDifferByMethod(const Session& session, const reference::Explanation& explanation);
+
 /// Draws a pipeline from left to right if the panel is wide, else a list.
 void drawExplainTab(const Session& session, ExplainTabState& state, const Pictures& pictures);
 

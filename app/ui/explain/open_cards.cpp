@@ -1,9 +1,7 @@
-#include "app/ui/explain/open_cards.h"
-
+#include "app/ui/explain/explain_pipeline.h"
 #include "app/ui/explain/step_rows.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <algorithm>
 #include <array>

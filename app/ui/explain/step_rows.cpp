@@ -1,7 +1,7 @@
 #include "app/ui/explain/step_rows.h"
 
+#include "app/ui/figures/plot.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
 
 #include <imgui_internal.h> // the size of a window's text
@@ -129,10 +129,8 @@ void swatch(const std::optional<glm::vec4>& color) {
     const float side = ImGui::GetTextLineHeight() * 0.8F;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float top = at.y + ImGui::GetTextLineHeight() * 0.1F;
-    const glm::vec4 c = glm::clamp(*color, 0.0F, 1.0F);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled({at.x, top}, {at.x + side, top + side},
-                       ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}));
+    draw.AddRectFilled({at.x, top}, {at.x + side, top + side}, plotColor(*color));
     draw.AddRect({at.x, top}, {at.x + side, top + side}, color::outline);
     ImGui::Dummy({side, ImGui::GetTextLineHeight()});
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);

@@ -2,9 +2,7 @@
 
 #include "app/ui/figures/block_swatch.h"
 #include "app/ui/figures/figure_columns.h"
-#include "app/ui/figures/flip_words.h"
 #include "app/ui/figures/plot.h"
-#include "app/ui/figures/striped_blocks.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/points.h"

@@ -98,8 +98,8 @@ void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_
     noteItem(fmt::format("block:entry {}", index));
     drawSwatch(spot.low, spot.high, look.colors.at(index));
     drawOnSwatch(spot.low, spot.high, fmt::format("{:02b}", index).c_str());
-    drawSwatchFrame(spot.low, spot.high,
-                    swatchFrame(look.fields.indices[state.texel] == index, look.lit.colors.test(index)));
+    drawSwatchFrame(spot.low, spot.high, look.fields.indices[state.texel] == index,
+                    look.lit.colors.test(index));
     if (spot.hovered) {
         state.hovering = BlockMark{BlockMark::Kind::Color, index};
         helpTip("Gives the selected texel this index.");
@@ -173,8 +173,8 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
         noteItem(fmt::format("block:alpha entry {}", i));
         drawSwatch(spot.low, {spot.high.x - 1, spot.high.y}, {alpha, alpha, alpha, 255});
         drawOnSwatch(spot.low, spot.high, std::to_string(alpha).c_str());
-        drawSwatchFrame(spot.low, {spot.high.x - 1, spot.high.y},
-                        swatchFrame(look.fields.alphas[state.texel] == i, look.lit.alphas.test(i)));
+        drawSwatchFrame(spot.low, {spot.high.x - 1, spot.high.y}, look.fields.alphas[state.texel] == i,
+                        look.lit.alphas.test(i));
         if (spot.hovered) {
             state.hovering = BlockMark{BlockMark::Kind::Alpha, i};
             const std::string bits = count == 16 ? fmt::format("{:04b}", i) : fmt::format("{:03b}", i);

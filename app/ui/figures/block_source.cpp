@@ -1,6 +1,6 @@
+#include "app/ui/figures/block_flip.h"
 #include "app/ui/figures/block_microscope.h"
 #include "app/ui/figures/block_swatch.h"
-#include "app/ui/figures/striped_blocks.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/level_view.h"

@@ -23,8 +23,8 @@ float codeLetter() {
     return width;
 }
 
-void drawSwatchFrame(ImVec2 low, ImVec2 high, SwatchFrame frame) {
-    if (frame == SwatchFrame::None)
+void drawSwatchFrame(ImVec2 low, ImVec2 high, bool chosen, bool lit) {
+    if (!chosen && !lit)
         return;
     const float em = ImGui::GetFontSize();
     const bool isSmall = high.y - low.y < em * 1.3F; // and the frame leaves the text readable
@@ -34,7 +34,7 @@ void drawSwatchFrame(ImVec2 low, ImVec2 high, SwatchFrame frame) {
                                             0, width);
     };
     ring(thick, 3 * thick, color::shade);
-    ring(thick, thick, frame == SwatchFrame::Chosen ? color::chosen : color::text);
+    ring(thick, thick, chosen ? color::chosen : color::text);
 }
 
 void drawOnSwatch(ImVec2 low, ImVec2 high, const char* words) {

@@ -14,14 +14,8 @@ void drawSwatch(ImVec2 low, ImVec2 high, const BlockColor& color);
 /// The width of a letter of code.
 [[nodiscard]] float codeLetter();
 
-/// The frame around a swatch.
-enum class SwatchFrame { None, Lit, Chosen };
-
-[[nodiscard]] constexpr SwatchFrame swatchFrame(bool chosen, bool lit) {
-    return chosen ? SwatchFrame::Chosen : lit ? SwatchFrame::Lit : SwatchFrame::None;
-}
-
-void drawSwatchFrame(ImVec2 low, ImVec2 high, SwatchFrame frame);
+/// The frame around a swatch, if there is one: a chosen one's has another colour than a lit one's.
+void drawSwatchFrame(ImVec2 low, ImVec2 high, bool chosen, bool lit);
 
 /// Centred text on a colour, readable on any; smaller if the swatch is low.
 void drawOnSwatch(ImVec2 low, ImVec2 high, const char* words);

@@ -80,8 +80,8 @@ void drawBlockTexels(BlockMicroscopeState& state, const BlockLook& look, float c
     }
     for (std::size_t texel = 0; texel < texels.size(); ++texel) { // over the neighbours
         const ImVec2 at = placeOf(texel);
-        drawSwatchFrame(at, at + ImVec2(cell - 1, cell - 1),
-                        swatchFrame(texel == state.texel, look.lit.texels.test(texel)));
+        drawSwatchFrame(at, at + ImVec2(cell - 1, cell - 1), texel == state.texel,
+                        look.lit.texels.test(texel));
     }
     ImGui::SetCursorScreenPos(corner);
     ImGui::Dummy({blockTexelsWidth(cell), blockTexelsWidth(cell)});

@@ -1,6 +1,5 @@
-#include "app/ui/figures/board_pictures.h"
-
 #include "app/ui/figures/plot.h"
+#include "app/ui/figures/texture_objects.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/points.h"
 #include "texplorer/reference/sampling/row_weights.h"

@@ -10,14 +10,12 @@
 
 namespace texplorer::ui {
 
-/// Colours that the user has set in the table; nothing: those of the scene.
-struct OwnColors {
+struct EnvironmentTableState {
+    // Colours that the user has set in the table; nothing: those of the scene.
     std::optional<glm::vec4> fragment;
     std::optional<glm::vec4> texel;
     std::optional<glm::vec4> constant;
-};
 
-struct EnvironmentTableState : OwnColors {
     CellText shows = CellText::Symbols; ///< if a cell has no room for both
     bool gradient = false;              ///< the pictures show every hue and alpha, not the texture
 };

@@ -1,7 +1,5 @@
-#include "app/ui/figures/flip_words.h"
-
+#include "app/ui/figures/block_flip.h"
 #include "texplorer/image/texture_image.h"
-#include "texplorer/s3tc/block_parts.h"
 #include "texplorer/s3tc/decode.h"
 #include "texplorer/s3tc/flip.h"
 

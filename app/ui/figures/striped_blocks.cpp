@@ -1,4 +1,4 @@
-#include "app/ui/figures/striped_blocks.h"
+#include "app/ui/figures/block_flip.h"
 
 #include <algorithm>
 #include <array>

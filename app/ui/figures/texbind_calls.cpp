@@ -1,4 +1,4 @@
-#include "app/ui/figures/texbind_calls.h"
+#include "app/ui/figures/texture_objects.h"
 
 namespace texplorer::ui {
 

@@ -1,8 +1,6 @@
 #include "app/ui/figures/texture_objects.h"
 
-#include "app/ui/figures/board_pictures.h"
 #include "app/ui/figures/plot.h"
-#include "app/ui/figures/texbind_calls.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
@@ -17,9 +15,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -169,9 +165,6 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
     const bool isNew = earlier == state.before.names.end();
     const std::optional<TextureObject> before = isNew ? std::nullopt : earlier->second;
     const bool isMade = object && !before;
-    const auto changed = [&](const auto& partOf) {
-        return object && (isMade || partOf(*object) != partOf(*before));
-    };
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(name));
@@ -186,8 +179,11 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
     ImGui::PopStyleColor();
     if (isNew || isMade)
         lightItem(true, fmt::format("name {}", name));
-    const auto choice = [&](auto value) { return tr(shownName(session.settings, rowOf(value))); };
     if (object) {
+        const Texture& texture = object->state;
+        const auto differs = [&](auto part) { return isMade || texture.*part != before->state.*part; };
+        const auto choice = [&](auto value) { return tr(shownName(session.settings, rowOf(value))); };
+        const auto brief = [&](Wrap wrap) { return tr(shownBrief(session.settings, rowOf(wrap))); };
         ImGui::TableNextColumn();
         const float side = ImGui::GetFrameHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -198,22 +194,14 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
         } else {
             plotText({at.x, at.y + side / 2}, {0, 0.5F}, tr("none"), color::dim);
         }
-        if (changed([](const TextureObject& o) { return o.picture; }) && object->picture)
+        if (object->picture && (isMade || object->picture != before->picture))
             ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, color::lit);
-        objectCell(choice(object->state.magFilter),
-                   changed([](const TextureObject& o) { return o.state.magFilter; }),
-                   fmt::format("mag {}", name));
-        objectCell(choice(object->state.minFilter),
-                   changed([](const TextureObject& o) { return o.state.minFilter; }),
-                   fmt::format("min {}", name));
-        const Texture& texture = object->state;
-        const auto brief = [&](Wrap wrap) { return tr(shownBrief(session.settings, rowOf(wrap))); };
+        objectCell(choice(texture.magFilter), differs(&Texture::magFilter), fmt::format("mag {}", name));
+        objectCell(choice(texture.minFilter), differs(&Texture::minFilter), fmt::format("min {}", name));
         const std::string wraps = texture.wrapS == texture.wrapT
                                       ? brief(texture.wrapS)
                                       : fmt::format("{}, {}", brief(texture.wrapS), brief(texture.wrapT));
-        objectCell(wraps,
-                   changed([](const TextureObject& o) { return std::pair(o.state.wrapS, o.state.wrapT); }),
-                   fmt::format("wrap {}", name));
+        objectCell(wraps, differs(&Texture::wrapS) || differs(&Texture::wrapT), fmt::format("wrap {}", name));
     } else {
         ImGui::TableSetColumnIndex(3);
         ImGui::AlignTextToFramePadding();

@@ -118,7 +118,7 @@ void readyKeys(LessonRun& run) {
 }
 
 /// Finds the current choices of the keys, which undo and panels can change as well.
-void followKeys(Session& session, LessonRun& run) {
+void followKeys(const Session& session, LessonRun& run) {
     const Scene& scene = presentScene(session);
     if (run.lesson.keys.empty() || run.keyed == scene)
         return;
@@ -127,25 +127,24 @@ void followKeys(Session& session, LessonRun& run) {
     run.keyed = scene;
 }
 
+/// Its images may be missing: they are read with the document.
+Result<lesson::LessonScene> startOfStep(const Session& session, const lesson::LessonFolder& folder,
+                                        const lesson::Lesson& lesson, std::size_t step) {
+    return startOf(folder, lesson, step, lesson::StepImages::Leave, session.window.textureUnits);
+}
+
 void askPictures(Session& session, const LessonRun& run) {
-    session.services.lessons->askPictures(picturedScenes(run));
+    LessonWork& work = session.services.lessons;
+    work.pictures.rest();
+    if (std::vector<LessonWork::Pictured> scenes = picturedScenes(run); !scenes.empty())
+        work.pictures.ask(std::move(scenes));
 }
 
 void begin(Session& session) {
     LessonRun& run = *session.lesson;
     readyKeys(run);
-    run.wantedScroll = LessonRun::Scroll::Top;
-    run.answer.reset();
-    run.numbers.reset();
-    run.numbersFor = {};
-    run.pictures.reset();
-    run.grade.reset();
-    run.asked.reset();
-    run.wantsHint = false;
-    run.hintAsked.reset();
-    run.hint.reset();
+    static_cast<LessonStepRun&>(run) = {.wantedScroll = LessonRun::Scroll::Top};
     session.services.lessons->rest();
-    run.target.reset();
     if (const auto* match = std::get_if<Match>(&stepOf(run).task)) {
         if (const Result<lesson::LessonScene> target = withEdits(run.start, match->edits))
             run.target = target->scene;
@@ -227,7 +226,7 @@ void receiveImages(Session& session, LessonRun& run) {
 /// Updates the numbers of the step's scene in the shown picture.
 void followNumbers(Session& session, LessonRun& run, lesson::PictureSize picture) {
     LessonWork& work = session.services.lessons;
-    if (std::optional<lesson::StepNumbers> numbers = work.takeNumbers()) {
+    if (std::optional<lesson::StepNumbers> numbers = work.numbers.take()) {
         if (run.answer && !run.numbers)
             run.wantedScroll = LessonRun::Scroll::Verdict;
         run.numbers = std::move(numbers);
@@ -237,13 +236,14 @@ void followNumbers(Session& session, LessonRun& run, lesson::PictureSize picture
     if (run.awaitsImages || run.numbersFor == picture)
         return;
     run.numbersFor = picture;
-    work.askNumbers(run.start, stepOf(run), picture);
+    work.numbers.rest();
+    work.numbers.ask({run.start, stepOf(run), picture});
 }
 
 void followMatch(Session& session, LessonRun& run) {
     LessonWork& work = session.services.lessons;
     Scene compared = comparedScene(run, *run.target, session.document.scene);
-    if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
+    if (std::optional<LessonWork::Graded> graded = work.grades.take()) {
         const bool isOfAnEdit =
             run.grade || graded->scene != comparedScene(run, *run.target, run.start.scene);
         if (isOfAnEdit && !(run.grade && percentWrong(*run.grade) == percentWrong(graded->grade)))
@@ -252,16 +252,16 @@ void followMatch(Session& session, LessonRun& run) {
         if (run.grade->passed && graded->scene == compared)
             recordOf(session, run).done = true;
     }
-    if (std::optional<LessonWork::Hinted> hint = work.takeHint())
+    if (std::optional<LessonWork::Hinted> hint = work.hints.take())
         run.hint = std::move(hint);
     if (run.wantsHint && run.grade && !run.grade->passed && run.hintAsked != compared) {
         run.hintAsked = compared;
-        work.askHint(compared, *run.target, session.document.images);
+        work.hints.ask({compared, *run.target, session.document.images});
     }
     if (run.asked == compared)
         return;
     run.asked = std::move(compared);
-    work.askGrade(*run.asked, *run.target, session.document.images);
+    work.grades.ask({*run.asked, *run.target, session.document.images});
 }
 
 } // namespace
@@ -280,8 +280,7 @@ Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
     }
     const std::size_t last = lesson->steps.size() - 1;
     const std::size_t first = step.value_or(0) > last ? 0 : step.value_or(0);
-    Result<lesson::LessonScene> start =
-        startOf(folder, *lesson, first, lesson::StepImages::Leave, session.window.textureUnits);
+    Result<lesson::LessonScene> start = startOfStep(session, folder, *lesson, first);
     if (!start)
         return fail(start.error());
     endLessonPictures(session);
@@ -307,8 +306,7 @@ void goToLessonStep(Session& session, std::size_t step) {
     std::optional<LessonRun>& run = session.lesson;
     if (!run || step >= run->lesson.steps.size())
         return;
-    Result<lesson::LessonScene> start =
-        startOf(run->folder, run->lesson, step, lesson::StepImages::Leave, session.window.textureUnits);
+    Result<lesson::LessonScene> start = startOfStep(session, run->folder, run->lesson, step);
     if (!start)
         return say(session, start.error());
     run->step = step;
@@ -353,8 +351,8 @@ void followLesson(Session& session, const LessonPlace& place) {
         reloadLesson(session);
     followKeys(session, *run);
     LessonWork& work = session.services.lessons;
-    if (auto pictures = work.takePictures())
-        run->pictures = std::move(pictures);
+    if (auto pictures = work.pictures.take())
+        run->pictures = *std::move(pictures);
     receiveImages(session, *run);
     followNumbers(session, *run, place.picture);
     if (run->target && !run->awaitsImages)
@@ -369,8 +367,7 @@ void reloadLesson(Session& session) {
         return tellProblem(session, lesson.error());
     run.files = filesOfLesson(run.folder, *lesson, run.language);
     const std::size_t step = std::min(run.step, lesson->steps.size() - 1);
-    Result<lesson::LessonScene> start =
-        startOf(run.folder, *lesson, step, lesson::StepImages::Leave, session.window.textureUnits);
+    Result<lesson::LessonScene> start = startOfStep(session, run.folder, *lesson, step);
     const std::string file = (run.folder.path() / lesson::lessonFileName).string();
     if (!start)
         return tellProblem(session, {start.error().code, describe(start.error()), file});

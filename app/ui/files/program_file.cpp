@@ -86,14 +86,8 @@ void askSaveProgram(Session& session, emit::Flavour flavour) {
 
 Result<void> saveProgram(Session& session, const std::filesystem::path& file,
                          const std::optional<FileFingerprint>& replaces) {
-    const std::string_view extension = emit::extensionOf(session.asking.flavour);
-    if (file.extension() != extension)
-        return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
-                                                        extension, file.filename().string()));
-    FileOrder order = programOrder(session, file);
-    order.replaces = replaces;
-    session.services.writing->write(std::move(order));
-    return {};
+    return session.services.writing->writeAs(programOrder(session, file),
+                                             emit::extensionOf(session.asking.flavour), replaces);
 }
 
 } // namespace texplorer::ui

@@ -101,17 +101,10 @@ std::string recordingFileName(const Session& session) {
 
 Result<void> saveRecording(Session& session, const std::filesystem::path& file,
                            const std::optional<FileFingerprint>& replaces) {
-    Result<Recording> recording = recordingOf(session);
-    if (!recording)
-        return fail(recording.error());
-    const animation::FormatRow& format = animation::rowOf(recording->format);
-    if (file.extension() != format.extension)
-        return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
-                                                        format.extension, file.filename().string()));
-    FileOrder order = fileOrder(*std::move(recording), file);
-    order.replaces = replaces;
-    session.services.writing->write(std::move(order));
-    return {};
+    return recordingOf(session).and_then([&](Recording recording) {
+        const std::string_view extension = animation::rowOf(recording.format).extension;
+        return session.services.writing->writeAs(fileOrder(std::move(recording), file), extension, replaces);
+    });
 }
 
 } // namespace texplorer::ui

@@ -139,16 +139,11 @@ Result<glm::ivec2> sheetExtent(const Session& session) {
 
 Result<void> saveSheet(Session& session, const std::filesystem::path& file,
                        const std::optional<FileFingerprint>& replaces) {
-    Result<SheetOrder> order = sheetOrder(session);
-    if (!order)
-        return fail(order.error());
-    if (file.extension() != ".png")
-        return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with .png, found \"{}\"",
-                                                        file.filename().string()));
-    return fileOrder(*std::move(order), file).map([&](FileOrder written) {
-        written.replaces = replaces;
-        session.services.writing->write(std::move(written));
-    });
+    return sheetOrder(session)
+        .and_then([&](SheetOrder sheet) { return fileOrder(std::move(sheet), file); })
+        .and_then([&](FileOrder order) {
+            return session.services.writing->writeAs(std::move(order), ".png", replaces);
+        });
 }
 
 } // namespace texplorer::ui

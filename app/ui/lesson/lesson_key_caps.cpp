@@ -1,6 +1,5 @@
-#include "app/ui/lesson/lesson_key_caps.h"
-
 #include "app/ui/language/translate.h"
+#include "app/ui/lesson/lesson_tab.h"
 #include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/fitted_text.h"

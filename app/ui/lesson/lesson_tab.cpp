@@ -4,7 +4,6 @@
 #include "app/ui/files/lessons.h"
 #include "app/ui/files/replaced_document.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/lesson/lesson_key_caps.h"
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/state/lesson_records.h"
@@ -23,12 +22,6 @@ using lesson::Match;
 using lesson::Predict;
 using lesson::Step;
 using lesson::Try;
-
-void lessonTextIn(ImU32 ink, const std::string& words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    plainWrappedText(words);
-    ImGui::PopStyleColor();
-}
 
 /// Scrolls just enough to make the verdict visible, from `top` to the cursor; only its beginning if it is
 /// higher than the window. Call it after the verdict.
@@ -173,9 +166,7 @@ void drawTask(const Session& session, const LessonRun& run, const Predict& predi
     dimText("Predict");
     plainWrappedText(run.stepText(predict.question));
     space();
-    const bool pictured =
-        std::ranges::any_of(predict.answers, [](const lesson::Answer& each) { return !each.edits.empty(); });
-    if (pictured)
+    if (std::ranges::any_of(predict.answers, [](const lesson::Answer& each) { return !each.edits.empty(); }))
         answerPictures(session, run, predict, pictures);
     else
         answerSentences(session, run, predict);
@@ -184,12 +175,12 @@ void drawTask(const Session& session, const LessonRun& run, const Predict& predi
     const float top = ImGui::GetCursorPosY();
     space();
     if (*run.answer != predict.right) {
-        lessonTextIn(color::problem, tr(std::string("Not this one. Look again, or try it in the window.")));
+        wrappedText("Not this one. Look again, or try it in the window.", color::problem);
         noteItem("not this one");
     } else if (const std::string reason = run.reason(); reason.empty()) {
         dimText("Computing the numbers…");
     } else {
-        lessonTextIn(color::text, reason);
+        plainWrappedText(reason, color::text);
         noteItem("reason");
     }
     scrollToVerdict(run, top);
@@ -206,7 +197,7 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
     smallPicture(pictures, run, 0, passed ? color::accent : color::dim);
     noteItem("picture to reach");
     if (passed) {
-        lessonTextIn(color::accent, "● " + tr(std::string("Solved: your picture matches.")));
+        plainWrappedText("● " + tr(std::string("Solved: your picture matches.")), color::accent);
         noteItem("reached");
     } else if (run.grade) {
         dimWrappedText(fmt::format("{} % of the pixels still differ.", percentWrong(*run.grade)));
@@ -285,15 +276,15 @@ void drawStep(const Session& session, const LessonRun& run, const Pictures& pict
             if (changed.lesson && changed.lesson->wantedScroll == done)
                 changed.lesson->wantedScroll = LessonRun::Scroll::None;
         });
-    lessonTextIn(color::dim, run.text(run.lesson.title));
+    plainWrappedText(run.text(run.lesson.title), color::dim);
     if (run.step == 0 && !run.lesson.source.empty())
-        lessonTextIn(color::dim, run.text(run.lesson.source));
+        plainWrappedText(run.text(run.lesson.source), color::dim);
     stepMarks(session, run);
-    lessonTextIn(color::chosen, fmt::format("{}. {}", run.step + 1, run.text(step.title)));
+    plainWrappedText(fmt::format("{}. {}", run.step + 1, run.text(step.title)), color::chosen);
     noteItem("lesson title");
     plainWrappedText(run.stepText(step.text));
     if (!run.start.fallback.empty())
-        lessonTextIn(color::dim, run.text(run.start.fallback));
+        plainWrappedText(run.text(run.start.fallback), color::dim);
     for (const std::string& note : imageNotes(run.start))
         dimWrappedText(note);
     space();
@@ -317,7 +308,7 @@ void drawList(const Session& session) {
         noteItem("lesson:" + each.name);
         ImGui::SameLine(ImGui::GetCursorPosX() + room);
         dimText(count);
-        lessonTextIn(color::dim, each.about);
+        plainWrappedText(each.about, color::dim);
         space();
         ImGui::PopID();
     }

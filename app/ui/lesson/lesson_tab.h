@@ -9,4 +9,8 @@ namespace texplorer::ui {
 /// Without an open lesson it draws the list of all lessons.
 void drawLessonTab(const Session& session, const Pictures& pictures);
 
+/// Draws the keys of the open lesson, their actions and current effects. A click acts like the key. Does
+/// nothing if the lesson has no keys.
+void drawLessonKeys(const Session& session, const LessonRun& run);
+
 } // namespace texplorer::ui

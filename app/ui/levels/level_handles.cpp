@@ -4,7 +4,6 @@
 #include "app/ui/model/level_edits.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
@@ -68,27 +67,19 @@ void drawLevelBar(const Session& session, const StripPlace& place, const LevelBa
 /// An end of the range to which λ is clamped. Beyond the strip there is no limit.
 struct LodEnd {
     const char* name;
+    const char* help; ///< with its value
     bool least;
     float lod;
     float unlimited;
 };
 
-std::string lodHelp(const LodEnd& end) {
-    const std::string value = end.lod == end.unlimited ? tr("no limit") : fmt::format("{:.2f}", end.lod);
-    return end.least
-               ? fmt::format("GL_TEXTURE_MIN_LOD: {}\n"
-                             "The lower limit of λ. Drag it; at the end of the strip there is no limit.",
-                             value)
-               : fmt::format("GL_TEXTURE_MAX_LOD: {}\n"
-                             "The upper limit of λ. Drag it; at the end of the strip there is no limit.",
-                             value);
-}
-
 void drawLodEnd(const Session& session, const Texture& texture, const StripPlace& place, const LodEnd& end) {
     const float x = place.xOf(static_cast<float>(place.base) + end.lod);
     const float reach = ImGui::GetFontSize() * 0.4F;
+    const std::string value = end.lod == end.unlimited ? tr("no limit") : fmt::format("{:.2f}", end.lod);
     const auto [hot, moved] =
-        unseenHandle(end.name, {x - reach, place.axis - reach * 1.5F}, {2 * reach, 2 * reach}, lodHelp(end));
+        unseenHandle(end.name, {x - reach, place.axis - reach * 1.5F}, {2 * reach, 2 * reach},
+                     fmt::format(fmt::runtime(end.help), value));
     if (moved) {
         const float level = place.levelUnderMouse();
         const bool beyond = end.least ? level <= static_cast<float>(place.first) - 0.45F
@@ -190,8 +181,16 @@ void drawLevelHandles(const Session& session, const StripPlace& place) {
 
 void drawLodAxis(const Session& session, const StripPlace& place) {
     const Texture& texture = *boundTexture(session);
-    drawLodEnd(session, texture, place, {"levels:min lod", true, texture.minLod, noMinLod});
-    drawLodEnd(session, texture, place, {"levels:max lod", false, texture.maxLod, noMaxLod});
+    drawLodEnd(session, texture, place,
+               {"levels:min lod",
+                "GL_TEXTURE_MIN_LOD: {}\n"
+                "The lower limit of λ. Drag it; at the end of the strip there is no limit.",
+                true, texture.minLod, noMinLod});
+    drawLodEnd(session, texture, place,
+               {"levels:max lod",
+                "GL_TEXTURE_MAX_LOD: {}\n"
+                "The upper limit of λ. Drag it; at the end of the strip there is no limit.",
+                false, texture.maxLod, noMaxLod});
     drawLodRange(session, texture, place);
     drawLodNumbers(place);
     if (const reference::PixelLevels* asked = askedLevels(session))

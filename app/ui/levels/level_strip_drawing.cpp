@@ -1,10 +1,8 @@
-#include "app/ui/levels/level_strip_drawing.h"
-
 #include "app/ui/levels/level_handles.h"
+#include "app/ui/levels/levels_tab.h"
 #include "app/ui/model/level_edits.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "texplorer/image/mip_colors.h"
 
 #include <fmt/core.h>
@@ -239,10 +237,11 @@ void StripDrawing::drawCell(std::size_t index) {
     // The flag, the number and the size.
     const std::string number = std::to_string(level.report.number);
     const float flag = flagWidth();
+    const std::string extents = level.missing ? std::string() : form_.text(level.report, target_);
     const float numberWidth = ImGui::CalcTextSize(number.c_str()).x;
-    const float sideText =
-        form_.beside && !level.missing ? ImGui::CalcTextSize(form_.text(level.report, target_).c_str()).x : 0;
-    const float line = flag + em() * 0.25F + numberWidth + (sideText > 0 ? em() * 0.4F + sideText : 0);
+    const float extentsWidth = ImGui::CalcTextSize(extents.c_str()).x;
+    const float beside = form_.beside && extentsWidth > 0 ? em() * 0.4F + extentsWidth : 0;
+    const float line = flag + em() * 0.25F + numberWidth + beside;
     float x = std::round(origin_.x + cell.middle() - line / 2);
     float y = floor + em() * 0.35F;
     const auto [r, g, b, a] = mipColor(level.report.number);
@@ -252,12 +251,11 @@ void StripDrawing::drawCell(std::size_t index) {
     x += flag + em() * 0.25F;
     const ImU32 ink = share > 0 ? color::probed : isRead ? color::text : color::dim;
     draw.AddText({x, y}, ink, number.c_str());
-    const std::string extents = level.missing ? std::string() : form_.text(level.report, target_);
     if (form_.beside)
         x += numberWidth + em() * 0.4F;
     else {
         y += ImGui::GetTextLineHeight();
-        x = std::round(origin_.x + cell.middle() - ImGui::CalcTextSize(extents.c_str()).x / 2);
+        x = std::round(origin_.x + cell.middle() - extentsWidth / 2);
     }
     draw.AddText({x, y}, color::dim, extents.c_str());
 }

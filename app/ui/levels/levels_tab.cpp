@@ -9,7 +9,6 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
-#include "app/ui/widgets/theme.h"
 #include "texplorer/image/cube_faces.h"
 #include "texplorer/scene/params/keys.h"
 

@@ -3,10 +3,9 @@
 #include "app/ui/levels/memory_tab.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/levels/level_strip_drawing.h"
+#include "app/ui/levels/levels_tab.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/theme.h"
 #include "texplorer/base/count.h"
 
 #include <fmt/core.h>

@@ -28,8 +28,25 @@ struct LessonPictures {
     ShownPictures chosen{};
 };
 
+/// What has happened in a lesson's step since it began.
+struct LessonStepRun {
+    std::optional<Scene> target{};                ///< the target scene; none: the step has no such task
+    std::optional<std::size_t> answer{};          ///< the chosen answer
+    std::optional<lesson::StepNumbers> numbers{}; ///< in its texts; none: they are being computed
+    lesson::PictureSize numbersFor{};             ///< the picture of the requested numbers
+    /// Where the tab scrolls to in the next frame that shows it.
+    enum class Scroll { None, Top, Verdict };
+    Scroll wantedScroll = Scroll::None;
+    std::shared_ptr<const LessonWork::Pictures> pictures{}; ///< of the answers, or of the target
+    std::optional<lesson::Grade> grade{};                   ///< of the last compared scene
+    std::optional<Scene> asked{};                           ///< the scene that was last sent for comparison
+    bool wantsHint = false;                                 ///< a hint was requested
+    std::optional<Scene> hintAsked{};                       ///< the scene of the last search for a hint
+    std::optional<LessonWork::Hinted> hint{};               ///< its result
+};
+
 /// An open lesson. The results of its steps are kept longer: see lesson_progress.h.
-struct LessonRun {
+struct LessonRun : LessonStepRun {
     LessonRun(lesson::LessonFolder from, lesson::Lesson what, std::size_t first, lesson::LessonScene scene)
         : folder(std::move(from))
         , key(progressKey(folder))
@@ -43,31 +60,18 @@ struct LessonRun {
     lesson::Lesson lesson;
     std::size_t step = 0;
     lesson::LessonScene start;                  ///< the step's initial scene
-    std::optional<Scene> target;                ///< the target scene; none: the step has no such task
-    std::optional<std::size_t> answer;          ///< the chosen answer
-    std::optional<lesson::StepNumbers> numbers; ///< in its texts; none: they are being computed
-    lesson::PictureSize numbersFor;             ///< the picture of the requested numbers
-    /// Where the tab scrolls to in the next frame that shows it.
-    enum class Scroll { None, Top, Verdict };
-    Scroll wantedScroll = Scroll::None;
-    bool awaitsImages = false;                            ///< images of `start` are still being read
-    std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or of the target
-    std::optional<lesson::Grade> grade;                   ///< of the last compared scene
-    std::optional<Scene> asked;                           ///< the scene that was last sent for comparison
-    bool wantsHint = false;                               ///< a hint was requested
-    std::optional<Scene> hintAsked;                       ///< the scene of the last search for a hint
-    std::optional<LessonWork::Hinted> hint;               ///< its result
-    Language language = Language::English;                ///< of the catalogue
-    std::shared_ptr<const Catalogue> catalogue;           ///< of the lesson's own texts; nullptr: English
-    std::vector<std::filesystem::path> files;             ///< its files; none: a built-in lesson
-    bool hasChanged = false;                              ///< a file has changed and was not read again yet
-    std::string problem;                                  ///< the reported error of reading it; empty: none
-    lesson::ChosenChoices chosen;                         ///< the current choice of each of its keys
-    std::vector<bool> usable;                             ///< which of its keys have an effect in this step
-    std::optional<Scene> keyed;                           ///< the scene of `chosen`
-    std::optional<PressedKey> pressed;                    ///< the last one that has selected another choice
-    std::optional<std::size_t> heldKey;                   ///< the last pressed one of its keys
-    bool holdsKey = false;                                ///< a key with a continuous effect is held
+    bool awaitsImages = false;                  ///< images of `start` are still being read
+    Language language = Language::English;      ///< of the catalogue
+    std::shared_ptr<const Catalogue> catalogue; ///< of the lesson's own texts; nullptr: English
+    std::vector<std::filesystem::path> files;   ///< its files; none: a built-in lesson
+    bool hasChanged = false;                    ///< a file has changed and was not read again yet
+    std::string problem;                        ///< the reported error of reading it; empty: none
+    lesson::ChosenChoices chosen;               ///< the current choice of each of its keys
+    std::vector<bool> usable;                   ///< which of its keys have an effect in this step
+    std::optional<Scene> keyed;                 ///< the scene of `chosen`
+    std::optional<PressedKey> pressed;          ///< the last one that has selected another choice
+    std::optional<std::size_t> heldKey;         ///< the last pressed one of its keys
+    bool holdsKey = false;                      ///< a key with a continuous effect is held
 
     /// A text of the lesson in the window's language.
     [[nodiscard]] std::string text(const std::string& english) const;

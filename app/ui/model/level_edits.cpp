@@ -97,9 +97,7 @@ void setUnitBias(const Session& session, float bias) {
 
 float biasOf(const Session& session) {
     const Texture* texture = boundTexture(session);
-    const Selection& at = session.look.selection;
-    const Pass& pass = presentScene(session).passes[static_cast<std::size_t>(at.pass)];
-    return (texture ? texture->lodBias : 0) + pass.units[static_cast<std::size_t>(at.unit)].lodBias;
+    return (texture ? texture->lodBias : 0) + selectedUnit(session).lodBias;
 }
 
 bool limitsLevels(const Session& session) {

@@ -11,12 +11,8 @@ namespace texplorer::ui {
 namespace {
 
 std::string boundTexturePath(const Session& session, const std::string& key) {
-    const Selection& selection = session.look.selection;
-    const int bound = presentScene(session)
-                          .passes.at(static_cast<std::size_t>(selection.pass))
-                          .units.at(static_cast<std::size_t>(selection.unit))
-                          .texture;
-    return elementOf<&Scene::textures>(static_cast<std::size_t>(std::max(0, bound))) + "." + key;
+    const auto bound = static_cast<std::size_t>(std::max(0, selectedUnit(session).texture));
+    return elementOf<&Scene::textures>(bound) + "." + key;
 }
 
 template<class Enums>

@@ -91,9 +91,7 @@ void drawEquation(const Session& session, const Combine& combine, const Half& ha
         symbols = fmt::format("{} × ({})", factor, symbols);
     ImGui::TextUnformatted(("= " + symbols).c_str());
     noteItem("combine:equation" + std::string(half.suffix));
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    plainWrappedText(meaning);
-    ImGui::PopStyleColor();
+    plainWrappedText(meaning, color::dim);
     noteItem("combine:" + meaning);
 }
 

@@ -1,9 +1,9 @@
 // The coordinates that OpenGL generates (glTexGen): one line for each of s, t, r and q, and the plane that
 // its mode reads while it is on.
 
-#include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
+#include "app/ui/widgets/button_width.h"
 #include "texplorer/scene/light_projection.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -19,29 +19,28 @@ void lightButtons(const Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     const Selection& selection = session.look.selection;
-    const auto button = [&](const char* words, const char* tip, auto&& edit) {
-        if (ImGui::Button(label(words), {width, 0})) {
-            bool hasRoom = false;
-            submit(session, words, [&](Scene& scene) { hasRoom = edit(scene); });
-            if (!hasRoom)
-                act(session, [](Session& told) {
-                    say(told, "Not possible: no more textures or matrix steps can be added.");
-                });
-        }
-        item(words, tip);
+    const auto offer = [&](const char* words, const char* tip, auto&& edit) {
+        if (!button(words, words, tip, true, width))
+            return;
+        bool hasRoom = false;
+        submit(session, words, [&](Scene& scene) { hasRoom = edit(scene); });
+        if (!hasRoom)
+            act(session, [](Session& told) {
+                say(told, "Not possible: no more textures or matrix steps can be added.");
+            });
     };
-    button("Slide projector",
-           "Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
-           "projector to the texture matrix.",
-           [&](Scene& scene) { return projectFromLight(selectedUnit(scene, selection)); });
+    offer("Slide projector",
+          "Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
+          "projector to the texture matrix.",
+          [&](Scene& scene) { return projectFromLight(selectedUnit(scene, selection)); });
     ImGui::SameLine(0, gap);
-    button("Shadow map",
-           "Multiplies by the light's shadows: adds a depth texture of the light's view, which r is "
-           "compared with.",
-           [&](Scene& scene) {
-               return castShadows(scene, static_cast<std::size_t>(selection.pass),
-                                  static_cast<std::size_t>(selection.unit));
-           });
+    offer("Shadow map",
+          "Multiplies by the light's shadows: adds a depth texture of the light's view, which r is "
+          "compared with.",
+          [&](Scene& scene) {
+              return castShadows(scene, static_cast<std::size_t>(selection.pass),
+                                 static_cast<std::size_t>(selection.unit));
+          });
 }
 
 } // namespace

@@ -91,9 +91,9 @@ void imageChoice(const Session& session, const Pictures& pictures) {
     dimText(hasRoom ? fitted(shownNameOfImage(texture), room) : "");
     helpTip(shownNameOfImage(texture));
     ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
-    if (ImGui::Button(label(open)))
+    if (button(open, "open image",
+               "Opens an image file for this texture. Or drop one onto the window (Ctrl+I)"))
         act(session, [](Session& s) { askOpenImage(s); });
-    item("open image", "Opens an image file for this texture. Or drop one onto the window (Ctrl+I)");
 
     ask(session, [](Session& s) { return workers(s).patterns->ask(); });
     std::vector<Choice> choices;

@@ -51,11 +51,6 @@ void offerMotion(const Session& session, const Motion& motion) {
         previewPreset(session, *preset);
 }
 
-void applyMotion(const Session& session, const Motion& motion) {
-    if (const Preset* preset = findPreset(motion.preset))
-        choosePreset(session, *preset, matrixPath(session));
-}
-
 /// A button for each operation, which adds a step: at most `perLine` buttons per line.
 void addStepButtons(const Session& session, int perLine) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -95,9 +90,11 @@ void motionButtons(const Session& session) {
                 return offerMotion(session, motions[number]);
             item("add matrix step", "Adds a step at the end of the texture matrix");
         });
-    if (pressed && *pressed < motions.size())
-        applyMotion(session, motions[*pressed]);
-    else if (pressed)
+    const Preset* motion =
+        pressed && *pressed < motions.size() ? findPreset(motions[*pressed].preset) : nullptr;
+    if (motion)
+        choosePreset(session, *motion, matrixPath(session));
+    else if (pressed == motions.size())
         ImGui::OpenPopup("steps");
     if (ImGui::BeginPopup("steps")) {
         ImGui::Dummy({ImGui::GetFontSize() * 16, 0});

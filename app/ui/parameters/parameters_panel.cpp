@@ -1,6 +1,7 @@
 #include "app/ui/parameters/parameters_panel.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/param_match.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
@@ -119,10 +120,8 @@ void unitTab(const Session& session, const Pictures& /*pictures*/) {
     if (section(session, Section::Unit))
         unitSection(session);
     const EnvMode mode = selectedUnit(session).envMode;
-    const std::string idle = mode == EnvMode::Combine
-                                 ? std::string()
-                                 : fmt::format("No effect now: the mode is {}.", rowOf(mode).name);
-    if (section(session, Section::Combine, {}, idle.empty() ? nullptr : idle.c_str()))
+    const std::string idle = fmt::format("No effect now: the mode is {}.", rowOf(mode).name);
+    if (section(session, Section::Combine, {}, mode == EnvMode::Combine ? nullptr : idle.c_str()))
         combineSection(session);
 }
 
@@ -145,10 +144,6 @@ void sectionOfRows(const Session& session, Section which) {
     }
 }
 
-void passTab(const Session& session, const Pictures& /*pictures*/) {
-    passSection(session);
-}
-
 void lightTab(const Session& session, const Pictures& /*pictures*/) {
     sectionOfRows(session, Section::Light);
     sectionOfRows(session, Section::Material);
@@ -162,7 +157,13 @@ void viewTab(const Session& session, const Pictures& /*pictures*/) {
 
 /// In the order of ParameterTab.
 constexpr std::array<void (*)(const Session& session, const Pictures& pictures), parameterTabRows.size()>
-    drawTabs{essentials, textureSection, unitTab, coordinatesTab, passTab, lightTab, viewTab};
+    drawTabs{essentials,
+             textureSection,
+             unitTab,
+             coordinatesTab,
+             [](const Session& session, const Pictures&) { passSection(session); },
+             lightTab,
+             viewTab};
 
 /// The search field, and the switch to OpenGL's names.
 void searchLine(const Session& session, ParametersState& state) {
@@ -197,6 +198,33 @@ void searchLine(const Session& session, ParametersState& state) {
                          : "Shows OpenGL's names of parameters and choices: GL_TEXTURE_WRAP_S, GL_REPEAT");
 }
 
+/// Draws every parameter that matches the search, with its tab and its control: first those with a matching
+/// name.
+void searchResults(const Session& session, std::string_view words) {
+    std::size_t found = 0;
+    for (const int wanted : {2, 1}) {
+        for (const ShownStruct& place : shownStructs(session)) {
+            bool titled = false;
+            for (const ParamRow& row : place.table->params) {
+                if (matchOf(row, words) != wanted)
+                    continue;
+                if (!std::exchange(titled, true)) {
+                    const char* tab = rowOf(rowOf(place.section).tab).label;
+                    caption(place.title.empty() || place.title == tab
+                                ? std::string(tab)
+                                : fmt::format("{} · {}", tab, place.title));
+                    noteItem(fmt::format("found in:{}", tab));
+                }
+                ++found;
+                paramWidget(session, place.owner, row);
+            }
+        }
+    }
+    if (found == 0)
+        wrappedText("No parameter matches: the label, OpenGL's name, the choices and the help are searched.");
+    noteItem(fmt::format("found:{}", found));
+}
+
 void noteTab(std::size_t number) {
     item(fmt::format("parameters:{}", parameterTabRows.at(number).label), parameterTabRows.at(number).help);
 }
@@ -220,22 +248,15 @@ std::optional<std::size_t> tabList(const ParametersState& state) {
     return pressed;
 }
 
-std::optional<std::size_t> tabButtons(const ParametersState& state) {
+void tabBar(ParametersState& state) {
     constexpr std::size_t maxLines = 3;
     const std::vector<Segment> tabs = segmentsOf(parameterTabRows, &ParameterTabRow::label);
     const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, maxLines);
-    if (!plan)
-        return tabList(state);
     ImGui::PushID("tabs");
     const auto shown =
         state.search.empty() ? std::optional(static_cast<std::size_t>(state.tab)) : std::nullopt;
-    const auto pressed = drawSegments(tabs, *plan, shown, noteTab);
+    const auto pressed = plan ? drawSegments(tabs, *plan, shown, noteTab) : tabList(state);
     ImGui::PopID();
-    return pressed;
-}
-
-void tabBar(ParametersState& state) {
-    const std::optional<std::size_t> pressed = tabButtons(state);
     if (!pressed)
         return;
     state.tab = parameterTabRows.at(*pressed).tab;

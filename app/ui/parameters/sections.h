@@ -14,10 +14,6 @@ namespace texplorer::ui {
 /// The most important parameters, one click each, and below them the rows that the user has pinned.
 void essentials(const Session& session, const Pictures& pictures);
 
-/// Draws every parameter that matches the search, with its tab and its control: first those with a matching
-/// name.
-void searchResults(const Session& session, std::string_view words);
-
 /// Draws the usual degrees of anisotropy as buttons, and a slider up to the driver's limit.
 void anisotropyLine(const Session& session, const Owner& texture, const ParamRow& row);
 

@@ -4,6 +4,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/parameters/sections.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
@@ -148,9 +149,8 @@ void addLevels(const Session& session, std::size_t index, std::size_t count) {
 
 /// A dim line above a list without effect, with the reason.
 void idleNote(const Session& session, const std::string& path) {
-    if (const Finding* idle = idleReasonOf(session.document.findings, path)) {
+    if (const Finding* idle = idleReasonOf(session.document.findings, path))
         dimWrappedText(sentenceOf(*idle));
-    }
 }
 
 } // namespace
@@ -230,19 +230,13 @@ void levelList(const Session& session, std::size_t index, const LevelsSummary* s
     const std::size_t wanted = levelsWanted(plan);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    ImGui::BeginDisabled(texture.levels.size() >= maxGivenLevels);
-    if (ImGui::Button(label("+ Level"), {width, 0}))
+    if (button("+ Level", "levels:add", "Adds a smaller level from a built-in pattern or a file",
+               texture.levels.size() < maxGivenLevels, width))
         addLevels(session, index, texture.levels.size() + 1);
-    noteItem("add level");
-    ImGui::EndDisabled();
-    helpTip("Adds a smaller level from a built-in pattern or a file");
     ImGui::SameLine(0, gap);
-    ImGui::BeginDisabled(texture.levels.size() >= wanted);
-    if (ImGui::Button(label("+ Down to 1 × 1"), {width, 0}))
+    if (button("+ Down to 1 × 1", "levels:add all", "Adds all levels that a complete texture needs",
+               texture.levels.size() < wanted, width))
         addLevels(session, index, wanted);
-    noteItem("add all levels");
-    ImGui::EndDisabled();
-    helpTip("Adds all levels that a complete texture needs");
 }
 
 bool acceptsFile(const Session& session, const std::string& owner, const std::string& file,

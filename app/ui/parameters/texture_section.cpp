@@ -6,8 +6,11 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
+
+#include <filesystem>
 
 namespace texplorer::ui {
 namespace {
@@ -15,11 +18,6 @@ namespace {
 std::string textureName(const Session& session, int index) {
     return fmt::format("{}  {}", index,
                        shownNameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)]));
-}
-
-void removeTexture(const Session& session, int index) {
-    submit(session, {.name = "Remove texture",
-                     .edits = {edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(index)}}});
 }
 
 /// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited
@@ -59,19 +57,31 @@ void textureChoice(const Session& session) {
                          .edits = addedTexture(session, session.look.selection.unit, Pattern::UvTemplate)});
     ImGui::SameLine(0, gap);
     if (squareButton("−", "remove texture", "Remove this texture", bound))
-        removeTexture(session, unit.texture);
-}
-
-/// The parts below the rows of a group.
-void listsAfter(std::string_view group, const Session& session, std::size_t texture,
-                const LevelsSummary* summary, const Pictures& pictures) {
-    if (group == findParam(textureTable(), keyOf<&Texture::file>())->group)
-        preparationList(session, texture, summary, pictures);
-    if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group)
-        levelList(session, texture, summary, pictures);
+        submit(session,
+               {.name = "Remove texture",
+                .edits = {edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(unit.texture)}}});
 }
 
 } // namespace
+
+std::shared_ptr<const Image> thumbnailOf(const Session& session, const Texture& texture, Target target) {
+    const std::shared_ptr<const LevelsSummary> summary =
+        summaryOf(session, levelsOf(session, texture, target));
+    return summary && !summary->levels.empty() ? summary->levels.front().second : nullptr;
+}
+
+std::string nameOfImage(const Texture& texture) {
+    if (texture.source == SourceKind::Pattern)
+        return std::string(rowOf(texture.pattern).label);
+    return texture.source == SourceKind::File
+               ? printable(std::filesystem::path(texture.file).filename().string())
+               : std::string(rowOf(texture.source).label); // of the light's view
+}
+
+std::string shownNameOfImage(const Texture& texture) {
+    const std::string name = nameOfImage(texture);
+    return texture.source == SourceKind::File ? name : tr(name);
+}
 
 void textureSection(const Session& session, const Pictures& pictures) {
     textureChoice(session);
@@ -86,7 +96,10 @@ void textureSection(const Session& session, const Pictures& pictures) {
         hasPictures ? summaryOf(session, levelsOf(session, *texture, selectedUnit(session).target)) : nullptr;
     RowOptions options;
     options.after = [&](std::string_view group) {
-        listsAfter(group, session, index, summary.get(), pictures);
+        if (group == findParam(textureTable(), keyOf<&Texture::file>())->group)
+            preparationList(session, index, summary.get(), pictures);
+        if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group)
+            levelList(session, index, summary.get(), pictures);
     };
     paramRows(session, textureOwner(session), textureTable(), options);
 }

@@ -2,7 +2,6 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/button_width.h"
-#include "app/ui/widgets/overlap.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texplorer/base/worker.h"
+#include "app/ui/services/newest_answer.h"
 #include "texplorer/image/image.h"
 
 #include <glm/vec4.hpp>
@@ -40,7 +40,7 @@ public:
 private:
     std::optional<Question> asked_;
     std::shared_ptr<const Image> newest_;
-    Worker<Question, std::shared_ptr<const Image>> worker_; // last member: it ends before the others
+    NewestAnswer<Question, std::shared_ptr<const Image>> worker_; // last member: it ends before the others
 };
 
 } // namespace texplorer::ui

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace texplorer::ui {
@@ -29,41 +28,28 @@ std::size_t FileProgress::picturesDrawn() const {
     return static_cast<std::size_t>(std::lround(static_cast<double>(share) * static_cast<double>(pictures)));
 }
 
-struct FileWriting::State {
-    State(When when, std::function<void()> wake, LevelWork how)
-        : levels(std::move(how))
-        , worker(
-              {when, JobOrder::Queue, fileFailure, std::move(wake), levels.stop},
-              [this](const Writing::Task& task) { return work(task); }, unwritten) {}
+FileWriting::FileWriting(When when, std::function<void()> wake, LevelWork levels)
+    : levels_(std::move(levels))
+    , worker_(
+          {when, JobOrder::Queue, fileFailure, std::move(wake), levels_.stop},
+          [this](const Writing::Task& task) { return work(task); }, unwritten) {}
 
-    using Writing = Worker<FileOrder, FileNews, FileProgress>;
-
-    [[nodiscard]] std::optional<FileNews> work(const Writing::Task& task);
-    [[nodiscard]] Result<std::filesystem::path> write(const FileOrder& order, ByteView bytes);
-
-    const LevelWork levels;
-    /// The files that it has written, which a later order of the same name replaces. Used only on the working
-    /// thread.
-    std::map<std::filesystem::path, FileFingerprint> own;
-    Writing worker; // last member: it ends before the others
-};
-
-Result<std::filesystem::path> FileWriting::State::write(const FileOrder& order, ByteView bytes) {
-    const auto before = own.find(order.file);
-    const bool isOwn = before != own.end() && fingerprintOf(order.file) == before->second;
+Result<std::filesystem::path> FileWriting::put(const FileOrder& order, ByteView bytes) {
+    const auto before = own_.find(order.file);
+    const bool isOwn = before != own_.end() && fingerprintOf(order.file) == before->second;
     Result<std::filesystem::path> written =
         writeFreely(order.file, bytes, isOwn ? before->second : order.replaces);
     if (const auto now = written ? fingerprintOf(*written) : std::nullopt)
-        own[*written] = *now;
+        own_[*written] = *now;
     return written;
 }
 
-std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) {
+std::optional<FileNews> FileWriting::work(const Writing::Task& task) {
     const FileOrder& order = task.job();
     if (!task.atOnce())
         giveWay(); // the window has priority
     FileMaking making{.threads = task.atOnce() ? processorThreads() : std::max(1U, processorThreads() / 2),
-                      .levels = levels,
+                      .levels = levels_,
                       .report = [&](float share) {
                           task.report({order.file, order.pictures, share});
                       }};
@@ -74,7 +60,7 @@ std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) {
         return std::nullopt;
     if (!made)
         return unwritten(order, made.error());
-    const Result<std::filesystem::path> written = write(order, made->bytes);
+    const Result<std::filesystem::path> written = put(order, made->bytes);
     if (!written)
         return unwritten(order, written.error());
     if (*written != order.file)
@@ -85,34 +71,27 @@ std::optional<FileNews> FileWriting::State::work(const Writing::Task& task) {
     return FileNews{fmt::format("Written: {}. {}", file, made->remark), false};
 }
 
-FileWriting::FileWriting(When when, std::function<void()> wake, LevelWork levels)
-    : state_(std::make_unique<State>(when, std::move(wake), std::move(levels))) {}
-
-FileWriting::~FileWriting() = default;
-
 void FileWriting::write(FileOrder order) {
     FileProgress progress{order.file, order.pictures};
-    state_->worker.ask(std::move(order), std::move(progress));
+    worker_.ask(std::move(order), std::move(progress));
 }
 
-std::optional<FileProgress> FileWriting::progress() const {
-    return state_->worker.progress();
-}
-
-void FileWriting::cancel() {
-    state_->worker.drop([](const FileOrder&) { return true; });
+Result<void> FileWriting::writeAs(FileOrder order, std::string_view extension,
+                                  const std::optional<FileFingerprint>& replaces) {
+    if (order.file.extension() != extension)
+        return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
+                                                        extension, order.file.filename().string()));
+    order.replaces = replaces;
+    write(std::move(order));
+    return {};
 }
 
 std::optional<FileNews> FileWriting::takeNews() {
-    std::vector<FileNews> news = state_->worker.take();
+    std::vector<FileNews> news = worker_.take();
     if (news.empty())
         return std::nullopt;
     const auto bad = std::ranges::find(news, false, &FileNews::isGood);
     return std::move(bad != news.end() ? *bad : news.back());
-}
-
-void FileWriting::wait() const {
-    state_->worker.wait();
 }
 
 } // namespace texplorer::ui

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,30 +55,40 @@ struct FileNews {
     bool isGood = false; ///< written completely as requested
 };
 
-/// Writes files that take long to make, one after the other, in the background. Call all functions on one
-/// thread.
+/// Writes files that take long to make, one after the other, in the background; at its end those that are not
+/// written yet are cancelled. Call all functions on one thread.
 class FileWriting {
 public:
     /// `wake` is called on the working thread when there is a result. `levels`: how textures are compressed
     /// at run time.
     explicit FileWriting(When when, std::function<void()> wake = {}, LevelWork levels = {});
-    FileWriting(const FileWriting&) = delete;
-    FileWriting& operator=(const FileWriting&) = delete;
-    ~FileWriting(); ///< files that are not written yet are cancelled
 
     void write(FileOrder order);
+    /// The same for a file that the user has named, see FileOrder::replaces. Errors: its name does not end
+    /// with `extension`.
+    [[nodiscard]] Result<void> writeAs(FileOrder order, std::string_view extension,
+                                       const std::optional<FileFingerprint>& replaces);
     /// The progress of the current file; nothing if there is none.
-    [[nodiscard]] std::optional<FileProgress> progress() const;
+    [[nodiscard]] std::optional<FileProgress> progress() const { return worker_.progress(); }
     /// Cancels all files that are not written yet: the old ones stay unchanged.
-    void cancel();
+    void cancel() {
+        worker_.drop([](const FileOrder&) { return true; });
+    }
     /// The result, once: of the first file that failed, or of the last one that was written.
     [[nodiscard]] std::optional<FileNews> takeNews();
     /// Blocks until all files are written.
-    void wait() const;
+    void wait() const { worker_.wait(); }
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    using Writing = Worker<FileOrder, FileNews, FileProgress>;
+    [[nodiscard]] std::optional<FileNews> work(const Writing::Task& task);
+    [[nodiscard]] Result<std::filesystem::path> put(const FileOrder& order, ByteView bytes);
+
+    const LevelWork levels_;
+    /// The files that it has written, which a later order of the same name replaces. Used only on the working
+    /// thread.
+    std::map<std::filesystem::path, FileFingerprint> own_;
+    Writing worker_; // last member: it ends before the others
 };
 
 } // namespace texplorer::ui

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace texplorer::ui {
@@ -55,18 +56,32 @@ public:
 /// Reads on its own threads; `wake` is called on those when there is a result.
 class FilesBeside final : public Files {
 public:
-    explicit FilesBeside(const std::function<void()>& wake = {});
+    explicit FilesBeside(const std::function<void()>& wake = {})
+        : loader_(wake)
+        , thumbnails_(wake)
+        , watch_(wake) {}
 
-    [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture) override;
-    void cancel(Ticket ticket) override;
-    [[nodiscard]] std::vector<ImageLoader::Loaded> take() override;
-    [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override;
-    void watch(std::vector<std::filesystem::path> files) override;
-    [[nodiscard]] std::vector<std::filesystem::path> changed() override;
-    void askThumbnail(const std::filesystem::path& file, std::filesystem::file_time_type modified) override;
-    [[nodiscard]] std::shared_ptr<const Image> thumbnail(const std::filesystem::path& file) const override;
-    bool receiveThumbnails() override;
-    void wait() const override;
+    [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture) override {
+        return loader_.load(std::move(path), wanted);
+    }
+    void cancel(Ticket ticket) override { loader_.cancel(ticket); }
+    [[nodiscard]] std::vector<ImageLoader::Loaded> take() override { return loader_.take(); }
+    [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override {
+        return loader_.progress();
+    }
+    void watch(std::vector<std::filesystem::path> files) override { watch_.watch(std::move(files)); }
+    [[nodiscard]] std::vector<std::filesystem::path> changed() override { return watch_.changed(); }
+    void askThumbnail(const std::filesystem::path& file, std::filesystem::file_time_type modified) override {
+        thumbnails_.ask(file, modified);
+    }
+    [[nodiscard]] std::shared_ptr<const Image> thumbnail(const std::filesystem::path& file) const override {
+        return thumbnails_.find(file);
+    }
+    bool receiveThumbnails() override { return thumbnails_.receive(); }
+    void wait() const override {
+        loader_.wait();
+        thumbnails_.wait();
+    }
 
 private:
     ImageLoader loader_; // for images that the user opens
@@ -75,7 +90,7 @@ private:
 };
 
 /// Reads synchronously; watches nothing and has no small pictures. For programs without a user.
-class FilesAtOnce final : public Files {
+class FilesAtOnce : public Files {
 public:
     [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture) override;
     void cancel(Ticket ticket) override;

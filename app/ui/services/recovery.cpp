@@ -33,8 +33,6 @@ Recovery::Recovery(const std::filesystem::path& folder, std::function<void()> wa
     }
 }
 
-Recovery::~Recovery() = default;
-
 Recovery::Picture Recovery::draw(const Drawing::Task& task) {
     const UnsavedScene& draft = task.job().scene;
     ImageSource images(draft.folder);

@@ -16,9 +16,6 @@ class Recovery {
 public:
     /// Claims every draft in the folder whose window is gone. `wake` is called when there is a picture.
     explicit Recovery(const std::filesystem::path& folder, std::function<void()> wake = {});
-    Recovery(const Recovery&) = delete;
-    Recovery& operator=(const Recovery&) = delete;
-    ~Recovery();
 
     struct Offer {
         UnsavedPlace place; ///< not open if its lock is not available: the draft cannot be discarded then

@@ -1,7 +1,6 @@
 #include "app/ui/services/settings_file.h"
 
 #include "app/ui/services/settings_json.h"
-#include "app/ui/services/settings_merge.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/files/folder_lock.h"
 #include "texplorer/files/user_folder.h"
@@ -23,8 +22,17 @@ fs::path placeIn(const fs::path& folder, const char* name) {
     return folder.empty() ? folder : folder / "texplorer" / name;
 }
 
-std::string settingsProblem(const Error& error) {
+std::string cannotBeSaved(const Error& error) {
     return fmt::format("Settings can't be saved: {}.", describe(error));
+}
+
+std::string cannotBeRead(const Error& error) {
+    return fmt::format("Settings can't be read: {}.", describe(error));
+}
+
+/// Adds a sentence.
+void addTo(std::string& problem, const std::string& sentence) {
+    problem += problem.empty() || sentence.empty() ? sentence : " " + sentence;
 }
 
 /// Renames an existing file that cannot be parsed, so that it is not overwritten, without overwriting an
@@ -48,20 +56,37 @@ std::string leftOutText(const fs::path& file, const std::vector<std::string>& le
                        fmt::join(leftOut, ", "));
 }
 
-/// Empty if there is no file, or if it cannot be parsed and was renamed: then `problem` says so.
+/// Empty if there is no file, or if it cannot be parsed and was renamed: then `problem` says so. Errors:
+/// those of readText; the file is left as it is.
 template<class Parse>
-std::string readWhole(const fs::path& file, const Parse& parse, std::string& problem) {
+Result<std::string> readWhole(const fs::path& file, const Parse& parse, std::string& problem) {
     std::error_code ignored;
     if (file.empty() || !fs::exists(file, ignored))
         return {};
     Result<std::string> text = readText(file, maxSettingsBytes);
-    if (text && text->empty())
-        return {};
-    const Result<void> parsed = text ? parse(*text) : Result<void>(fail(text.error()));
+    if (!text || text->empty())
+        return text;
+    const Result<void> parsed = parse(*text);
     if (parsed)
-        return *std::move(text);
-    problem = setAside(file, parsed.error());
+        return text;
+    addTo(problem, setAside(file, parsed.error()));
     return {};
+}
+
+/// For `readWhole`.
+auto settingsInto(Settings& settings, std::vector<std::string>& leftOut) {
+    return [&](const std::string& text) {
+        return parseSettings(text, leftOut).map([&](Settings read) { settings = std::move(read); });
+    };
+}
+
+auto recentInto(std::vector<fs::path>& files) {
+    return [&](const std::string& text) {
+        std::vector<std::string> ignored; // lost recent files do not matter
+        return parseRecentFiles(text, ignored).map([&](std::vector<fs::path> read) {
+            files = std::move(read);
+        });
+    };
 }
 
 /// Reads one of the files again and writes it if it changes. Returns an error message, or an empty text.
@@ -72,41 +97,31 @@ std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& mer
     const FolderLock lock(
         file.parent_path()); // otherwise a simultaneous change of another window could be lost
     std::string problem;
-    const std::string there = readWhole(file, parse, problem);
-    const std::string text = merge(there);
-    if (file.empty() || text == there)
+    const Result<std::string> there = readWhole(file, parse, problem);
+    if (!there)
+        return cannotBeSaved(there.error());
+    const std::string text = merge(*there);
+    if (file.empty() || text == *there)
         return problem;
     const Result<void> written = writeFileAtomically(file, viewBytes(text));
-    return written ? problem : settingsProblem(written.error());
+    return written ? problem : cannotBeSaved(written.error());
 }
 
 std::string writeChanges(const SettingsPlaces& places, const Settings& before, const Settings& now) {
     std::string problem;
+    Settings found;
+    std::vector<std::string> ignored; // they stay in the file
     if (writeSettings(before) != writeSettings(now))
-        problem = mergeInto(
-            places.settings,
-            [](const std::string& text) {
-                std::vector<std::string> ignored; // they stay in the file
-                return parseSettings(text, ignored).map([](const Settings&) {});
-            },
-            [&](const std::string& there) { return mergeSettings(there, before, now); });
+        problem = mergeInto(places.settings, settingsInto(found, ignored),
+                            [&](const std::string& there) { return mergeSettings(there, before, now); });
     if (before.recentFiles == now.recentFiles)
         return problem;
-    std::vector<fs::path> files = before.recentFiles; // if there is no file
-    Settings merged;
-    std::string other = mergeInto(
-        places.recent,
-        [&](const std::string& text) {
-            std::vector<std::string> ignored;
-            return parseRecentFiles(text, ignored).map([&](std::vector<fs::path> found) {
-                files = std::move(found);
-            });
-        },
-        [&](const std::string&) {
-            merged.recentFiles = mergeRecentFiles(files, before.recentFiles, now.recentFiles);
-            return writeRecentFiles(merged);
-        });
-    return problem.empty() ? other : problem;
+    found.recentFiles = before.recentFiles; // if there is no file
+    addTo(problem, mergeInto(places.recent, recentInto(found.recentFiles), [&](const std::string&) {
+              found.recentFiles = mergeRecentFiles(found.recentFiles, before.recentFiles, now.recentFiles);
+              return writeRecentFiles(found);
+          }));
+    return problem;
 }
 
 } // namespace
@@ -137,7 +152,7 @@ SettingsFile::SettingsFile(SettingsPlaces places, std::function<void()> wake, st
               return Answer{job.before, writeChanges(job.places, job.before, job.now)};
           },
           [](const Job& job, const Error& error) {
-              return Answer{job.before, settingsProblem(error)};
+              return Answer{job.before, cannotBeSaved(error)};
           }) {}
 
 SettingsFile::~SettingsFile() {
@@ -149,25 +164,12 @@ SettingsFile::~SettingsFile() {
 
 Settings SettingsFile::read() {
     std::string problem;
-    (void)readWhole(
-        places_.settings,
-        [&](const std::string& text) {
-            std::vector<std::string> leftOut;
-            return parseSettings(text, leftOut).map([&](Settings settings) {
-                told_ = std::move(settings);
-                problem = leftOutText(places_.settings, leftOut);
-            });
-        },
-        problem);
-    (void)readWhole(
-        places_.recent,
-        [&](const std::string& text) {
-            std::vector<std::string> ignored; // lost recent files do not matter
-            return parseRecentFiles(text, ignored).map([&](std::vector<fs::path> files) {
-                told_.recentFiles = std::move(files);
-            });
-        },
-        problem);
+    std::vector<std::string> leftOut;
+    const Result<std::string> settings = readWhole(places_.settings, settingsInto(told_, leftOut), problem);
+    addTo(problem, settings ? leftOutText(places_.settings, leftOut) : cannotBeRead(settings.error()));
+    const Result<std::string> recent = readWhole(places_.recent, recentInto(told_.recentFiles), problem);
+    if (!recent)
+        addTo(problem, cannotBeRead(recent.error()));
     if (!problem.empty())
         problem_ = std::move(problem);
     written_ = told_;

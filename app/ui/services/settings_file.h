@@ -27,7 +27,7 @@ struct SettingsPlaces {
 };
 
 /// Keeps settings on the disk: written shortly after a change, and at the end. If another window has written
-/// since they were read, only the changes of this one are merged into the file, see settings_merge.h. Writes
+/// since they were read, only the changes of this one are merged into the file, see settings_json.h. Writes
 /// on its own thread if one is available. Owned by the host; must outlive the session.
 class SettingsFile {
 public:
@@ -41,7 +41,8 @@ public:
     ~SettingsFile();
 
     /// Call once, at the start. Skips invalid values. A file that is not JSON is renamed to
-    /// "settings.json.broken", or, if that exists, "settings.json.broken-2", and so on.
+    /// "settings.json.broken", or, if that exists, "settings.json.broken-2", and so on. One that can't be
+    /// read stays, and isn't written.
     [[nodiscard]] Settings read();
 
     /// Sets the current settings. Costs one comparison if they have not changed.

@@ -34,28 +34,20 @@ constexpr SettingRow switchRow(const char* key) {
             }};
 }
 
-SettingsJson writeTheme(const Settings& settings) {
-    return std::ranges::find(themeRows, settings.theme, &ThemeRow::theme)->name;
-}
-
-bool readTheme(const SettingsJson& value, Settings& settings) {
-    const auto row = value.is_string()
-                         ? std::ranges::find(themeRows, value.get<std::string>(), &ThemeRow::name)
-                         : themeRows.end();
-    if (row == themeRows.end())
-        return false;
-    settings.theme = row->theme;
-    return true;
-}
-
-bool readLanguage(const SettingsJson& value, Settings& settings) {
-    const auto row = value.is_string()
-                         ? std::ranges::find(languageRows, value.get<std::string>(), &LanguageRow::name)
-                         : languageRows.end();
-    if (row == languageRows.end())
-        return false;
-    settings.language = row->language;
-    return true;
+/// A choice of one of these rows, stored by its name.
+template<auto Settings::*member, const auto& rows, auto chosen>
+constexpr SettingRow choiceRow(const char* key) {
+    return {key,
+            [](const Settings& settings) {
+                return SettingsJson(std::ranges::find(rows, settings.*member, chosen)->name);
+            },
+            [](const SettingsJson& value, Settings& settings) {
+                const auto row = std::ranges::find_if(
+                    rows, [&](const auto& each) { return value.is_string() && value == each.name; });
+                if (row != rows.end())
+                    settings.*member = (*row).*chosen;
+                return row != rows.end();
+            }};
 }
 
 bool readTextPercent(const SettingsJson& value, Settings& settings) {
@@ -114,10 +106,8 @@ bool readWorkspace(const SettingsJson& value, Settings& settings) {
 }
 
 constexpr std::array settingRows{
-    SettingRow{"theme", writeTheme, readTheme},
-    SettingRow{"language",
-               [](const Settings& settings) { return SettingsJson(rowOf(settings.language).name); },
-               readLanguage},
+    choiceRow<&Settings::theme, themeRows, &ThemeRow::theme>("theme"),
+    choiceRow<&Settings::language, languageRows, &LanguageRow::language>("language"),
     SettingRow{"textPercent", [](const Settings& settings) { return SettingsJson(settings.textPercent); },
                readTextPercent},
     switchRow<&Settings::glNames>("glNames"),

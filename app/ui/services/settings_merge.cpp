@@ -1,5 +1,3 @@
-#include "app/ui/services/settings_merge.h"
-
 #include "app/ui/services/settings_json.h"
 
 #include <nlohmann/json.hpp>

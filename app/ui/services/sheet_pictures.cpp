@@ -36,48 +36,18 @@ Result<Scene> sheetScene(const Scene& scene, const SweepAxis& rows, std::size_t 
     return made;
 }
 
-struct SheetPictures::State {
-    State(When when, std::function<void()> wake, LevelWork how)
-        : levels(std::move(how))
-        , worker(
-              {when, JobOrder::NewestWins, sheetFailure, std::move(wake), levels.stop},
-              [this](const Drawing::Task& task) { return work(task); },
-              [](const Job& job, const Error& error) {
-                  const std::size_t count = job.question ? job.question->cells() : 0;
-                  return Answer{job.number, Cells(count, Cell{nullptr, error.message, job.number})};
-              }) {}
+SheetPictures::SheetPictures(When when, std::function<void()> wake, LevelWork levels)
+    : levels_(std::move(levels))
+    , worker_(
+          {when, JobOrder::NewestWins, sheetFailure, std::move(wake), levels_.stop},
+          [this](const Drawing::Task& task) { return work(task); },
+          [](const Job& job, const Error& error) {
+              const std::size_t count = job.question ? job.question->cells() : 0;
+              return Answer{job.number, Cells(count, Cell{nullptr, error.message, job.number})};
+          }) {}
 
-    struct Job {
-        std::uint64_t number = 0;
-        std::optional<Question> question; ///< nothing: free the renderer's memory
-    };
-    struct Answer {
-        std::uint64_t number = 0;
-        Cells cells;
-    };
-    using Drawing = Worker<Job, Answer>;
-
-    // Used by the requesting thread.
-    std::optional<Question> wanted;
-    std::uint64_t lastNumber = 0;
-    std::uint64_t firstOfThese = 0; ///< the number of the first question about these cells
-    Cells shown;
-
-    // Used by the drawing thread.
-    const LevelWork levels;
-    reference::ReferenceRenderer renderer;
-    std::optional<Question> drawn; ///< the question of `made`
-    Cells made;
-    std::size_t next = 0; ///< the next cell to draw
-
-    Drawing worker; // last member: it ends before the others
-
-    std::optional<Answer> work(const Drawing::Task& task);
-    Cell draw(const Question& question, std::size_t cell, const Drawing::Task& task);
-};
-
-SheetPictures::Cell SheetPictures::State::draw(const Question& question, std::size_t cell,
-                                               const Drawing::Task& task) {
+SheetPictures::Cell SheetPictures::draw(const Question& question, std::size_t cell,
+                                        const Drawing::Task& task) {
     const std::size_t columns = question.columns.values.size();
     Cell answer{.question = task.job().number};
     Result<Scene> scene =
@@ -88,9 +58,9 @@ SheetPictures::Cell SheetPictures::State::draw(const Question& question, std::si
     }
     reference::DrawRequest request = question.picture;
     request.scene = *std::move(scene);
-    LevelWork work = levels;
+    LevelWork work = levels_;
     work.stop = task.stop();
-    Result<Frame> frame = renderer.draw(
+    Result<Frame> frame = renderer_.draw(
         request, {.threads = sheetThreads(task.atOnce()), .levels = std::move(work), .stop = task.stop()});
     if (frame)
         answer.image = std::make_shared<const Image>(std::move(frame->image));
@@ -99,82 +69,70 @@ SheetPictures::Cell SheetPictures::State::draw(const Question& question, std::si
     return answer;
 }
 
-std::optional<SheetPictures::State::Answer> SheetPictures::State::work(const Drawing::Task& task) {
+std::optional<SheetPictures::Answer> SheetPictures::work(const Drawing::Task& task) {
     const auto& [number, question] = task.job();
     if (!question) {
-        renderer.rest();
-        drawn.reset();
-        made.clear();
+        renderer_.rest();
+        drawn_.reset();
+        made_.clear();
         return std::nullopt;
     }
     if (!task.atOnce())
         giveWay(); // the window has priority
-    if (!drawn || !sameCells(*drawn, *question)) {
-        made.assign(question->cells(), {});
-        next = 0;
+    if (!drawn_ || !sameCells(*drawn_, *question)) {
+        made_.assign(question->cells(), {});
+        next_ = 0;
     }
-    drawn = *question;
-    for (std::size_t count = 0; count < made.size(); ++count) {
-        Cell cell = draw(*question, next, task);
+    drawn_ = *question;
+    for (std::size_t count = 0; count < made_.size(); ++count) {
+        Cell cell = draw(*question, next_, task);
         if (task.stop().stop_requested())
             return std::nullopt;
-        made[next] = std::move(cell);
-        next = (next + 1) % made.size();
+        made_[next_] = std::move(cell);
+        next_ = (next_ + 1) % made_.size();
         if (task.superseded().stop_requested())
             break; // the newer question continues from here
-        if (count + 1 < made.size() && !task.atOnce())
-            task.give({number, made});
+        if (count + 1 < made_.size() && !task.atOnce())
+            task.give({number, made_});
     }
-    return Answer{number, made};
+    return Answer{number, made_};
 }
 
-SheetPictures::SheetPictures(When when, std::function<void()> wake, LevelWork levels)
-    : state_(std::make_unique<State>(when, std::move(wake), std::move(levels))) {}
-
-SheetPictures::~SheetPictures() = default;
-
 bool SheetPictures::ask(const Question& question) {
-    State& state = *state_;
     bool news = false;
-    if (state.wanted != question) {
-        const bool same = state.wanted && sameCells(*state.wanted, question);
-        state.wanted = question;
-        ++state.lastNumber;
+    if (wanted_ != question) {
+        const bool same = wanted_ && sameCells(*wanted_, question);
+        wanted_ = question;
+        ++lastNumber_;
         if (!same) {
-            state.firstOfThese = state.lastNumber;
-            state.shown.assign(question.cells(), {});
-            state.worker.drop([](const State::Job& job) { return job.question.has_value(); });
+            firstOfThese_ = lastNumber_;
+            shown_.assign(question.cells(), {});
+            worker_.drop([](const Job& job) { return job.question.has_value(); });
         }
-        state.worker.ask({state.lastNumber, question});
+        worker_.ask({lastNumber_, question});
     }
-    for (State::Answer& answer : state.worker.take()) {
-        if (answer.number >= state.firstOfThese && answer.cells.size() == state.shown.size()) {
+    for (Answer& answer : worker_.take()) {
+        if (answer.number >= firstOfThese_ && answer.cells.size() == shown_.size()) {
             news = true;
-            state.shown = std::move(answer.cells);
+            shown_ = std::move(answer.cells);
         }
     }
     return news;
 }
 
 SheetPictures::Cells SheetPictures::cells(const SweepAxis& rows, const SweepAxis& columns) const {
-    const std::optional<Question>& wanted = state_->wanted;
-    return wanted && wanted->rows == rows && wanted->columns == columns
-               ? state_->shown
+    return wanted_ && wanted_->rows == rows && wanted_->columns == columns
+               ? shown_
                : Cells(rows.values.size() * columns.values.size());
 }
 
 void SheetPictures::rest() {
-    State& state = *state_;
-    if (!state.wanted)
+    if (!wanted_)
         return;
-    state.wanted.reset();
-    state.shown.clear();
-    state.worker.clear();
-    state.worker.ask({++state.lastNumber, std::nullopt});
-}
-
-void SheetPictures::wait() const {
-    state_->worker.wait();
+    wanted_.reset();
+    shown_.clear();
+    worker_.clear();
+    worker_.ask({++lastNumber_, std::nullopt});
 }
 
 } // namespace texplorer::ui

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,13 @@ namespace texplorer::ui {
 
 /// Draws a scene with every pair of values of two parameters, without blocking the window: one picture after
 /// the other, by the reference. A new question takes effect with the next picture and continues at its
-/// position, so that all pictures follow a moving scene and none falls behind. Call all functions on one
-/// thread.
+/// position, so that all pictures follow a moving scene and none falls behind. At its end it cancels the
+/// current drawing and waits for it. Call all functions on one thread.
 class SheetPictures {
 public:
     /// `wake` is called on the working thread when there is a new picture. `levels`: how textures are
     /// compressed at run time.
     explicit SheetPictures(When when, std::function<void()> wake = {}, LevelWork levels = {});
-    SheetPictures(const SheetPictures&) = delete;
-    SheetPictures& operator=(const SheetPictures&) = delete;
-    ~SheetPictures(); ///< cancels the current drawing and waits for it
 
     struct Question {
         reference::DrawRequest picture; ///< for one cell, with its size; the scene without the axes' values
@@ -52,11 +50,35 @@ public:
     void rest();
 
     /// Blocks until everything is drawn.
-    void wait() const;
+    void wait() const { worker_.wait(); }
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Job {
+        std::uint64_t number = 0;
+        std::optional<Question> question; ///< nothing: free the renderer's memory
+    };
+    struct Answer {
+        std::uint64_t number = 0;
+        Cells cells;
+    };
+    using Drawing = Worker<Job, Answer>;
+    [[nodiscard]] std::optional<Answer> work(const Drawing::Task& task);
+    [[nodiscard]] Cell draw(const Question& question, std::size_t cell, const Drawing::Task& task);
+
+    // Used by the requesting thread.
+    std::optional<Question> wanted_;
+    std::uint64_t lastNumber_ = 0;
+    std::uint64_t firstOfThese_ = 0; ///< the number of the first question about these cells
+    Cells shown_;
+
+    // Used by the drawing thread.
+    const LevelWork levels_;
+    reference::ReferenceRenderer renderer_;
+    std::optional<Question> drawn_; ///< the question of `made_`
+    Cells made_;
+    std::size_t next_ = 0; ///< the next cell to draw
+
+    Drawing worker_; // last member: it ends before the others
 };
 
 /// The scene with one value for each axis. Errors: those of setParam.

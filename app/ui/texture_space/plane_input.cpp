@@ -16,10 +16,6 @@
 namespace texplorer::ui {
 namespace {
 
-float reachOfMouse() {
-    return ImGui::GetFontSize() * 0.55F;
-}
-
 /// Infinite if it is certainly out of `reach`: called for each vertex in each frame.
 float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse, float reach) {
     if (!isPlace(place))
@@ -39,7 +35,7 @@ std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std:
                                     std::optional<std::size_t> chosen, ImVec2 mouse) {
     std::optional<NearVertex> best;
     constexpr float alike = 1; // in pixels: the same place
-    const float reach = reachOfMouse();
+    const float reach = ImGui::GetFontSize() * 0.55F;
     const auto consider = [&](std::size_t vertex) {
         const float distance = distanceTo(canvas, places[vertex], mouse, reach);
         if (distance <= reach && (!best || distance < best->distance - alike))

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
 namespace texplorer::ui {
 void LevelPicture::follow(const Session& session, const PlaneLook& look, bool needed) {
@@ -32,26 +31,19 @@ const std::string& LevelPicture::problem() const {
     return answer_ && !computing_ ? answer_->problem : none;
 }
 
-std::vector<int> levelsOfBound(const Session& session) {
+std::vector<LevelReport> levelsOfBound(const Session& session) {
     const std::optional<LevelsRequest> request = boundLevels(session);
     const auto summary = request ? summaryOf(session, *request) : nullptr;
-    std::vector<int> numbers;
-    for (const LevelReport& level : summary ? summary->report.levels : std::vector<LevelReport>{})
-        numbers.push_back(level.number);
-    return numbers;
+    return summary ? summary->report.levels : std::vector<LevelReport>{};
 }
 
 std::optional<glm::ivec3> extentOfBound(const Session& session, std::optional<int> level) {
-    const std::optional<LevelsRequest> request = boundLevels(session);
-    const auto summary = request ? summaryOf(session, *request) : nullptr;
-    if (!summary)
-        return std::nullopt;
-    const std::vector<LevelReport>& levels = summary->report.levels;
+    const std::vector<LevelReport> levels = levelsOfBound(session);
     const auto found = level ? std::ranges::find(levels, *level, &LevelReport::number) : levels.begin();
     if (found == levels.end())
         return std::nullopt;
     const int border = boundTexture(session)->border != 0 ? 2 : 0; // it belongs to the level
-    const Target target = request->target;
+    const Target target = selectedUnit(session).target;
     return glm::ivec3(found->width - border, target == Target::Texture1D ? 1 : found->height - border,
                       target == Target::Texture3D ? found->depth - border : 1);
 }

@@ -2,7 +2,6 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/services/level_pictures.h"
-#include "app/ui/widgets/pictures.h"
 
 #include <glm/vec3.hpp>
 
@@ -69,8 +68,8 @@ private:
     bool computing_ = false;
 };
 
-/// The numbers of the bound texture's levels; empty if not known yet.
-[[nodiscard]] std::vector<int> levelsOfBound(const Session& session);
+/// The bound texture's levels; empty if not known yet.
+[[nodiscard]] std::vector<LevelReport> levelsOfBound(const Session& session);
 
 /// The extent of a level of the bound texture, its first one by default, as passed to OpenGL, without a
 /// border: width, height and depth. None: not known yet, or there is no such level.

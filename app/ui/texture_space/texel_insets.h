@@ -5,6 +5,7 @@
 #include "texplorer/reference/explain/explanation.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,5 +64,12 @@ using Corners = std::array<ImVec2, 4>;
 
 /// As large as possible without hiding what they explain. None: nothing is explained, or there is no room.
 [[nodiscard]] std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas);
+
+/// Draws what the selected unit reads at the probed pixel: the pixel's footprint, the position of the sample,
+/// the texels and, in small pictures at the lower edge, their neighbourhood on each level, with their
+/// weights. A click on a texel selects it, unless `clicked` on a vertex. `board`: transparent parts show a
+/// checkerboard. `insets`: those of the probed pixel.
+void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canvas,
+                    std::span<const Inset> insets, bool clicked, bool board);
 
 } // namespace texplorer::ui

@@ -1,7 +1,6 @@
-#include "app/ui/texture_space/texel_marks.h"
-
 #include "app/ui/model/explaining.h"
 #include "app/ui/texture_space/plane_look.h"
+#include "app/ui/texture_space/texel_insets.h"
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"

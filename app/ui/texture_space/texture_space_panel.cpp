@@ -6,7 +6,7 @@
 #include "app/ui/texture_space/plane_input.h"
 #include "app/ui/texture_space/plane_legend.h"
 #include "app/ui/texture_space/plane_tools.h"
-#include "app/ui/texture_space/texel_marks.h"
+#include "app/ui/texture_space/texel_insets.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"

@@ -2,7 +2,6 @@
 
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/state/chosen_vertices.h"
-#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 #include <glm/glm.hpp>

@@ -2,7 +2,6 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/texture_space/plane_coords.h"
-#include "app/ui/texture_space/plane_drawing.h"
 
 #include <array>
 #include <optional>

@@ -47,16 +47,6 @@ std::string stepHelp(const History& history, std::size_t step) {
                             : fmt::format("{}\nClick: redo {}", name, countOf(step - present, "step"));
 }
 
-/// The picture centred in its place, with its shape kept.
-void drawStepPicture(const Pictures& pictures, const std::shared_ptr<const Image>& image, ImVec2 low,
-                     ImVec2 size, ImU32 tint) {
-    const ImVec2 extent(static_cast<float>(image->width), static_cast<float>(image->height));
-    const float half = std::min(size.x / extent.x, size.y / extent.y) / 2;
-    const ImVec2 centre(low.x + size.x / 2, low.y + size.y / 2);
-    drawImage(pictures, image, {centre.x - extent.x * half, centre.y - extent.y * half},
-              {centre.x + extent.x * half, centre.y + extent.y * half}, tint);
-}
-
 /// Returns true if it was clicked.
 bool stepCard(const History& history, std::size_t step, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
@@ -77,7 +67,10 @@ bool stepCard(const History& history, std::size_t step, const Pictures& pictures
     const ImVec2 inside(low.x + pad, low.y + pad);
     draw.AddRectFilled(inside, {inside.x + picture.x, inside.y + picture.y}, color::ground);
     if (const std::shared_ptr<const Image>& image = history.pictureOf(step))
-        drawStepPicture(pictures, image, inside, picture, IM_COL32(255, 255, 255, ahead ? 90 : 255));
+        drawImageIn(pictures, image, inside, picture,
+                    std::min(picture.x / static_cast<float>(image->width),
+                             picture.y / static_cast<float>(image->height)),
+                    IM_COL32(255, 255, 255, ahead ? 90 : 255));
     if (present)
         draw.AddRect(low, high, color::chosen, pad, 0, em * 0.12F);
     const std::vector<std::string> name = nameLines(stepName(history, step), picture.x);

@@ -76,9 +76,8 @@ void timeControls(const Session& session, TimelineTabState& state) {
     besideOrBelow(ImGui::GetFontSize() * 6);
     gridChoice(state);
     besideOrBelow(buttonWidth(recordWords));
-    if (ImGui::Button(label(recordWords)))
+    if (button(recordWords, "timeline:record", "Writes an animation as GIF, WebP or PNG, in the background."))
         act(session, [](Session& changed) { changed.asking.dialog = Dialog::Record; });
-    item("timeline:record", "Writes an animation as GIF, WebP or PNG, in the background.");
 }
 
 /// A hint how to begin, with buttons.
@@ -88,9 +87,9 @@ void drawBeginning(const Session& session) {
         "moves from each key frame to the next.");
     noteItem("timeline:empty");
     ImGui::Spacing();
-    if (ImGui::Button(label("Turn the view")))
+    if (button("Turn the view", "timeline:turn",
+               "An example: two key frames move the camera once around the models in 4 seconds."))
         act(session, turnView);
-    item("timeline:turn", "An example: two key frames move the camera once around the models in 4 seconds.");
 }
 
 void easingChoice(const Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
@@ -154,11 +153,10 @@ void keyControls(const Session& session, TimelineTabState& state) {
     besideOrBelow(em * 10);
     easingChoice(session, chosen, key);
     besideOrBelow(buttonWidth("Remove"));
-    if (ImGui::Button(label("Remove"))) {
+    if (button("Remove", "key:remove", "Removes this key frame (Delete).")) {
         removeKey(session, chosen.number);
         state.chosen.reset();
     }
-    item("key:remove", "Removes this key frame (Delete).");
 }
 
 void takeKeys(const Session& session, TimelineTabState& state) {

@@ -1,11 +1,10 @@
-#include "app/ui/timeline/timeline_tracks.h"
-
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/timeline_edits.h"
+#include "app/ui/timeline/timeline_tab.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/overlap.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"

@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/kept.h"
 #include "app/ui/view/renderer_choice.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>
@@ -14,13 +15,9 @@ namespace texplorer::ui {
 
 namespace {
 
-std::string labelOf(RendererKind renderer) {
-    return tr(rowOf(renderer).label);
-}
-
 /// The label, or its first word if there is no room.
 std::string labelWithin(RendererKind renderer, float width) {
-    const std::string words = labelOf(renderer);
+    const std::string words = tr(rowOf(renderer).label);
     return ImGui::CalcTextSize(words.c_str()).x <= width ? words : words.substr(0, words.find(' '));
 }
 
@@ -29,8 +26,7 @@ float chipPad() {
 }
 
 float comboWidth(RendererKind renderer) {
-    return ImGui::CalcTextSize(labelOf(renderer).c_str()).x + ImGui::GetFrameHeight() +
-           2 * ImGui::GetStyle().FramePadding.x;
+    return buttonWidth(rowOf(renderer).label) + ImGui::GetFrameHeight();
 }
 
 /// A list of the renderers over the picture, as wide as its text, at most `width`.
@@ -40,8 +36,7 @@ void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float w
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
     ImGui::SetNextItemWidth(std::min(comboWidth(compared), width));
-    const float arrow = comboWidth(compared) - ImGui::CalcTextSize(labelOf(compared).c_str()).x;
-    const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, width - arrow).c_str());
+    const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, listRoom(width)).c_str());
     ImGui::PopStyleColor();
     const std::string name = fmt::format("compared:{}", which);
     noteItem(name);

@@ -83,8 +83,7 @@ void toolRow(const Session& session, const Layout& layout) {
     ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last) - choice));
     drawShownChoice(session);
     ImGui::SameLine(0, gap);
-    const bool pressed = ImGui::Button(label(last));
-    item(fits ? "frame" : "more choices", fits ? frameHelp : "More controls");
+    const bool pressed = button(last, fits ? "frame" : "more choices", fits ? frameHelp : "More controls");
     if (pressed && fits)
         frameAll(session, layout);
     else if (pressed)

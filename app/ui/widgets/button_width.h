@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/tip.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <imgui.h>
 
@@ -21,6 +23,17 @@ namespace texplorer::ui {
     return width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+/// A button with its text and its help in English, which a disabled one shows as well, and its name in tests.
+inline bool button(const char* words, std::string_view name, std::string_view help, bool enabled = true,
+                   float width = 0) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label(words), {width, 0});
+    noteItem(name);
+    ImGui::EndDisabled();
+    helpTip(help);
+    return pressed;
+}
+
 /// A button that stands out while it is marked; a flat one has no ground otherwise.
 inline bool markedButton(const char* words, bool marked, ImVec2 size = {0, 0}, bool flat = false) {
     const ImU32 ground = flat ? 0 : ImGui::GetColorU32(ImGuiCol_Button);
@@ -31,6 +44,20 @@ inline bool markedButton(const char* words, bool marked, ImVec2 size = {0, 0}, b
 }
 inline bool flatButton(const char* words, bool marked = false, ImVec2 size = {0, 0}) {
     return markedButton(words, marked, size, true);
+}
+
+/// Calls `item`, which draws an item that later ones may cover and take clicks from; returns its result. Dear
+/// ImGui must be told before the item since 1.89.7, and after it in earlier versions.
+template<typename Item>
+bool overlappedItem(Item item) {
+#if IMGUI_VERSION_NUM >= 18970
+    ImGui::SetNextItemAllowOverlap();
+    return item();
+#else
+    const bool result = item();
+    ImGui::SetItemAllowOverlap();
+    return result;
+#endif
 }
 
 } // namespace texplorer::ui

@@ -10,10 +10,6 @@
 namespace texplorer::ui {
 namespace {
 
-int decimalsOf(const Range& range) {
-    return range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
-}
-
 std::string numberFormat(const Range& range) {
     const std::string unit = unitText(range);
     const bool isWord = !unit.empty() && !unit.starts_with('/') && !unit.starts_with("°");
@@ -34,6 +30,10 @@ void drawLetter(const char* letter, ImU32 tint, const std::string& number) {
 }
 
 } // namespace
+
+int decimalsOf(const Range& range) {
+    return range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
+}
 
 std::string unitText(const Range& range) {
     return range.unit == "deg" ? "°" : range.unit == "deg/s" ? "°/s" : tr(range.unit);

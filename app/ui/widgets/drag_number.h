@@ -10,6 +10,9 @@ namespace texplorer::ui {
 /// The unit as the window shows it: "°", "°/s", "/s", "pixels". Empty: none.
 [[nodiscard]] std::string unitText(const Range& range);
 
+/// The decimals of a number that is dragged in steps.
+[[nodiscard]] int decimalsOf(const Range& range);
+
 /// A draggable number in the current item width, with the colour of its component on its left (-1: none).
 /// `instead` is shown instead of the number, `letter` before it.
 bool dragNumber(const char* id, float& value, const Range& range, int component,

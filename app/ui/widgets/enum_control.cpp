@@ -5,7 +5,6 @@
 #include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/widget_places.h"
 
 #include <algorithm>
 

@@ -55,9 +55,7 @@ std::string fitted(std::string_view words, float room) {
 bool fittedText(std::string_view words, ImU32 ink) {
     const std::string whole = printable(tr(words));
     const std::string shown = cutToFit(whole, ImGui::GetContentRegionAvail().x);
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::PopStyleColor();
+    plainText(shown, ink);
     return shown != whole;
 }
 

@@ -1,4 +1,4 @@
-#include "app/ui/widgets/font_file.h"
+#include "app/ui/widgets/fonts.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,5 @@
 #include "app/ui/widgets/fonts.h"
 
-#include "app/ui/widgets/font_file.h"
 #include "app/view/font_folders.h"
 #include "texplorer/lesson/lesson_files.h"
 

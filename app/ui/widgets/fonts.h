@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <set>
 
 namespace texplorer::ui {
@@ -31,6 +32,10 @@ private:
 /// Replaces Dear ImGui's fonts: one for text and one for code, each with the letters of the catalogue, which
 /// may be nullptr, and with the additional ones.
 void addFonts(float scale, const Catalogue* catalogue, const Letters& letters);
+
+/// Whether a file can be read and is a TrueType or OpenType font, or a collection of them, with no table
+/// beyond its end. Dear ImGui aborts for any other file. Depends only on the file.
+[[nodiscard]] bool isFontFile(const std::filesystem::path& file);
 
 /// Whether a font on this machine has the letters of a language.
 [[nodiscard]] bool hasLettersOf(Language language);

@@ -40,7 +40,8 @@ constexpr std::array keyRows {
         KeyRow{343, ImGuiKey_LeftSuper}, KeyRow{344, ImGuiKey_RightShift}, KeyRow{345, ImGuiKey_RightCtrl},
         KeyRow{346, ImGuiKey_RightAlt}, KeyRow{347, ImGuiKey_RightSuper}, KeyRow{key::menu, ImGuiKey_Menu},
 #else
-        KeyRow{key::keypadEnter, ImGuiKey_KeyPadEnter},
+        KeyRow{key::keypadEnter, ImGuiKey_KeyPadEnter}, KeyRow{'A', ImGuiKey_A}, KeyRow{'C', ImGuiKey_C},
+        KeyRow{'V', ImGuiKey_V}, KeyRow{'X', ImGuiKey_X}, KeyRow{'Y', ImGuiKey_Y}, KeyRow{'Z', ImGuiKey_Z},
 #endif
 };
 
@@ -94,15 +95,8 @@ int nameOf(int code) {
 } // namespace
 
 void prepareKeys() {
-    int* map = ImGui::GetIO().KeyMap;
     for (const KeyRow& row : keyRows)
-        map[row.name] = row.code;
-    map[ImGuiKey_A] = 'A';
-    map[ImGuiKey_C] = 'C';
-    map[ImGuiKey_V] = 'V';
-    map[ImGuiKey_X] = 'X';
-    map[ImGuiKey_Y] = 'Y';
-    map[ImGuiKey_Z] = 'Z';
+        ImGui::GetIO().KeyMap[row.name] = row.code;
 }
 
 void setKey(int code, bool down) {

@@ -5,15 +5,13 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/param_parts.h"
-#include "app/ui/widgets/tip.h"
-#include "app/ui/widgets/widget_places.h"
-#include "app/ui/widgets/wrapped_text.h"
 #include "texplorer/scene/params/key_edits.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -49,12 +47,8 @@ void keyItems(const Session& session, const std::string& path) {
         removeKeys(session, path);
 }
 
-struct SheetSide {
-    const char* words;
-    const char* name;
-};
-constexpr std::array sheetSides{SheetSide{"Vary on a sheet: rows", "rows"},
-                                SheetSide{"Vary on a sheet: columns", "columns"}};
+constexpr std::array sheetSides{std::pair("Vary on a sheet: rows", "rows"),
+                                std::pair("Vary on a sheet: columns", "columns")};
 
 } // namespace
 
@@ -82,7 +76,8 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
     if (canSweep(row)) {
         ImGui::Separator();
         for (std::size_t side = 0; side < sheetSides.size(); ++side) {
-            if (rowItem(sheetSides[side].words, path, sheetSides[side].name,
+            const auto& [words, name] = sheetSides[side];
+            if (rowItem(words, path, name,
                         "Shows the scene with each of its values on the sheet of variations."))
                 act(session, [path, side](Session& s) { varyOnSheet(s, path, side); });
         }

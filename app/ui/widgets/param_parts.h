@@ -3,16 +3,37 @@
 // The parts of a parameter's line: controls, signs and its menu.
 
 #include "app/ui/model/session.h"
-#include "app/ui/widgets/owner.h"
+#include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/tip.h"
+#include "app/ui/widgets/widget_places.h"
+#include "app/ui/widgets/wrapped_text.h"
+#include "texplorer/scene/params/params.h"
 
+#include <fmt/core.h>
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 
 namespace texplorer::ui {
+
+/// The struct that a group of rows shows and edits, and one with the initial values.
+struct Owner {
+    const void* values = nullptr;
+    const void* initial = nullptr;
+    std::string path; ///< "textures[0]"; empty for the scene itself
+    /// Called before an edit is submitted; false cancels it.
+    std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
+    /// The name of a choice in this place; empty: the name in its row.
+    std::function<std::string(const ParamRow& row, const EnumRow& choice)> labelOf = {};
+
+    [[nodiscard]] std::string pathOf(const ParamRow& row) const {
+        return path.empty() ? std::string(row.key) : fmt::format("{}.{}", path, row.key);
+    }
+};
 
 /// The layout of a row's choices as buttons; nothing if they are too many or too long.
 [[nodiscard]] std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owner,
@@ -36,10 +57,10 @@ bool vectorControl(const Session& session, const ParamRow& row, std::span<float>
 /// that it computes.
 bool matrixControl(const Session& session, const ParamRow& row, glm::mat4& value, const std::string& path);
 
-/// A swatch that opens colorPopup when pressed; the popup is separate so that the swatch stays the "last
-/// item" of the line.
-bool colorControl(glm::vec4& value);
-bool colorPopup(const Session& session, glm::vec4& value, const std::string& path);
+/// A swatch that opens the popup "picker" when pressed, and what it has inside. They are separate so that the
+/// swatch stays the "last item" of the line.
+bool colorControl(const glm::vec4& value);
+bool colorPicker(const Session& session, glm::vec4& value, const std::string& name);
 
 /// The last widget opens the menu of its row, by a right click or the menu key.
 void opensParamMenu();

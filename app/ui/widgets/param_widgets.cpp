@@ -7,7 +7,6 @@
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/param_names.h"
-#include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/text_field.h"
 #include "texplorer/scene/params/key_edits.h"
@@ -153,8 +152,10 @@ void drawControl(const Session& session, const Owner& owner, const ParamRow& row
     linkHover(session, line.path);
     opensParamMenu();
     showWanted(session, line);
-    if (row.kind == Kind::Color)
-        line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
+    if (row.kind == Kind::Color && ImGui::BeginPopup("picker")) {
+        line.edited |= colorPicker(session, std::get<glm::vec4>(line.value), line.path + "#picker");
+        ImGui::EndPopup();
+    }
 }
 
 /// Submits the user's change of a line.
@@ -266,12 +267,7 @@ void assignParam(const Session& session, const Owner& owner, const ParamRow& row
 }
 
 bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled) {
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(sign, {ImGui::GetFrameHeight(), 0});
-    noteItem(name);
-    ImGui::EndDisabled();
-    helpTip(help);
-    return pressed && enabled;
+    return button(sign, name, help, enabled, ImGui::GetFrameHeight());
 }
 
 void paramControl(const Session& session, const Owner& owner, const ParamRow& row, float width,

@@ -1,11 +1,6 @@
 #pragma once
 
-#include "app/ui/model/session.h"
-#include "app/ui/widgets/drag_number.h"
-#include "app/ui/widgets/owner.h"
-#include "app/ui/widgets/tip.h"
-#include "app/ui/widgets/widget_places.h"
-#include "app/ui/widgets/wrapped_text.h"
+#include "app/ui/widgets/param_parts.h"
 
 #include <functional>
 

@@ -57,10 +57,10 @@ inline void drawImage(const Pictures& pictures, const std::shared_ptr<const Imag
 
 /// The same in the middle of a room: `scale` pixels for each of the image's.
 inline void drawImageIn(const Pictures& pictures, const std::shared_ptr<const Image>& image, ImVec2 low,
-                        ImVec2 room, float scale) {
+                        ImVec2 room, float scale, ImU32 tint = IM_COL32_WHITE) {
     const ImVec2 size(static_cast<float>(image->width) * scale, static_cast<float>(image->height) * scale);
     const ImVec2 at(low.x + (room.x - size.x) / 2, low.y + (room.y - size.y) / 2);
-    drawImage(pictures, image, at, {at.x + size.x, at.y + size.y});
+    drawImage(pictures, image, at, {at.x + size.x, at.y + size.y}, tint);
 }
 
 } // namespace texplorer::ui

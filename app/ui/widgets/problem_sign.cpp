@@ -1,9 +1,6 @@
-#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_parts.h"
-#include "app/ui/widgets/tip.h"
-#include "app/ui/widgets/widget_places.h"
-#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 
@@ -71,11 +68,10 @@ void problemSign(const Session& session, const std::string& path, const Finding&
     text(sentenceOf(problem));
     ImGui::PopTextWrapPos();
     for (const Fix& fix : problem.fixes) {
-        if (ImGui::Button(label(fix.label).c_str())) {
+        if (button(fix.label.c_str(), fmt::format("{}#fix:{}", path, fix.label), assignmentsOf(fix))) {
             applyFix(session, fix);
             ImGui::CloseCurrentPopup();
         }
-        item(fmt::format("{}#fix:{}", path, fix.label), assignmentsOf(fix));
     }
     ImGui::EndPopup();
 }

@@ -1,6 +1,4 @@
-#include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/param_parts.h"
-#include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -12,6 +10,8 @@ namespace texplorer::ui {
 namespace {
 
 constexpr std::array axisLetters{"x", "y", "z", "w"};
+constexpr ImGuiColorEditFlags colorLook =
+    ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_Float;
 constexpr std::array coordinateLetters{"s", "t", "r", "q"};
 
 struct NumberCell {
@@ -47,28 +47,22 @@ bool numberGrid(const Session& session, const ParamRow& row, const std::string& 
 
 } // namespace
 
-bool colorControl(glm::vec4& value) {
-    constexpr ImGuiColorEditFlags look =
-        ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_Float;
+bool colorControl(const glm::vec4& value) {
     const ImVec4 shown(value.x, value.y, value.z, value.w);
     const ImVec2 size(ImGui::CalcItemWidth(), ImGui::GetFrameHeight());
-    if (ImGui::ColorButton("##value", shown, look | ImGuiColorEditFlags_NoTooltip, size))
+    if (ImGui::ColorButton("##value", shown, colorLook | ImGuiColorEditFlags_NoTooltip, size))
         ImGui::OpenPopup("picker");
     return false;
 }
 
-bool colorPopup(const Session& session, glm::vec4& value, const std::string& path) {
-    bool changed = false;
-    if (ImGui::BeginPopup("picker")) {
-        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 15);
-        changed = ImGui::ColorPicker4("##picker", &value.x,
-                                      ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf |
-                                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSidePreview |
-                                          ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
-        noteItem(path + "#picker");
-        sealAfterItem(session);
-        ImGui::EndPopup();
-    }
+bool colorPicker(const Session& session, glm::vec4& value, const std::string& name) {
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 15);
+    const bool changed =
+        ImGui::ColorPicker4("##picker", &value.x,
+                            colorLook | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                                ImGuiColorEditFlags_DisplayHex);
+    noteItem(name);
+    sealAfterItem(session); // before the edit: a press is already an edit
     return changed;
 }
 

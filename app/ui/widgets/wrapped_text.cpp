@@ -143,6 +143,12 @@ void plainWrappedText(std::string_view words) {
         ImGui::PopTextWrapPos();
 }
 
+void plainWrappedText(std::string_view words, ImU32 ink) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    plainWrappedText(words);
+    ImGui::PopStyleColor();
+}
+
 void text(std::string_view words) {
     plainText(tr(words));
 }
@@ -165,9 +171,7 @@ void wrappedText(std::string_view words) {
 }
 
 void wrappedText(std::string_view words, ImU32 ink) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    wrappedText(words);
-    ImGui::PopStyleColor();
+    plainWrappedText(tr(words), ink);
 }
 
 void dimWrappedText(std::string_view words) {

@@ -17,6 +17,7 @@ void dimPlainText(std::string_view words);
 
 /// The same, wrapped at the right edge unless another position is set.
 void plainWrappedText(std::string_view words);
+void plainWrappedText(std::string_view words, ImU32 ink);
 
 /// Texts in English, which are translated.
 void text(std::string_view words);

@@ -26,22 +26,48 @@
 namespace texplorer::ui {
 namespace {
 
+Result<void> chooseImage(Session& session, const std::filesystem::path& chosen,
+                         const std::optional<FileFingerprint>& /*replaces*/) {
+    const std::string param = std::exchange(session.asking.imageParam, {});
+    if (param.empty())
+        importImage(session, chosen);
+    else
+        chooseFile(session, param, chosen);
+    return {};
+}
+
+Result<void> writeAnswers(Session& session, const std::filesystem::path& chosen,
+                          const std::optional<FileFingerprint>& replaces) {
+    return saveAnswers(session.settings, chosen, replaces).map([&](const std::filesystem::path& file) {
+        tell(session, fmt::format("Written: {}", file.string()));
+    });
+}
+
 /// A dialog to choose a file.
 struct BrowserRow {
     Dialog dialog;
     const char* title;
     bool saving;
     bool thumbnails; ///< with thumbnails the extensions are those of images, not of scenes
+    Result<void> (*answer)(Session& session, const std::filesystem::path& chosen,
+                           const std::optional<FileFingerprint>& replaces);
+    /// The suggested name of a file to write; nullptr: as the browser suggests for a scene.
+    std::string (*name)(const Session& session) = nullptr;
 };
 
 constexpr std::array browserRows{
-    BrowserRow{Dialog::OpenScene, "Open a scene", false, false},
-    BrowserRow{Dialog::OpenImage, "Open an image", false, true},
-    BrowserRow{Dialog::SaveScene, "Save the scene", true, false},
-    BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false},
-    BrowserRow{Dialog::SaveSheet, "Save the sheet", true, false},
-    BrowserRow{Dialog::SaveProgram, "Export as program", true, false},
-    BrowserRow{Dialog::SaveRecording, "Save the animation", true, false},
+    BrowserRow{Dialog::OpenScene, "Open a scene", false, false,
+               [](Session& session, const auto& chosen, const auto&) { return openScene(session, chosen); }},
+    BrowserRow{Dialog::OpenImage, "Open an image", false, true, chooseImage},
+    BrowserRow{Dialog::SaveScene, "Save the scene", true, false, saveTo},
+    BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false, writeAnswers,
+               [](const Session&) { return std::string("answers.json"); }}, // never the scene's file
+    BrowserRow{Dialog::SaveSheet, "Save the sheet", true, false, saveSheet,
+               [](const Session& session) { return sheetFileName(session.document); }},
+    BrowserRow{
+        Dialog::SaveProgram, "Export as program", true, false, saveProgram,
+        [](const Session& session) { return programFileName(session.document, session.asking.flavour); }},
+    BrowserRow{Dialog::SaveRecording, "Save the animation", true, false, saveRecording, recordingFileName},
 };
 
 std::vector<std::string> imageExtensions() {
@@ -60,30 +86,12 @@ bool maybeScene(const std::filesystem::path& file) {
                                    : isPictureWithScene(file, firstChunks);
 }
 
-/// The suggested name of a file to write; empty: as the browser suggests for a scene.
-std::string suggestedName(const Session& session) {
-    switch (session.asking.dialog) {
-    case Dialog::SaveAnswers:
-        return "answers.json"; // never the scene's file
-    case Dialog::SaveRecording:
-        return recordingFileName(session);
-    case Dialog::SaveSheet:
-        return sheetFileName(session.document);
-    case Dialog::SaveProgram:
-        return programFileName(session.document, session.asking.flavour);
-    default:
-        return {};
-    }
-}
-
-void beginBrowsing(DialogsState& state, const Session& session) {
-    const Dialog dialog = session.asking.dialog;
-    if (std::exchange(state.browsed, dialog) == dialog)
+void beginBrowsing(DialogsState& state, const Session& session, const BrowserRow& row) {
+    if (std::exchange(state.browsed, row.dialog) == row.dialog)
         return;
-    const BrowserRow& row = *std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
     const Document& document = session.document;
-    const bool opens = dialog == Dialog::OpenScene;
-    const std::filesystem::path name = suggestedName(session);
+    const bool opens = row.dialog == Dialog::OpenScene;
+    const std::filesystem::path name = row.name ? row.name(session) : std::string();
     beginBrowsing(state.browser, row.title,
                   row.thumbnails ? imageExtensions()
                   : opens        ? std::vector<std::string>{".json", ".png"}
@@ -91,7 +99,7 @@ void beginBrowsing(DialogsState& state, const Session& session) {
                   row.saving, document.file.empty() ? document.suggested : document.file,
                   opens ? maybeScene : nullptr);
     state.browser.thumbnails = row.thumbnails;
-    if (dialog == Dialog::SaveScene)
+    if (row.dialog == Dialog::SaveScene)
         state.browser.suffix = sceneExtension;
     if (!name.empty())
         state.browser.typed = name.string();
@@ -175,34 +183,10 @@ void openWaitingDialog(Session& session) {
         session.asking.dialog = Dialog::Restore;
 }
 
-Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path& chosen,
-                    const std::optional<FileFingerprint>& replaces) {
-    if (dialog == Dialog::OpenScene)
-        return openScene(session, chosen);
-    if (dialog == Dialog::SaveScene)
-        return saveTo(session, chosen, replaces);
-    if (dialog == Dialog::SaveAnswers)
-        return saveAnswers(session.settings, chosen, replaces).map([&](const std::filesystem::path& file) {
-            tell(session, fmt::format("Written: {}", file.string()));
-        });
-    if (dialog == Dialog::SaveSheet)
-        return saveSheet(session, chosen, replaces);
-    if (dialog == Dialog::SaveProgram)
-        return saveProgram(session, chosen, replaces);
-    if (dialog == Dialog::SaveRecording)
-        return saveRecording(session, chosen, replaces);
-    const std::string param = std::exchange(session.asking.imageParam, {});
-    if (param.empty())
-        importImage(session, chosen);
-    else
-        chooseFile(session, param, chosen);
-    return {};
-}
-
-void drawBrowserDialog(const Session& session, DialogsState& state, const Pictures& pictures) {
-    beginBrowsing(state, session);
+void drawBrowserDialog(const Session& session, DialogsState& state, const Pictures& pictures,
+                       const BrowserRow& row) {
+    beginBrowsing(state, session, row);
     std::filesystem::path chosen;
-    const Dialog dialog = session.asking.dialog;
     const Browsing browsing = drawFileBrowser(session, state.browser, pictures, chosen);
     if (browsing == Browsing::Open)
         return;
@@ -211,12 +195,12 @@ void drawBrowserDialog(const Session& session, DialogsState& state, const Pictur
             changed.asking.dialog = Dialog::None;
             changed.asking.pending = {};
         });
-    act(session, [&state, dialog, chosen](Session& s) {
+    act(session, [&state, &row, chosen](Session& s) {
         s.asking.dialog = Dialog::None;
         s.look.notice = {};
-        const Result<void> result = answer(s, dialog, chosen, state.browser.overwrites);
+        const Result<void> result = row.answer(s, chosen, state.browser.overwrites);
         if (!result) { // back to the list, which shows the error
-            s.asking.dialog = dialog;
+            s.asking.dialog = row.dialog;
             state.browser.error = result.error().message;
             state.browser.focusName = true;
         }
@@ -227,8 +211,9 @@ void drawBrowserDialog(const Session& session, DialogsState& state, const Pictur
 
 void drawDialogs(const Session& session, DialogsState& state, const Pictures& pictures) {
     const Dialog dialog = session.asking.dialog;
-    if (std::ranges::find(browserRows, dialog, &BrowserRow::dialog) != browserRows.end())
-        drawBrowserDialog(session, state, pictures);
+    const auto* browsed = std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
+    if (browsed != browserRows.end())
+        drawBrowserDialog(session, state, pictures, *browsed);
     else if (dialog == Dialog::Restore)
         drawRestore(session, pictures);
     for (const auto& [each, draw] : otherDialogs) {

@@ -1,8 +1,7 @@
-#include "app/ui/window/lesson_keys.h"
-
 #include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/window/shortcuts.h"
 
 #include <imgui.h>
 

@@ -249,21 +249,21 @@ void methodItems(const Session& session, const char* title, E ViewSettings::*cho
     }
 }
 
+/// A menu of the rows of a setting.
+void choiceItems(const Session& session, const char* title, const auto& rows, auto value, auto setting) {
+    menuOf(title, [&] {
+        for (const auto& row : rows) {
+            if (menuChoice(row.label, session.settings.*setting == row.*value))
+                act(session, [&row, value, setting](Session& s) { s.settings.*setting = row.*value; });
+        }
+    });
+}
+
 /// Themes, text sizes, the place of help and full screen.
 void comfortItems(const Session& session, const Layout& layout) {
     const Settings& settings = session.settings;
-    menuOf("Theme", [&] {
-        for (const ThemeRow& row : themeRows) {
-            if (menuChoice(row.label, settings.theme == row.theme))
-                act(session, [&row](Session& changed) { changed.settings.theme = row.theme; });
-        }
-    });
-    menuOf("Language", [&] {
-        for (const LanguageRow& row : languageRows) {
-            if (menuChoice(row.label, settings.language == row.language))
-                act(session, [&row](Session& changed) { changed.settings.language = row.language; });
-        }
-    });
+    choiceItems(session, "Theme", themeRows, &ThemeRow::theme, &Settings::theme);
+    choiceItems(session, "Language", languageRows, &LanguageRow::language, &Settings::language);
     menuOf("Text size", [&] {
         shortcutItem(session, layout, "Larger", "larger text", settings.textPercent < Settings::maxText);
         shortcutItem(session, layout, "Smaller", "smaller text", settings.textPercent > Settings::minText);

@@ -34,6 +34,10 @@ struct Shortcut {
 /// The label of the shortcut with this name, for a menu; empty while the lesson uses it.
 [[nodiscard]] std::string keysOf(const Session& session, std::string_view name);
 
+/// Handles the keys of the open lesson before the window's shortcuts and removes them from the input.
+/// `popup`: a menu or a list has the keyboard. Call it before the panels are drawn.
+void takeLessonKeys(Session& session, bool popup);
+
 /// Handles the keys of this frame. Call it after the panels.
 void handleShortcuts(const Session& session, const Layout& layout);
 

@@ -19,13 +19,17 @@ namespace texplorer::ui {
 
 namespace {
 
+void cancelButton(const Session& session, std::string_view name, const Action& cancel) {
+    if (ImGui::SmallButton(label("Cancel")))
+        act(session, cancel);
+    noteItem(name);
+    ImGui::SameLine();
+}
+
 /// "Reading brick.bmp · 34 %", and a button to cancel.
 void drawProgress(const Session& session, const ImageLoader::Progress& progress) {
     using Step = ImageLoader::Step;
-    if (ImGui::SmallButton(label("Cancel")))
-        act(session, [ticket = progress.ticket](Session& s) { cancelLoad(s, ticket); });
-    noteItem("cancel load");
-    ImGui::SameLine();
+    cancelButton(session, "cancel:load", [ticket = progress.ticket](Session& s) { cancelLoad(s, ticket); });
     const std::string name = printable(progress.path.filename().string());
     if (progress.step == Step::Decoding)
         text(fmt::format("Decoding {}", name));
@@ -38,10 +42,8 @@ void drawProgress(const Session& session, const ImageLoader::Progress& progress)
 
 /// The same for levels that are made from a loaded image.
 void drawProgress(const Session& session, const LevelsWorker::Progress& progress) {
-    if (ImGui::SmallButton(label("Cancel")))
-        act(session, [ticket = progress.ticket](Session& s) { workers(s).levels->cancel(ticket); });
-    noteItem("cancel levels");
-    ImGui::SameLine();
+    cancelButton(session, "cancel:levels",
+                 [ticket = progress.ticket](Session& s) { workers(s).levels->cancel(ticket); });
     const std::string what = printable(progress.what);
     text(progress.done > 0
              ? fmt::format("Making the levels of {} · {} %", what, static_cast<int>(100 * progress.done))
@@ -51,10 +53,7 @@ void drawProgress(const Session& session, const LevelsWorker::Progress& progress
 
 /// The same for a file that is being written.
 void drawProgress(const Session& session, const FileProgress& progress) {
-    if (ImGui::SmallButton(label("Cancel")))
-        act(session, [](Session& s) { workers(s).writing->cancel(); });
-    noteItem("cancel writing");
-    ImGui::SameLine();
+    cancelButton(session, "cancel:writing", [](Session& s) { workers(s).writing->cancel(); });
     const std::string name = printable(progress.file.filename().string());
     const auto percent = static_cast<int>(100 * progress.share);
     if (progress.pictures > 0)

@@ -12,14 +12,11 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
 #include "app/ui/model/timeline_edits.h"
-#include "app/ui/model/unseen.h"
-#include "app/ui/state/document_names.h"
 #include "app/ui/view/view_panel.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
-#include "app/ui/window/lesson_keys.h"
 #include "app/ui/window/notes.h"
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/text_size.h"
@@ -106,7 +103,10 @@ void forgetDocument(PanelStates& states) {
     states.details.levels.face = 0;
     states.details.explain.fragmentOf.reset();
     states.details.timeline.chosen.reset();
-    static_cast<OwnColors&>(states.details.figures.environments) = {};
+    EnvironmentTableState& table = states.details.figures.environments;
+    table.fragment.reset();
+    table.texel.reset();
+    table.constant.reset();
 }
 
 bool isPopupOpen() {
@@ -152,6 +152,19 @@ void showWanted(Session& session) {
         if (workspace.maximised == Maximised::View)
             workspace.maximised = Maximised::None;
     }
+}
+
+/// Frees the memory of workers for tabs and figures that are not visible.
+void restUnseen(Session& session) {
+    const auto isSeen = [&](Figure figure) {
+        return session.window.figure == figure && isShown(session.settings.workspace, Tab::Figures);
+    };
+    if (!isSeen(Figure::Environments))
+        workers(session).environments->rest();
+    if (!isSeen(Figure::Sheet))
+        workers(session).sheet->rest();
+    if (!isShown(session.settings.workspace, Tab::Commands))
+        workers(session).programs->rest();
 }
 
 /// Updates what is known of the scene: findings, the explained pixel, level pictures.

@@ -30,12 +30,8 @@ struct Requests {
     std::string title;
 };
 
-/// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
-/// frame is:
-///   layout = layoutFor(…, session.settings.workspace, gridOf(session.view)); settle(session,
-///   layout); frame = renderer.draw(session.document.scene, …); ImGui::NewFrame(); drawWorkbench(…);
-///   ImGui::Render().
-/// Dear ImGui needs two or three frames until new windows have their sizes.
+/// Draws the whole window between ImGui::NewFrame and ImGui::Render, after `settle` and the renderers; edits
+/// the session as the user says. Dear ImGui needs two or three frames until new windows have their sizes.
 Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
                        const view::Capabilities& capabilities, const Layout& layout);
 

@@ -21,7 +21,7 @@ struct Autosave::State {
     std::optional<UnsavedScene> told; ///< what was told last; nothing: there is nothing to lose
     std::optional<double> due;        ///< when it has to be written; nothing: it is
     std::optional<Error> problem;
-    bool failing = false; ///< the last draft could not be written, and that was said
+    Result<void> last{}; ///< of writing; its error was said
 
     std::mutex writing; // of the place: taken before `mutex`
     UnsavedPlace place;
@@ -32,8 +32,8 @@ struct Autosave::State {
     void note(const std::filesystem::path& file, const std::filesystem::path& base, const Scene& scene,
               const std::string& fileHash);
     void writeWhereNobodyElseDoes();
-    bool write();
-    bool writeAlone(bool& hasProblem);
+    Result<void> write();
+    Result<void> writeAlone(bool& hasProblem);
     Result<void> put(const UnsavedScene& draft);
 };
 
@@ -95,39 +95,38 @@ Result<void> Autosave::State::put(const UnsavedScene& draft) {
     return place.write(draft);
 }
 
-bool Autosave::State::write() {
+Result<void> Autosave::State::write() {
     bool hasProblem = false;
-    const bool written = writeAlone(hasProblem);
+    Result<void> written = writeAlone(hasProblem);
     if (hasProblem && wake)
         wake(); // without a lock: where that finds the display gone, what is left is written
     return written;
 }
 
-bool Autosave::State::writeAlone(bool& hasProblem) {
+Result<void> Autosave::State::writeAlone(bool& hasProblem) {
     const std::scoped_lock one(writing);
     std::optional<UnsavedScene> draft;
     {
         const std::scoped_lock lock(mutex);
         if (!due)
-            return !failing;
+            return last;
         due.reset();
         draft = told;
     }
     if (!draft) {
         place.remove();
         const std::scoped_lock lock(mutex);
-        failing = false; // the work that could not be written is not needed any more
-        return true;
+        return last = {}; // the work that could not be written is not needed any more
     }
-    const Result<void> written = put(*draft);
+    Result<void> written = put(*draft);
     const std::scoped_lock lock(mutex);
-    if (!written && !failing)
+    if (!written && last)
         problem = written.error();
-    failing = !written;
-    if (failing && !due)
+    last = written;
+    if (!written && !due)
         due = clock() + untilRetry;
     hasProblem = problem.has_value();
-    return written.has_value();
+    return written;
 }
 
 void Autosave::keep(const std::filesystem::path& file, const std::filesystem::path& folder,
@@ -159,7 +158,7 @@ void Autosave::adopt(UnsavedPlace place, UnsavedScene told) {
     state_->place = std::move(place);
     state_->told = std::move(told);
     state_->due.reset();
-    state_->failing = false;
+    state_->last = {};
 }
 
 void Autosave::forget() {
@@ -174,7 +173,7 @@ void Autosave::forget() {
     state_->writeWhereNobodyElseDoes();
 }
 
-bool Autosave::flush() {
+Result<void> Autosave::flush() {
     return state_->write();
 }
 

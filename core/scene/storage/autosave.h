@@ -35,8 +35,8 @@ public:
     void adopt(UnsavedPlace place, UnsavedScene told);
     /// Removes the draft at once: there is no unsaved work any more.
     void forget();
-    /// Writes pending work now. Returns false if it cannot be written.
-    bool flush();
+    /// Writes pending work now. Fails if it cannot be written.
+    Result<void> flush();
 
     /// Returns when `keep` or `forget` must be called again, because no thread writes. Empty: not needed.
     [[nodiscard]] std::optional<double> due() const;

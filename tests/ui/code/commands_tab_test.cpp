@@ -27,20 +27,27 @@ protected:
         session->window.wantedTab = Tab::Commands;
         frames(3);
     }
-    /// Turns the wheel over the list until a value is in sight.
-    void find(std::string_view name) {
-        const ImVec2 list = {place("copy commands").x, place("copy commands").y + 100};
+    /// Turns the wheel over the list until a value is in sight; its place.
+    ImVec2 find(std::string_view name) {
+        const ImVec2 list = {place("commands:copy").x, place("commands:copy").y + 100};
         wheel(list, 200);
         for (int i = 0; i < 100 && !isWhole(name); ++i)
             wheel(list, -1);
-        ASSERT_TRUE(isWhole(name)) << name;
+        return place(name);
     }
     [[nodiscard]] bool isWhole(std::string_view name) const {
         const auto item = places.items.find(name);
         return item != places.items.end() && item->second.visible;
     }
+    /// Another worker for the programs.
+    void lendPrograms(emit::ProgramWorker& beside) {
+        const Services atOnce = session->services;
+        lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
+              atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
+              atOnce.sheet, beside, atOnce.writing});
+    }
     std::string copied() {
-        click("copy commands");
+        click("commands:copy");
         return ImGui::GetClipboardText();
     }
 };
@@ -48,8 +55,7 @@ protected:
 TEST_F(CommandsTab, ANumberIsDraggedInOneStepOfUndo) {
     scene().material.shininess = 32;
     frames(2);
-    find("command:material.shininess");
-    drag(place("command:material.shininess"), {40, 0}); // half a unit a pixel
+    drag(find("command:material.shininess"), {40, 0}); // half a unit a pixel
     EXPECT_NEAR(scene().material.shininess, 52, 0.6F);
     EXPECT_EQ(session->document.lastChanged, "material.shininess");
     key('Z', {ctrl});
@@ -77,24 +83,17 @@ TEST_F(CommandsTab, KeyFramesAreThoseOfTheProgram) {
 TEST_F(CommandsTab, ANegatedNumberGoesTheOtherWay) {
     scene().view.target = {2, 0, 0};
     frames(2);
-    find("command:view.target[0]");
-    drag(place("command:view.target[0]"), {40, 0});
+    drag(find("command:view.target[0]"), {40, 0});
     EXPECT_LT(scene().view.target.x, 1.9F);
 }
 
-TEST_F(CommandsTab, ANumberStaysInItsRange) {
-    find("command:material.shininess");
-    drag(place("command:material.shininess"), {600, 0});
+TEST_F(CommandsTab, ANumberStaysInItsRangeAndIsTypedAfterADoubleClick) {
+    drag(find("command:material.shininess"), {600, 0});
     EXPECT_EQ(scene().material.shininess, 128);
-}
-
-TEST_F(CommandsTab, ANumberIsTypedAfterADoubleClick) {
-    find("command:material.shininess");
-    doubleClickAt(place("command:material.shininess"));
+    doubleClickAt(find("command:material.shininess"));
     key('A', {ctrl});
     type("7.25");
     key(257); // Enter
-    frames(2);
     EXPECT_EQ(scene().material.shininess, 7.25F);
 }
 
@@ -113,7 +112,6 @@ TEST_F(CommandsTab, TheCoordinatesThatMovedGlow) {
     };
     ASSERT_EQ(glowing(), 0);
     drag(place("models[0].texCoords0[2][0]"), {40, 0}); // in the tab Vertices
-    frames(2);
     EXPECT_EQ(glowing(), 1);
     ASSERT_TRUE(has("command:models[0].texCoords0[2][0]"));
     EXPECT_TRUE(isWhole("command:models[0].texCoords0[2][0]"));
@@ -130,8 +128,7 @@ TEST_F(CommandsTab, TheCoordinatesThatMovedGlow) {
 }
 
 TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
-    find("command:models[0].texCoords0[2][0]");
-    drag(place("command:models[0].texCoords0[2][0]"), {40, 0}); // 0.005 a pixel
+    drag(find("command:models[0].texCoords0[2][0]"), {40, 0}); // 0.005 a pixel
     ASSERT_EQ(scene().models[0].texCoords[0].size(), 24U);
     EXPECT_NEAR(scene().models[0].texCoords[0][2].x, 1.2F, 0.006F);
     EXPECT_EQ(scene().models[0].texCoords[0][2].y, 1);
@@ -140,10 +137,8 @@ TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
 }
 
 TEST_F(CommandsTab, LeadsToAFile) {
-    click("export commands");
-    frames(2);
+    click("commands:export");
     click("menu:Page with WebGL 2");
-    frames(2);
     EXPECT_EQ(session->asking.dialog, Dialog::SaveProgram);
     EXPECT_EQ(states.dialogs.browser.typed, "scene.html");
 }
@@ -152,10 +147,7 @@ TEST_F(CommandsTab, LeadsToAFile) {
 TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
     PausedEncoding paused;
     emit::ProgramWorker beside(When::WhenReady, {}, paused.work());
-    const Services& atOnce = session->services;
-    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
-          atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
-          atOnce.sheet, beside, atOnce.writing});
+    lendPrograms(beside);
     show();
     EXPECT_TRUE(has("commands:hint"));
     const std::string before = copied();
@@ -165,8 +157,7 @@ TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
     paused.waitUntilBegun();
     EXPECT_TRUE(has("commands:making"));
     EXPECT_EQ(copied(), before);
-    find("command:material.shininess");
-    drag(place("command:material.shininess"), {40, 0});
+    drag(find("command:material.shininess"), {40, 0});
     EXPECT_NEAR(scene().material.shininess, 52, 0.6F);
     paused.goOn();
     beside.wait();
@@ -181,10 +172,7 @@ TEST_F(CommandsTab, TexelsThatTakeLongHoldNothingUp) {
 TEST_F(CommandsTab, WhatIsTakenBackIsGivenUp) {
     PausedEncoding paused(0.5F);
     emit::ProgramWorker beside(When::WhenReady, {}, paused.work());
-    const Services& atOnce = session->services;
-    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
-          atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
-          atOnce.sheet, beside, atOnce.writing});
+    lendPrograms(beside);
     show();
     const Compression before = std::exchange(texture().compression, Compression::Cached);
     frames(2);
@@ -200,11 +188,8 @@ TEST_F(CommandsTab, WhatIsTakenBackIsGivenUp) {
 TEST_F(CommandsTab, OpensAtTheCallsAlsoWhereTheProgramComesLate) {
     PausedEncoding paused;
     emit::ProgramWorker beside(When::WhenReady, {}, paused.work());
-    const Services atOnce = session->services;
     states.details.commands = {};
-    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, atOnce.probe, atOnce.levelMap,
-          atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
-          atOnce.sheet, beside, atOnce.writing});
+    lendPrograms(beside);
     texture().compression = Compression::Cached;
     show();
     paused.waitUntilBegun();
@@ -216,9 +201,7 @@ TEST_F(CommandsTab, OpensAtTheCallsAlsoWhereTheProgramComesLate) {
 }
 
 TEST_F(CommandsTab, AChoiceHasAList) {
-    find("command:textures[0].minFilter");
-    click("command:textures[0].minFilter");
-    frames(2);
+    clickAt(find("command:textures[0].minFilter"));
     click("command:textures[0].minFilter=GL_NEAREST");
     EXPECT_EQ(texture().minFilter, MinFilter::Nearest);
     EXPECT_EQ(session->document.lastChanged, "textures[0].minFilter");
@@ -228,8 +211,7 @@ TEST_F(CommandsTab, AChoiceHasAList) {
 
 // The call that switches off sets what OpenGL starts with; it stays while it is what changed last.
 TEST_F(CommandsTab, ASwitchIsClickedAndStays) {
-    find("command:passes[0].lighting");
-    click("command:passes[0].lighting");
+    clickAt(find("command:passes[0].lighting"));
     EXPECT_FALSE(scene().passes[0].lighting);
     frames(2);
     EXPECT_TRUE(has("command:passes[0].lighting"));
@@ -239,9 +221,7 @@ TEST_F(CommandsTab, ASwitchIsClickedAndStays) {
 }
 
 TEST_F(CommandsTab, AColorOpensThePicker) {
-    find("command:material.specular#color");
-    click("command:material.specular#color");
-    frames(2);
+    clickAt(find("command:material.specular#color"));
     ASSERT_TRUE(has("command:material.specular#picker"));
     const WidgetPlaces::Item picker = places.items.find("command:material.specular#picker")->second;
     drag({picker.left + 20, picker.top + 20}, {10, 10});
@@ -266,24 +246,20 @@ TEST_F(CommandsTab, AllCallsAreListedOnDemand) {
     click("all commands");
     EXPECT_THAT(copied(), HasSubstr(same));
     EXPECT_EQ(copied(), textOf(programOf(scene()), true));
-    find("command:textures[0].wrapS");
-    click("command:textures[0].wrapS");
-    frames(2);
+    clickAt(find("command:textures[0].wrapS"));
     click("command:textures[0].wrapS=GL_CLAMP");
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
 }
 
 TEST_F(CommandsTab, TheNameOfACallLeadsToItsControl) {
-    find("call:textures[0].minFilter");
-    click("call:textures[0].minFilter");
+    clickAt(find("call:textures[0].minFilter"));
     EXPECT_EQ(session->look.shownParam, "textures[0].minFilter");
     frames(3);
     EXPECT_TRUE(isWhole("textures[0].minFilter") || has("textures[0].minFilter#label"));
 }
 
 TEST_F(CommandsTab, WhatIsHoveredIsLitInTheOtherPanel) {
-    find("command:textures[0].minFilter");
-    moveTo(place("command:textures[0].minFilter"));
+    moveTo(find("command:textures[0].minFilter"));
     frames(2);
     EXPECT_EQ(session->window.hoveredParam, "textures[0].minFilter");
     moveTo({1, 1});
@@ -298,7 +274,7 @@ TEST_F(CommandsTab, TheLineThatChangedIsShown) {
     recordEdit(*session, "Top radius", "models[1].topRadius");
     frames(3);
     EXPECT_TRUE(isWhole("command:models[1].topRadius"));
-    wheel({place("copy commands").x, place("copy commands").y + 100}, 200);
+    wheel({place("commands:copy").x, place("commands:copy").y + 100}, 200);
     frames(2);
     EXPECT_FALSE(isWhole("command:models[1].topRadius"));
 }

@@ -25,7 +25,7 @@ protected:
     std::string copied(const char* stage) {
         states.details.glsl.stage =
             std::string_view(stage) == "Vertex" ? view::ShaderStage::Vertex : view::ShaderStage::Fragment;
-        const ImVec2 at = place("copy glsl");
+        const ImVec2 at = place("glsl:copy");
         ImGui::GetIO().MousePos = at;
         static_cast<void>(picture());
         static_cast<void>(picture());
@@ -50,7 +50,7 @@ TEST_F(GlslTab, SaysThatThereIsNoneWhereNothingIsDrawn) {
     session->window.wantedTab = Tab::Glsl;
     frames(3);
     EXPECT_FALSE(has("glsl:1"));
-    EXPECT_FALSE(has("copy glsl"));
+    EXPECT_FALSE(has("glsl:copy"));
 }
 
 TEST_F(GlslTab, ShowsTheLineOfAMistakeAndWhatTheCompilerSays) {

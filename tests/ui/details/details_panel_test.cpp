@@ -11,6 +11,12 @@ class Docks : public Workbench {
 protected:
     [[nodiscard]] Workspace& workspace() { return session->settings.workspace; }
     void doubleClick(std::string_view name) { doubleClickAt(place(name)); }
+    /// Chooses in the menu View.
+    void choose(std::initializer_list<const char*> items) {
+        click("menu:View");
+        for (const std::string item : items)
+            click("menu:" + item);
+    }
 };
 
 TEST_F(Docks, AClickBringsATabToTheFront) {
@@ -119,29 +125,20 @@ TEST_F(Docks, TheSeamAboveTheDockIsDraggedAndGivenBack) {
 }
 
 TEST_F(Docks, LayoutsAreChosenInTheMenu) {
-    click("menu:View");
-    click("menu:Layout");
-    click("menu:Teacher");
+    choose({"Layout", "Teacher"});
     EXPECT_EQ(layoutOf(workspace())->name, "teacher");
     EXPECT_TRUE(layout.belowDock.isEmpty());
     EXPECT_FALSE(layout.texture.isEmpty());
-    click("menu:View");
-    click("menu:Layout");
-    click("menu:Minimal");
+    choose({"Layout", "Minimal"});
     EXPECT_EQ(layout.view.width, layout.window.width);
     EXPECT_EQ(pixelsOfNoPanel(picture()), 0);
-    click("menu:View");
-    click("menu:Panels");
-    click("menu:Parameters");
+    choose({"Panels", "Parameters"});
     EXPECT_FALSE(layout.parameters.isEmpty());
 }
 
 TEST_F(Docks, TheTextureSpaceIsMaximisedAndClosed) {
     putListRight();
-    click("menu:View");
-    click("menu:Panels");
-    click("menu:Texture space");
-    click("menu:Maximised");
+    choose({"Panels", "Texture space", "Maximised"});
     EXPECT_EQ(layout.texture.height, layout.parameters.height);
     key(key::escape);
     EXPECT_LT(layout.texture.height, layout.parameters.height);

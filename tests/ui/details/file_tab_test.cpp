@@ -49,11 +49,6 @@ protected:
     texplorer::test::TempDir folder;
 };
 
-TEST_F(FileTab, ABuiltInPatternHasNoFile) {
-    click("tab:File");
-    EXPECT_TRUE(has("file:none"));
-}
-
 // A scene may name such a file. Shown, each of its bytes has six letters; Dear ImGui's lists end at 16,000.
 TEST_F(FileTab, ANameOfControlCharactersIsBearable) {
     texture().source = SourceKind::File;
@@ -73,6 +68,7 @@ TEST_F(FileTab, ANameOfControlCharactersIsBearable) {
 TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     texplorer::test::writeRaw(folder / "red.bmp", texplorer::test::onePixelBmp({0, 0, 50}));
     click("tab:File");
+    EXPECT_TRUE(has("file:none")) << "a built-in pattern has none";
     importImage(*session, folder / "red.bmp");
     frames(3);
     EXPECT_TRUE(has("file:name"));
@@ -85,7 +81,7 @@ TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     EXPECT_TRUE(has("file:none"));
 }
 
-TEST_F(FileTab, AFieldUnderTheMouseLightsItsBytesAndTheOtherWayRound) {
+TEST_F(FileTab, AFieldUnderTheMouseLightsItsBytesWhichAreDrawnByTheLine) {
     showMadeUp();
     EXPECT_TRUE(has("file:problem"));
     moveTo(place("field:bits"));
@@ -101,10 +97,6 @@ TEST_F(FileTab, AFieldUnderTheMouseLightsItsBytesAndTheOtherWayRound) {
     }
     moveTo({5, 5});
     EXPECT_EQ(states.details.file.hovered, std::nullopt);
-}
-
-TEST_F(FileTab, ManyBytesAreDrawnByTheLine) {
-    showMadeUp();
     EXPECT_TRUE(has("hex:0"));
     EXPECT_FALSE(has("hex:992")) << "what is out of sight costs nothing";
     wheel(place("hex:0"), -200);

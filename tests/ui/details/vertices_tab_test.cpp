@@ -34,7 +34,6 @@ TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
     click("make mesh");
     EXPECT_EQ(scene().models[0].shape, Shape::Mesh);
     ASSERT_EQ(mesh().positions.size(), 24U);
-    frames(2);
     const glm::vec3 before = mesh().positions[2];
     const auto countAt = [&](glm::vec3 place) { return std::ranges::count(mesh().positions, place); };
     EXPECT_EQ(countAt(before), 3);
@@ -82,7 +81,6 @@ TEST_F(VerticesTab, AShapeThatIsTooLargeSaysSo) {
 TEST_F(VerticesTab, VerticesAreAddedDuplicatedAndRemoved) {
     startWithPoints(3);
     click("show Position");
-    frames(2);
     click("add vertex");
     ASSERT_EQ(mesh().positions.size(), 4U);
     EXPECT_EQ(mesh().positions[3], mesh().positions[2]);
@@ -96,7 +94,6 @@ TEST_F(VerticesTab, VerticesAreAddedDuplicatedAndRemoved) {
     for (int left = 4; left >= 0; --left) {
         click("remove vertex");
         ASSERT_EQ(mesh().positions.size(), static_cast<std::size_t>(left));
-        frames(2);
     }
     EXPECT_FALSE(session->look.selection.vertex.has_value());
     click("remove vertex"); // which is off
@@ -112,7 +109,6 @@ TEST_F(VerticesTab, NormalsAndColoursBeginAsTheyWereAndCanBeTakenAway) {
     startWithPoints(3);
     scene().material.color = {0.5F, 0.25F, 1, 1};
     click("show Normal");
-    frames(2);
     drag(place("models[0].mesh.normals[1][0]"), {40, 0});
     ASSERT_EQ(mesh().normals.size(), 3U);
     EXPECT_NEAR(mesh().normals[1].x, 0.2F, 0.006F);
@@ -121,7 +117,6 @@ TEST_F(VerticesTab, NormalsAndColoursBeginAsTheyWereAndCanBeTakenAway) {
     click("clear Normal");
     EXPECT_TRUE(mesh().normals.empty());
     click("show Colour");
-    frames(2);
     drag(place("models[0].mesh.colors[0][0]"), {40, 0});
     ASSERT_EQ(mesh().colors.size(), 3U);
     EXPECT_NEAR(mesh().colors[0].r, 0.7F, 0.006F);
@@ -164,7 +159,6 @@ TEST_F(VerticesTab, TheLetterOfACoordinateStandsBesideItsColour) {
     EXPECT_TRUE(has("field letter:t"));
     EXPECT_FALSE(has("field letter:q"));
     click("show r, q");
-    frames(2);
     EXPECT_TRUE(has("field letter:q"));
 }
 

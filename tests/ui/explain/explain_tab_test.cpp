@@ -1,8 +1,7 @@
-#include "app/ui/explain/explain_comparison.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/view/panes.h"
+#include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/widgets/theme.h"
 #include "tests/ui/workbench.h"
 #include "texplorer/reference/probe.h"
 
@@ -38,8 +37,46 @@ protected:
         return {static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.3F,
                 static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F};
     }
-    /// A place in the middle of a texel of a level's small picture.
-    ImVec2 inPatch(int level) { return place("patch:level " + std::to_string(level)); }
+    void explainTheCube() {
+        open();
+        clickAt(onTheCube());
+    }
+    /// The middle of a texel of the first small picture.
+    ImVec2 inPatch() {
+        return place("patch:level " + std::to_string(probedUnit(*session)->patches.front().level));
+    }
+    [[nodiscard]] Explaining& explaining() { return session->look.explaining; }
+    [[nodiscard]] Box boxOf(std::string_view name) const {
+        const WidgetPlaces::Item& item = places.items.find(name)->second;
+        return {{item.left, item.top}, {item.right, item.bottom}};
+    }
+    /// The items whose names begin so.
+    [[nodiscard]] std::vector<std::string> itemsOf(std::string_view beginning) const {
+        std::vector<std::string> names;
+        for (const auto& [name, item] : places.items)
+            if (name.starts_with(beginning))
+                names.push_back(name);
+        return names;
+    }
+    /// With a picture by the fixed pipeline that has these bytes at the pixel.
+    [[nodiscard]] Comparison comparedWith(const reference::PixelBytes& bytes,
+                                          const reference::Explanation& explanation) const {
+        Image image = Image::uninitialised(PixelFormat::Rgba8, explanation.width, explanation.height);
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            image.at(explanation.pixel.x, explanation.pixel.y)[i] = std::byte{bytes[i]};
+        const std::vector<ViewFrame> views{
+            {RendererKind::Fixed, {}, std::make_shared<const Image>(std::move(image)), true}};
+        return compareRenderers(*session, {.frames = views}, explanation);
+    }
+    /// Expects a card to be visible, and within the dock.
+    void expectInTheDock(const std::string& name) {
+        ASSERT_TRUE(has(name)) << name;
+        const WidgetPlaces::Item& card = places.items.at(name);
+        EXPECT_TRUE(card.visible) << name;
+        EXPECT_GE(card.left, static_cast<float>(layout.belowDock.x)) << name;
+        EXPECT_LE(card.right, static_cast<float>(layout.belowDock.right())) << name;
+        EXPECT_LE(card.bottom, static_cast<float>(layout.belowDock.bottom())) << name;
+    }
 };
 
 TEST_F(ExplainTab, SaysWhatToDoFirst) {
@@ -49,17 +86,16 @@ TEST_F(ExplainTab, SaysWhatToDoFirst) {
 }
 
 TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
-    open();
-    clickAt(onTheCube());
-    ASSERT_TRUE(session->look.explaining.pixel);
+    explainTheCube();
+    ASSERT_TRUE(explaining().pixel);
     const Panes panes(layout, session->view, {layout.picture.width, layout.picture.height});
     const auto expected = panes.pixelAt(onTheCube());
-    EXPECT_EQ(*session->look.explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
+    EXPECT_EQ(*explaining().pixel, (reference::PixelPlace{expected->x, expected->y}));
     const reference::Explanation* found = explanationOf(*session);
     ASSERT_NE(found, nullptr);
     const auto alone = reference::probe(
         {session->document.scene, session->document.images, 0, layout.picture.width, layout.picture.height},
-        *session->look.explaining.pixel);
+        *explaining().pixel);
     EXPECT_EQ(found->bytes, alone->bytes);
     EXPECT_NE(found->seen(), nullptr);
     EXPECT_TRUE(has("explain:pixel"));
@@ -73,9 +109,9 @@ TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
         session->document.images.find(session->document.scene.textures[0]);
     const long before = image.use_count();
     clickAt(onTheCube());
-    ASSERT_TRUE(session->look.explaining.pixel);
+    ASSERT_TRUE(explaining().pixel);
     EXPECT_EQ(image.use_count(), before + 1);
-    session->look.explaining.pixel.reset();
+    explaining().pixel.reset();
     frames(1);
     EXPECT_EQ(image.use_count(), before);
 }
@@ -83,7 +119,7 @@ TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
 TEST_F(ExplainTab, AClickMeansNothingWhileItIsClosed) {
     close();
     clickAt(onTheCube());
-    EXPECT_FALSE(session->look.explaining.pixel);
+    EXPECT_FALSE(explaining().pixel);
 }
 
 TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
@@ -91,16 +127,15 @@ TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
     moveTo(onTheCube());
     setHeld('E', true);
     frames(3);
-    EXPECT_TRUE(session->look.explaining.isOpen);
-    const auto first = session->look.explaining.pixel;
+    EXPECT_TRUE(explaining().isOpen);
+    const auto first = explaining().pixel;
     ASSERT_TRUE(first);
     moveTo({onTheCube().x + 7, onTheCube().y - 5});
     setHeld('E', false);
     frames(2);
-    EXPECT_EQ(*session->look.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
+    EXPECT_EQ(*explaining().pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
     moveTo(onTheCube());
-    EXPECT_EQ(*session->look.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}))
-        << "it stays";
+    EXPECT_EQ(*explaining().pixel, (reference::PixelPlace{first->x + 7, first->y + 5})) << "it stays";
 }
 
 TEST_F(ExplainTab, TellsThatNothingCoversAPixel) {
@@ -112,8 +147,7 @@ TEST_F(ExplainTab, TellsThatNothingCoversAPixel) {
 }
 
 TEST_F(ExplainTab, FollowsTheScene) {
-    open();
-    clickAt(onTheCube());
+    explainTheCube();
     const reference::PixelBytes before = explanationOf(*session)->bytes;
     session->document.scene.material.color = {1, 0, 0, 1};
     session->document.scene.passes[0].units[0].enabled = false;
@@ -136,8 +170,7 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
     lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, worker, atOnce.levelMap,
           atOnce.patterns, atOnce.levelPictures, atOnce.lessons, atOnce.environments, atOnce.plainProbe,
           atOnce.sheet, atOnce.programs, atOnce.writing});
-    open();
-    clickAt(onTheCube());
+    explainTheCube();
     worker.wait();
     (void)picture();
     ASSERT_NE(explanationOf(*session), nullptr);
@@ -174,33 +207,28 @@ TEST_F(ExplainTab, NothingIsCutInANarrowColumn) {
     clickAt({static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.2F,
              static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F});
     ASSERT_TRUE(has("explain:summary of Level of detail"));
-    int summaries = 0;
-    for (const auto& [name, item] : places.items) {
-        if (!name.starts_with("explain:summary of"))
-            continue;
-        ++summaries;
-        EXPECT_LE(item.right, static_cast<float>(layout.rightDock.right())) << name;
-    }
-    EXPECT_GT(summaries, 4);
+    const std::vector<std::string> summaries = itemsOf("explain:summary of");
+    for (const std::string& name : summaries)
+        EXPECT_LE(boxOf(name).high.x, static_cast<float>(layout.rightDock.right())) << name;
+    EXPECT_GT(summaries.size(), 4U);
 }
 
 TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
-    open();
-    clickAt(onTheCube());
+    explainTheCube();
     const reference::UnitExplanation* unit = probedUnit(*session);
     ASSERT_NE(unit, nullptr);
     const int level = unit->patches.front().level;
-    clickAt(inPatch(level));
-    ASSERT_TRUE(session->look.explaining.texel);
-    EXPECT_EQ(session->look.explaining.texel->texel.level, level);
+    clickAt(inPatch());
+    ASSERT_TRUE(explaining().texel);
+    EXPECT_EQ(explaining().texel->texel.level, level);
     EXPECT_TRUE(has("explain:texel"));
-    ASSERT_TRUE(session->look.explaining.light);
-    EXPECT_EQ(session->look.explaining.light->width, layout.picture.width);
-    const auto& found = *session->look.explaining.answer->contributions;
+    ASSERT_TRUE(explaining().light);
+    EXPECT_EQ(explaining().light->width, layout.picture.width);
+    const auto& found = *explaining().answer->contributions;
     ASSERT_TRUE(found);
-    clickAt(inPatch(level)); // once more: no longer
-    EXPECT_FALSE(session->look.explaining.texel);
-    EXPECT_FALSE(session->look.explaining.light);
+    clickAt(inPatch()); // once more: no longer
+    EXPECT_FALSE(explaining().texel);
+    EXPECT_FALSE(explaining().light);
 }
 
 TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
@@ -212,12 +240,12 @@ TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
         return ImVec2(low.x + (high.x - low.x) * s, low.y + (high.y - low.y) * t);
     };
     clickAt(at(60.5F / 64, 50.5F / 64));
-    ASSERT_TRUE(session->look.explaining.texel);
-    EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
-    EXPECT_TRUE(session->look.explaining.light);
+    ASSERT_TRUE(explaining().texel);
+    EXPECT_EQ(explaining().texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
+    EXPECT_TRUE(explaining().light);
     close();
     clickAt(at(20.5F / 64, 20.5F / 64));
-    EXPECT_EQ(session->look.explaining.texel->texel.index.x, 60) << "only while the tab is open";
+    EXPECT_EQ(explaining().texel->texel.index.x, 60) << "only while the tab is open";
 }
 
 // Level 6 of 64 x 64 has one row: below it lies the border, which wrapping leads to. A line has no rows.
@@ -230,13 +258,13 @@ TEST_F(ExplainTab, TheBorderOfALevelOfOneRowCanBeAskedFor) {
     const ImVec2 high = place("coord:2");
     const ImVec2 below((low.x + high.x) / 2, low.y + (low.y - high.y) * 0.2F);
     clickAt(below);
-    ASSERT_TRUE(session->look.explaining.texel);
-    EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
+    ASSERT_TRUE(explaining().texel);
+    EXPECT_EQ(explaining().texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
     unit().target = Target::Texture1D;
     frames(2);
     clickAt(below);
-    ASSERT_TRUE(session->look.explaining.texel);
-    EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
+    ASSERT_TRUE(explaining().texel);
+    EXPECT_EQ(explaining().texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
 }
 
 // Whichever texel of the image a pixel reads, the small pictures don't lie on it.
@@ -244,29 +272,20 @@ TEST_F(ExplainTab, SmallPicturesLeaveMostOfTheTextureInSight) {
     for (const float scale : {1.0F, 1.5F, 2.0F, 2.5F}) {
         SCOPED_TRACE(scale);
         start(defaultScene(), 1280, 800, scale);
-        open();
-        clickAt(onTheCube());
+        explainTheCube();
         ASSERT_NE(probedUnit(*session), nullptr);
-        const WidgetPlaces::Item& plane = places.items.at("texture space");
-        const WidgetPlaces::Item& marks = places.items.at("texel marks");
+        const Box plane = boxOf("texture space");
         float covered = 0;
-        for (const auto& [name, item] : places.items) {
-            if (!name.starts_with("patch:"))
-                continue;
-            covered += (item.right - item.left) * (item.bottom - item.top);
-            EXPECT_FALSE(item.left < marks.right && marks.left < item.right && item.top < marks.bottom &&
-                         marks.top < item.bottom)
-                << name;
+        for (const std::string& name : itemsOf("patch:")) {
+            covered += sharedArea(boxOf(name), boxOf(name));
+            EXPECT_FALSE(overlaps(boxOf(name), boxOf("texel marks"))) << name;
         }
-        EXPECT_LE(covered, 0.3F * (plane.right - plane.left) * (plane.bottom - plane.top));
+        EXPECT_LE(covered, 0.3F * sharedArea(plane, plane));
     }
 }
 
 TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
     open();
-    const auto overlap = [](const WidgetPlaces::Item& a, const WidgetPlaces::Item& b) {
-        return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-    };
     int seen = 0;
     for (int y = 0; y < 6; ++y) {
         for (int x = 0; x < 6; ++x) {
@@ -276,9 +295,8 @@ TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
             if (!probedUnit(*session))
                 continue;
             ++seen;
-            const WidgetPlaces::Item& marks = places.items.at("texel marks");
-            for (const auto& [name, item] : places.items)
-                EXPECT_FALSE(name.starts_with("patch:") && overlap(item, marks)) << name << x << y;
+            for (const std::string& name : itemsOf("patch:"))
+                EXPECT_FALSE(overlaps(boxOf(name), boxOf("texel marks"))) << name << x << y;
         }
     }
     EXPECT_GT(seen, 20);
@@ -295,9 +313,9 @@ TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     ASSERT_TRUE(found->sample.cube);
     ASSERT_FALSE(found->patches.empty());
     EXPECT_EQ(found->patches.front().layer, found->sample.cube->face);
-    clickAt(inPatch(found->patches.front().level));
-    ASSERT_TRUE(session->look.explaining.texel);
-    EXPECT_EQ(session->look.explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
+    clickAt(inPatch());
+    ASSERT_TRUE(explaining().texel);
+    EXPECT_EQ(explaining().texel->texel.index.z, probedUnit(*session)->sample.cube->face);
     (void)picture();
 }
 
@@ -319,10 +337,10 @@ TEST_F(ExplainTab, ATexelAcrossTheEdgeOfASeamlessCubeMapCanBeAskedFor) {
     std::size_t across = 0;
     for (const reference::PlacedTap& tap : patch.taps) {
         const glm::vec2 middle = glm::vec2(tap.at - patch.low) + 0.5F;
-        session->look.explaining.texel.reset();
+        explaining().texel.reset();
         clickAt({item.left + middle.x * cell, item.bottom - middle.y * cell});
-        ASSERT_TRUE(session->look.explaining.texel);
-        EXPECT_EQ(session->look.explaining.texel->texel, (reference::TexelPlace{7, tap.tap.index}));
+        ASSERT_TRUE(explaining().texel);
+        EXPECT_EQ(explaining().texel->texel, (reference::TexelPlace{7, tap.tap.index}));
         across += tap.tap.index.z != patch.layer ? 1 : 0;
     }
     EXPECT_GT(across, 0U);
@@ -330,16 +348,15 @@ TEST_F(ExplainTab, ATexelAcrossTheEdgeOfASeamlessCubeMapCanBeAskedFor) {
 }
 
 TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
-    open();
-    clickAt(onTheCube());
-    clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    session->look.explaining.pixel.reset(); // its sign lies over the light, and the vertex's
+    explainTheCube();
+    clickAt(inPatch());
+    explaining().pixel.reset(); // its sign lies over the light, and the vertex's
     session->look.selection.vertex.reset();
     moveTo({5, 5});
     const Image lit = picture();
-    const std::shared_ptr<const Image> light = session->look.explaining.light;
+    const std::shared_ptr<const Image> light = explaining().light;
     ASSERT_NE(light, nullptr);
-    session->look.explaining.texel.reset();
+    explaining().texel.reset();
     const Image plain = picture();
     int strong = 0;
     for (int y = 0; y < light->height; ++y) {
@@ -363,53 +380,51 @@ TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
 }
 
 TEST_F(ExplainTab, EscapeLetsGoOfTheTexelAndThenOfThePixel) {
-    open();
-    clickAt(onTheCube());
-    clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    ASSERT_TRUE(session->look.explaining.texel);
+    explainTheCube();
+    clickAt(inPatch());
+    ASSERT_TRUE(explaining().texel);
     key(key::escape);
-    EXPECT_FALSE(session->look.explaining.texel);
-    EXPECT_TRUE(session->look.explaining.pixel);
+    EXPECT_FALSE(explaining().texel);
+    EXPECT_TRUE(explaining().pixel);
     key(key::escape);
-    EXPECT_FALSE(session->look.explaining.pixel);
+    EXPECT_FALSE(explaining().pixel);
 }
 
 TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
-    open();
-    clickAt(onTheCube());
-    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    explainTheCube();
+    clickAt(inPatch());
     click("explain:clear texel");
-    EXPECT_FALSE(session->look.explaining.texel);
-    EXPECT_TRUE(session->look.explaining.pixel);
+    EXPECT_FALSE(explaining().texel);
+    EXPECT_TRUE(explaining().pixel);
     EXPECT_FALSE(has("explain:clear texel"));
-    clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    session->look.explaining.pixel.reset();
+    clickAt(inPatch());
+    explaining().pixel.reset();
     frames(2);
     click("explain:clear texel");
-    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_FALSE(explaining().texel);
 }
 
 TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     open();
     const auto pick = [&] {
-        session->look.explaining.pixel.reset();
-        session->look.explaining.texel.reset();
+        explaining().pixel.reset();
+        explaining().texel.reset();
         clickAt(onTheCube());
-        clickAt(inPatch(probedUnit(*session)->patches.front().level));
-        ASSERT_TRUE(session->look.explaining.texel);
+        clickAt(inPatch());
+        ASSERT_TRUE(explaining().texel);
     };
     pick();
     texture().wrapS = Wrap::Clamp; // the same image, looked up otherwise
     frames(2);
-    EXPECT_TRUE(session->look.explaining.texel);
+    EXPECT_TRUE(explaining().texel);
     texture().pattern = Pattern::Brick;
     frames(2);
-    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_FALSE(explaining().texel);
     pick();
     scene().textures.emplace_back().pattern = Pattern::UvTemplate;
     unit().texture = 1;
     frames(2);
-    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_FALSE(explaining().texel);
     texture().pattern = Pattern::Brick;
     unit().texture = 0;
     frames(2);
@@ -417,7 +432,7 @@ TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     unit().enabled = false;
     scene().textures.clear();
     frames(2);
-    EXPECT_FALSE(session->look.explaining.texel);
+    EXPECT_FALSE(explaining().texel);
 }
 
 TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
@@ -429,26 +444,21 @@ TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
             texture().pattern = target == Target::CubeMap ? Pattern::CubeFaces : Pattern::Checker;
             unit().target = target;
             frames(2);
-            session->look.explaining.pixel.reset();
+            explaining().pixel.reset();
             for (int step = 1; step < 20 && !probedUnit(*session); ++step) // until it hits a model
                 clickAt(
                     {static_cast<float>(layout.picture.x + layout.picture.width * step / 20), onTheCube().y});
             ASSERT_NE(probedUnit(*session), nullptr);
-            int titles = 0;
-            std::vector<WidgetPlaces::Item> seen;
-            for (const auto& [name, item] : places.items) {
-                if (!name.starts_with("patch title:"))
-                    continue;
-                ++titles;
-                EXPECT_LE(item.right, static_cast<float>(layout.texture.right())) << name;
-                EXPECT_GE(item.left, static_cast<float>(layout.texture.x)) << name;
-                for (const WidgetPlaces::Item& other : seen)
-                    EXPECT_FALSE(item.left < other.right && other.left < item.right &&
-                                 item.top < other.bottom && other.top < item.bottom)
-                        << name;
-                seen.push_back(item);
+            std::vector<Box> seen;
+            for (const std::string& name : itemsOf("patch title:")) {
+                const Box title = boxOf(name);
+                EXPECT_LE(title.high.x, static_cast<float>(layout.texture.right())) << name;
+                EXPECT_GE(title.low.x, static_cast<float>(layout.texture.x)) << name;
+                for (const Box& other : seen)
+                    EXPECT_FALSE(overlaps(title, other)) << name;
+                seen.push_back(title);
             }
-            EXPECT_GT(titles, 0);
+            EXPECT_FALSE(seen.empty());
         }
     }
 }
@@ -460,17 +470,9 @@ TEST_F(ExplainTab, TheCardsOfOneUnitFit) {
         SCOPED_TRACE(width);
         start(defaultScene(), width, height, scale);
         clickAt(onTheCube());
-        for (const StageRow& row : stageRows) {
-            if (!row.always)
-                continue;
-            const std::string name = std::string("card:") + row.name;
-            ASSERT_TRUE(has(name)) << name;
-            const WidgetPlaces::Item& card = places.items.at(name);
-            EXPECT_TRUE(card.visible) << name;
-            EXPECT_GE(card.left, static_cast<float>(layout.belowDock.x)) << name;
-            EXPECT_LE(card.right, static_cast<float>(layout.belowDock.right())) << name;
-            EXPECT_LE(card.bottom, static_cast<float>(layout.belowDock.bottom())) << name;
-        }
+        for (const StageRow& row : stageRows)
+            if (row.always)
+                expectInTheDock(std::string("card:") + row.name);
         (void)picture();
     }
 }
@@ -502,10 +504,8 @@ TEST_F(ExplainTab, NineCardsShareTheRoom) {
         shiny.passes[0].lighting = true;
         start(std::move(shiny), width, height, scale);
         clickAt(onTheCube());
-        ASSERT_TRUE(has("card:Colour sum"));
-        EXPECT_TRUE(places.items.at("card:Vertices").visible);
-        EXPECT_TRUE(places.items.at("card:Pixel").visible);
-        EXPECT_LE(places.items.at("card:Pixel").right, static_cast<float>(layout.belowDock.right()));
+        for (const char* name : {"card:Vertices", "card:Colour sum", "card:Pixel"})
+            expectInTheDock(name);
         expectSoundFrame();
     }
 }
@@ -513,8 +513,7 @@ TEST_F(ExplainTab, NineCardsShareTheRoom) {
 TEST_F(ExplainTab, EightCardsFitIntoASmallWindow) {
     start(defaultScene(), 1024, 700);
     clickAt(onTheCube());
-    ASSERT_TRUE(has("card:Pixel"));
-    EXPECT_LE(places.items.at("card:Pixel").right, static_cast<float>(layout.belowDock.right()));
+    expectInTheDock("card:Pixel");
 }
 
 TEST_F(ExplainTab, MoreCardsThanHaveRoomGoOnInAnotherLine) {
@@ -526,14 +525,10 @@ TEST_F(ExplainTab, MoreCardsThanHaveRoomGoOnInAnotherLine) {
     clickAt(onTheCube());
     ASSERT_TRUE(has("card:Vertices"));
     ASSERT_TRUE(has("card:Pixel"));
-    const WidgetPlaces::Item& first = places.items.at("card:Vertices");
-    const WidgetPlaces::Item& last = places.items.at("card:Pixel");
-    EXPECT_GE(last.top, first.bottom);
-    EXPECT_TRUE(last.visible);
-    for (const auto& [name, item] : places.items) {
-        EXPECT_TRUE(!name.starts_with("card:") || item.right <= static_cast<float>(layout.belowDock.right()))
-            << name;
-    }
+    EXPECT_GE(boxOf("card:Pixel").low.y, boxOf("card:Vertices").high.y);
+    EXPECT_TRUE(places.items.at("card:Pixel").visible);
+    for (const std::string& name : itemsOf("card:"))
+        EXPECT_LE(boxOf(name).high.x, static_cast<float>(layout.belowDock.right())) << name;
 }
 
 // However large the text: what has no room goes on below.
@@ -601,13 +596,13 @@ TEST_F(ExplainTab, AnotherFragmentOfThePixelCanBeChosen) {
 
 TEST_F(ExplainTab, APinnedPixelStaysBesideTheNextOne) {
     clickAt(onTheCube());
-    const auto first = session->look.explaining.pixel;
+    const auto first = explaining().pixel;
     EXPECT_FALSE(has("pinned card:LOD"));
     click("explain:pin");
     clickAt({onTheCube().x + 40, onTheCube().y + 20});
     ASSERT_NE(pinnedExplanation(*session), nullptr);
     EXPECT_EQ(pinnedExplanation(*session)->pixel, first);
-    EXPECT_NE(session->look.explaining.pixel, first);
+    EXPECT_NE(explaining().pixel, first);
     EXPECT_TRUE(has("pinned card:LOD"));
     EXPECT_TRUE(has("card:LOD"));
     EXPECT_TRUE(has("pinned pixel"));
@@ -625,30 +620,24 @@ TEST_F(ExplainTab, EscapeLetsGoOfThePinnedPixelFirst) {
     click("explain:pin");
     key(key::escape);
     EXPECT_EQ(pinnedExplanation(*session), nullptr);
-    EXPECT_TRUE(session->look.explaining.pixel);
+    EXPECT_TRUE(explaining().pixel);
 }
 
 TEST_F(ExplainTab, ShowsTheStagesBeforeThereIsAPixel) {
     for (const StageRow& row : stageRows)
         EXPECT_EQ(has(std::string("stage:") + row.name), row.always) << row.name;
     click("explain:middle");
-    EXPECT_EQ(session->look.explaining.pixel,
+    EXPECT_EQ(explaining().pixel,
               (reference::PixelPlace{layout.picture.width / 2, layout.picture.height / 2}));
 }
 
 TEST_F(ExplainTab, ADifferenceStandsOutBeyondTheToleranceAlone) {
     clickAt(onTheCube());
     const reference::Explanation& explanation = *explanationOf(*session);
-    Image image = Image::uninitialised(PixelFormat::Rgba8, explanation.width, explanation.height);
     const auto inkAt = [&](int off) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            const int byte = explanation.bytes[i];
-            image.at(explanation.pixel.x, explanation.pixel.y)[i] =
-                static_cast<std::byte>(i == 1 ? byte + (byte < 128 ? off : -off) : byte);
-        }
-        const std::vector<ViewFrame> views{
-            {RendererKind::Fixed, {}, std::make_shared<const Image>(image), true}};
-        const Comparison found = compareRenderers(*session, {.frames = views}, explanation);
+        reference::PixelBytes bytes = explanation.bytes;
+        bytes[1] = static_cast<std::uint8_t>(bytes[1] + (bytes[1] < 128 ? off : -off));
+        const Comparison found = comparedWith(bytes, explanation);
         EXPECT_EQ(found.most, off);
         return found.rows.at(1).cells.at(1);
     };
@@ -666,19 +655,16 @@ TEST_F(ExplainTab, ADifferenceStandsOutBeyondTheToleranceAlone) {
 TEST_F(ExplainTab, ATieIsNoWarning) {
     clickAt(onTheCube());
     reference::Explanation explanation = *explanationOf(*session);
-    Image image = Image::uninitialised(PixelFormat::Rgba8, explanation.width, explanation.height);
     reference::PixelBytes other = explanation.bytes;
     other[1] = static_cast<std::uint8_t>(other[1] ^ 0x80U);
-    for (std::size_t i = 0; i < 4; ++i)
-        image.at(explanation.pixel.x, explanation.pixel.y)[i] = std::byte{other[i]};
-    const std::vector<ViewFrame> views{{RendererKind::Fixed, {}, std::make_shared<const Image>(image), true}};
-    const auto compared = [&] { return compareRenderers(*session, {.frames = views}, explanation); };
-    EXPECT_EQ(compared().rows.at(1).cells.at(1).text, "off by 128");
-    EXPECT_EQ(compared().rows.at(1).cells.at(1).ink, reference::Ink::Bad);
+    const reference::StepCell bad = comparedWith(other, explanation).rows.at(1).cells.at(1);
+    EXPECT_EQ(bad.text, "off by 128");
+    EXPECT_EQ(bad.ink, reference::Ink::Bad);
     explanation.asRight = {other};
-    EXPECT_EQ(compared().rows.at(1).cells.at(1).text, "off by 128: a tie, either is right");
-    EXPECT_EQ(compared().rows.at(1).cells.at(1).ink, reference::Ink::Plain);
-    EXPECT_EQ(compared().most, 0);
+    const Comparison tie = comparedWith(other, explanation);
+    EXPECT_EQ(tie.rows.at(1).cells.at(1).text, "off by 128: a tie, either is right");
+    EXPECT_EQ(tie.rows.at(1).cells.at(1).ink, reference::Ink::Plain);
+    EXPECT_EQ(tie.most, 0);
 }
 
 TEST_F(ExplainTab, OffersTheDriversMethodWhereThatIsWhatDiffers) {
@@ -688,7 +674,7 @@ TEST_F(ExplainTab, OffersTheDriversMethodWhereThatIsWhatDiffers) {
     scene().models[0].texCoords = {};
     frames(2);
     for (int i = 0; i < 40 && !has("explain:method"); ++i) {
-        session->look.explaining.pixel = {10 + i * layout.picture.width / 50, layout.picture.height / 2 - i};
+        explaining().pixel = {10 + i * layout.picture.width / 50, layout.picture.height / 2 - i};
         (void)picture();
     }
     ASSERT_TRUE(has("explain:method"));
@@ -705,26 +691,24 @@ TEST_F(ExplainTab, OffersTheDriversMethodWhereThatIsWhatDiffers) {
 }
 
 TEST_F(ExplainTab, ClearForgetsIt) {
-    open();
-    clickAt(onTheCube());
+    explainTheCube();
     click("explain:clear");
-    EXPECT_FALSE(session->look.explaining.pixel);
-    EXPECT_FALSE(session->look.explaining.answer);
+    EXPECT_FALSE(explaining().pixel);
+    EXPECT_FALSE(explaining().answer);
     EXPECT_TRUE(has("explain:none"));
 }
 
 // The picture became smaller: there is no such pixel any more.
 TEST_F(ExplainTab, ForgetsAPixelThatIsGone) {
     open();
-    session->look.explaining.pixel = {layout.picture.width, 0};
+    explaining().pixel = {layout.picture.width, 0};
     frames(2);
-    EXPECT_FALSE(session->look.explaining.pixel);
+    EXPECT_FALSE(explaining().pixel);
 }
 
 TEST_F(ExplainTab, DrawsWithoutAnyError) {
-    open();
-    clickAt(onTheCube());
-    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    explainTheCube();
+    clickAt(inPatch());
     (void)picture();
     session->document.scene.textures[0].maxAnisotropy = 16;
     session->document.scene.models[0].shape = Shape::Floor;

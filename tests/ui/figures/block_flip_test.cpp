@@ -1,13 +1,7 @@
 // The steps of the flip of blocks, as the figure shows them.
 
-#include "app/ui/figures/block_flip.h"
-#include "app/ui/figures/flip_words.h"
-#include "app/ui/figures/striped_blocks.h"
-#include "tests/ui/workbench.h"
-#include "texplorer/s3tc/decode.h"
+#include "tests/ui/figures/figure_bench.h"
 #include "texplorer/s3tc/flip.h"
-
-#include <fmt/core.h>
 
 #include <set>
 
@@ -16,14 +10,12 @@ namespace {
 
 using namespace test;
 
-class BlockFlipFigure : public Workbench {
+class BlockFlipFigure : public FigureBench {
 protected:
-    void open() {
-        session->window.wantedTab = Tab::Figures;
-        session->window.figure = Figure::Flip;
-        frames(4);
-    }
-    [[nodiscard]] BlockFlipState& state() { return states.details.figures.flip; }
+    BlockFlipFigure()
+        : FigureBench(Figure::Flip) {}
+
+    [[nodiscard]] BlockFlipState& state() { return figures().flip; }
     /// The numbers that the rows had at the beginning, as they stand at a step.
     [[nodiscard]] std::vector<int> rowsAt(std::size_t step) {
         std::vector<int> rows;
@@ -42,15 +34,13 @@ TEST(StripedBlocks, HaveRowsThatCanBeToldApart) {
 }
 
 TEST_F(BlockFlipFigure, EightRowsTakeThreeSteps) {
-    open();
     ASSERT_EQ(state().height, 8);
     ASSERT_EQ(state().steps.size(), 4U);
-    click("flip:next");
-    EXPECT_EQ(rowsAt(state().step), (std::vector{4, 5, 6, 7, 0, 1, 2, 3}));
-    click("flip:next");
-    EXPECT_EQ(rowsAt(state().step), (std::vector{7, 6, 5, 4, 0, 1, 2, 3}));
-    click("flip:next");
-    EXPECT_EQ(rowsAt(state().step), (std::vector{7, 6, 5, 4, 3, 2, 1, 0}));
+    for (const std::vector<int>& rows :
+         {std::vector{4, 5, 6, 7, 0, 1, 2, 3}, {7, 6, 5, 4, 0, 1, 2, 3}, {7, 6, 5, 4, 3, 2, 1, 0}}) {
+        click("flip:next");
+        EXPECT_EQ(rowsAt(state().step), rows);
+    }
     EXPECT_TRUE(has("flip:row 0 of step 3 is 7"));
     click("flip:step 1");
     EXPECT_EQ(state().step, 1U);
@@ -59,7 +49,6 @@ TEST_F(BlockFlipFigure, EightRowsTakeThreeSteps) {
 }
 
 TEST_F(BlockFlipFigure, EveryHeightThatCanBeIsTurnedAround) {
-    open();
     for (const char* format : {"DXT1", "DXT3", "DXT5"})
         for (const int height : {1, 2, 3, 4, 8, 12}) {
             click(fmt::format("flip:format {}", format));
@@ -77,7 +66,6 @@ TEST_F(BlockFlipFigure, EveryHeightThatCanBeIsTurnedAround) {
 }
 
 TEST_F(BlockFlipFigure, SixAndTenRowsCannotBe) {
-    open();
     click("flip:height 6");
     frames(2);
     ASSERT_EQ(state().steps.size(), 5U);

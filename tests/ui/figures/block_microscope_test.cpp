@@ -1,13 +1,9 @@
 // The block under the microscope, edited by synthetic clicks; what a block means stands in
 // EXT_texture_compression_s3tc, and what is taken from a texture is held against its bytes.
 
-#include "app/ui/figures/block_microscope.h"
 #include "app/ui/model/explaining.h"
-#include "tests/ui/workbench.h"
-#include "texplorer/s3tc/decode.h"
+#include "tests/ui/figures/figure_bench.h"
 #include "texplorer/s3tc/encode.h"
-
-#include <fmt/core.h>
 
 #include <cstring>
 
@@ -16,20 +12,17 @@ namespace {
 
 using namespace test;
 
-class BlockMicroscope : public Workbench {
+class BlockMicroscope : public FigureBench {
 protected:
-    void open() {
-        session->window.wantedTab = Tab::Figures;
-        session->window.figure = Figure::Block;
-        frames(4);
-    }
-    [[nodiscard]] BlockMicroscopeState& state() { return states.details.figures.block; }
+    BlockMicroscope()
+        : FigureBench(Figure::Block) {}
+
+    [[nodiscard]] BlockMicroscopeState& state() { return figures().block; }
     [[nodiscard]] BlockFields fields() { return fieldsOf(state().format, state().block); }
     [[nodiscard]] std::string hex() { return hexOf(state().format, state().block); }
 };
 
 TEST_F(BlockMicroscope, BeginsWithFourColours) {
-    open();
     EXPECT_EQ(hex(), "20 FD 30 19 A0 E8 FA 7E");
     EXPECT_TRUE(has("block:mode"));
     EXPECT_TRUE(has("block:texel 15"));
@@ -37,7 +30,6 @@ TEST_F(BlockMicroscope, BeginsWithFourColours) {
 }
 
 TEST_F(BlockMicroscope, AClickInThePaletteGivesTheChosenTexelItsIndex) {
-    open();
     click("block:texel 6");
     EXPECT_EQ(state().texel, 6U);
     EXPECT_EQ(fields().indices[6], 2) << "choosing changes nothing";
@@ -48,7 +40,6 @@ TEST_F(BlockMicroscope, AClickInThePaletteGivesTheChosenTexelItsIndex) {
 }
 
 TEST_F(BlockMicroscope, AClickTurnsABitOver) {
-    open();
     click("block:bit 63"); // the upper index bit of texel 15: from 01 to 11
     EXPECT_EQ(hex(), "20 FD 30 19 A0 E8 FA FE");
     EXPECT_EQ(fields().indices[15], 3);
@@ -57,7 +48,6 @@ TEST_F(BlockMicroscope, AClickTurnsABitOver) {
 }
 
 TEST_F(BlockMicroscope, SwappedEndsMakeAHole) {
-    open();
     click("block:swap");
     EXPECT_EQ(hex(), "30 19 20 FD A0 E8 FA 7E");
     EXPECT_EQ(texelsOf(state().format, state().block)[7][3], 0) << "index 3";
@@ -66,7 +56,6 @@ TEST_F(BlockMicroscope, SwappedEndsMakeAHole) {
 }
 
 TEST_F(BlockMicroscope, TypedBytesAreTheBlockAsSoonAsTheyAreOne) {
-    open();
     click("block:hex");
     key('A', {ctrl});
     type("00F81F00E40000");
@@ -78,14 +67,12 @@ TEST_F(BlockMicroscope, TypedBytesAreTheBlockAsSoonAsTheyAreOne) {
 }
 
 TEST_F(BlockMicroscope, AnEndIsDraggedInItsOwnBits) {
-    open();
     drag(place("block:color 1[2]"), {60, 0});
     EXPECT_GT(fields().colors[1] & 31, 0x1930 & 31);
     EXPECT_EQ(fields().colors[1] >> 5, 0x1930 >> 5) << "red and green stay";
 }
 
 TEST_F(BlockMicroscope, AlphasOfDxt5AreEightOrSix) {
-    open();
     click("block:example Eight alphas");
     EXPECT_EQ(state().format, BlockFormat::Dxt5);
     EXPECT_TRUE(hasEightAlphas(fields()));
@@ -103,22 +90,17 @@ TEST_F(BlockMicroscope, AlphasOfDxt5AreEightOrSix) {
 }
 
 TEST_F(BlockMicroscope, WhatGoesTogetherLightsUp) {
-    open();
-    moveTo(place("block:texel 15"));
-    frames(2);
-    ASSERT_TRUE(state().hovered);
-    EXPECT_EQ(*state().hovered, (BlockMark{BlockMark::Kind::Texel, 15}));
-    moveTo(place("block:bit 3")); // of color 0
-    frames(2);
-    EXPECT_EQ(*state().hovered, (BlockMark{BlockMark::Kind::Field, 0}));
-    moveTo(place("block:entry 2"));
-    frames(2);
-    EXPECT_EQ(*state().hovered, (BlockMark{BlockMark::Kind::Color, 2}));
+    for (const auto& [name, mark] : {std::pair("block:texel 15", BlockMark{BlockMark::Kind::Texel, 15}),
+                                     {"block:bit 3", {BlockMark::Kind::Field, 0}}, // of color 0
+                                     {"block:entry 2", {BlockMark::Kind::Color, 2}}}) {
+        moveTo(place(name));
+        frames(2);
+        EXPECT_EQ(state().hovered, mark);
+    }
 }
 
 TEST_F(BlockMicroscope, PixelsOfTheTextureAreCompressedNow) {
     texture().pattern = Pattern::Checker;
-    open();
     click("block:source texture");
     ASSERT_TRUE(state().source.original);
     EXPECT_FALSE(state().source.stored);
@@ -142,7 +124,6 @@ TEST_F(BlockMicroscope, PixelsOfTheTextureAreCompressedNow) {
 TEST_F(BlockMicroscope, ACompressedTextureGivesTheBytesThatItHas) {
     texture().compression = Compression::Cached;
     texture().compressedFormat = CompressedFormat::Dxt5;
-    open();
     click("block:source texture");
     EXPECT_TRUE(has("block:stored"));
     EXPECT_EQ(state().format, BlockFormat::Dxt5);
@@ -156,7 +137,6 @@ TEST_F(BlockMicroscope, ACompressedTextureGivesTheBytesThatItHas) {
 }
 
 TEST_F(BlockMicroscope, FollowsTheProbedPixel) {
-    open();
     click("block:source probed");
     EXPECT_TRUE(has("block:problem")) << "no pixel is probed";
     session->look.explaining.pixel = {layout.picture.width / 4, layout.picture.height / 2};
@@ -171,19 +151,17 @@ TEST_F(BlockMicroscope, FollowsTheProbedPixel) {
 
 // At the size that most windows have, nothing has to be scrolled to.
 TEST_F(BlockMicroscope, AllOfItIsInSight) {
-    open();
     for (const char* example : {"Four colours", "16 alphas", "Eight alphas"}) {
         click(fmt::format("block:example {}", example));
         frames(2);
         const int last = 8 * static_cast<int>(bytesPerBlock(state().format)) - 1;
-        EXPECT_TRUE(places.items.find(fmt::format("block:bit {}", last))->second.visible) << example;
-        EXPECT_TRUE(places.items.find("block:texel 15")->second.visible) << example;
-        EXPECT_TRUE(places.items.find("block:example Six, 0 and 255")->second.visible) << example;
+        for (const std::string& name : {fmt::format("block:bit {}", last), std::string("block:texel 15"),
+                                        std::string("block:example Six, 0 and 255")})
+            EXPECT_TRUE(places.items.at(name).visible) << example << " " << name;
     }
 }
 
 TEST_F(BlockMicroscope, SaysWhyThereIsNoBlockToTake) {
-    open();
     unit().texture = -1;
     click("block:source texture");
     frames(2);

@@ -1,26 +1,18 @@
 #include "app/ui/model/preview.h"
 #include "tests/ui/edits.h"
-#include "tests/ui/workbench.h"
-#include "texplorer/reference/shading/environment_table.h"
-
-#include <fmt/core.h>
+#include "tests/ui/figures/figure_bench.h"
 
 namespace texplorer::ui::environment_table_test {
 namespace {
 
 using namespace test;
 
-class EnvironmentTable : public Workbench {
+class EnvironmentTable : public FigureBench {
 protected:
-    EnvironmentTable() { open(); }
+    EnvironmentTable()
+        : FigureBench(Figure::Environments) {}
 
-    void open() {
-        session->window.wantedTab = Tab::Figures;
-        session->window.figure = Figure::Environments;
-        frames(3);
-    }
-    [[nodiscard]] std::size_t steps() const { return session->document.history.position(); }
-    [[nodiscard]] EnvironmentTableState& table() { return states.details.figures.environments; }
+    [[nodiscard]] EnvironmentTableState& table() { return figures().environments; }
 };
 
 TEST_F(EnvironmentTable, HasACellForEachModeAndFormat) {
@@ -108,17 +100,10 @@ TEST_F(EnvironmentTable, ShowsPicturesAloneWhereCellsAreNarrow) {
     expectSoundFrame();
 }
 
-TEST_F(EnvironmentTable, StandsInEverySizeAndWithoutATexture) {
-    for (const float scale : {0.75F, 1.0F, 2.5F}) {
-        start(defaultScene(), 1024, 700, scale);
-        moveTab(session->settings.workspace, Tab::Figures, Dock::Right);
-        open();
-        expectSoundFrame();
-    }
-    start(defaultScene());
+TEST_F(EnvironmentTable, StandsWithoutATexture) {
     scene().textures.clear();
     unit().enabled = false;
-    open();
+    frames(3);
     click("cell:GL_ADD,GL_RGB");
     EXPECT_EQ(unit().envMode, EnvMode::Add);
     expectSoundFrame();

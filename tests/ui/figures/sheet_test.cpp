@@ -4,30 +4,21 @@
 #include "app/ui/widgets/keys.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/edits.h"
-#include "tests/ui/workbench.h"
-
-#include <fmt/core.h>
+#include "tests/ui/figures/figure_bench.h"
 
 namespace texplorer::ui::sheet_test {
 namespace {
 
 using namespace test;
 
-class Sheet : public Workbench {
+class Sheet : public FigureBench {
 protected:
     Sheet() {
         start(defaultScene(), 1920, 1600);
         session->settings.workspace.seams.below = 0.7F; // no cell has to be scrolled to
-        open();
+        show(Figure::Sheet);
     }
 
-    using Workbench::open;
-    void open() {
-        session->window.wantedTab = Tab::Figures;
-        session->window.figure = Figure::Sheet;
-        frames(3);
-    }
-    [[nodiscard]] std::size_t steps() const { return session->document.history.position(); }
     void write(std::string_view field, std::string_view values) {
         click(field);
         key('A', {ctrl});
@@ -210,15 +201,6 @@ TEST_F(Sheet, StandsWithoutATexture) {
     frames(2);
     EXPECT_TRUE(has("sheet:problem")) << "there is no texture";
     expectSoundFrame();
-}
-
-TEST_F(Sheet, StandsInEverySize) {
-    for (const float scale : {0.75F, 1.0F, 2.5F}) {
-        start(defaultScene(), 1024, 700, scale);
-        moveTab(session->settings.workspace, Tab::Figures, Dock::Right);
-        open();
-        expectSoundFrame();
-    }
 }
 
 } // namespace

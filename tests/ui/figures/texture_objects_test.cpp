@@ -1,8 +1,4 @@
-#include "app/ui/figures/texbind_calls.h"
-#include "app/ui/figures/texture_objects.h"
-#include "tests/ui/workbench.h"
-
-#include <fmt/core.h>
+#include "tests/ui/figures/figure_bench.h"
 
 #include <algorithm>
 
@@ -12,15 +8,12 @@ namespace {
 using namespace test;
 using objects::Sampled;
 
-class TextureObjects : public Workbench {
+class TextureObjects : public FigureBench {
 protected:
-    void open(int width = 1280, int height = 800, float scale = 1) {
-        start(defaultScene(), width, height, scale);
-        session->window.figure = Figure::Objects;
-        session->window.wantedTab = Tab::Figures;
-        frames(4);
-    }
-    [[nodiscard]] TextureObjectsState& state() { return states.details.figures.objects; }
+    TextureObjects()
+        : FigureBench(Figure::Objects) {}
+
+    [[nodiscard]] TextureObjectsState& state() { return figures().objects; }
     [[nodiscard]] const objects::TextureNames& names() { return state().names; }
     void clickAll(std::initializer_list<const char*> items) {
         for (const char* each : items)
@@ -29,7 +22,6 @@ protected:
 };
 
 TEST_F(TextureObjects, AGeneratedNameIsMadeAnObjectByBinding) {
-    open();
     const Scene before = scene();
     click("objects:gen");
     EXPECT_TRUE(has("objects:name only 1"));
@@ -45,7 +37,6 @@ TEST_F(TextureObjects, AGeneratedNameIsMadeAnObjectByBinding) {
 }
 
 TEST_F(TextureObjects, ParametersGoToTheObjectAndTheEnvironmentToTheUnit) {
-    open();
     clickAll({"objects:gen", "objects:gen", "objects:bind 1", "objects:mag=GL_NEAREST"});
     EXPECT_TRUE(has("objects:lit mag 1"));
     clickAll({"objects:min=GL_LINEAR", "objects:image 1", "objects:env 0=GL_DECAL", "objects:enable 0"});
@@ -62,7 +53,6 @@ TEST_F(TextureObjects, ParametersGoToTheObjectAndTheEnvironmentToTheUnit) {
 }
 
 TEST_F(TextureObjects, CallsMeanTheActiveUnit) {
-    open();
     clickAll({"objects:gen", "objects:unit 1", "objects:bind 1"});
     EXPECT_EQ(names().units[0].bound, 0U);
     EXPECT_EQ(names().units[1].bound, 1U);
@@ -72,7 +62,6 @@ TEST_F(TextureObjects, CallsMeanTheActiveUnit) {
 }
 
 TEST_F(TextureObjects, DeletingABoundObjectBindsZero) {
-    open();
     clickAll({"objects:gen", "objects:bind 1", "objects:delete 1"});
     EXPECT_FALSE(names().names.contains(1));
     EXPECT_TRUE(has("objects:bound 0 0"));
@@ -80,14 +69,12 @@ TEST_F(TextureObjects, DeletingABoundObjectBindsZero) {
 }
 
 TEST_F(TextureObjects, FourNamesAreAllThatHaveRoom) {
-    open();
     for (int i = 0; i < 6; ++i)
         click("objects:gen");
     EXPECT_EQ(names().names.size(), 5U);
 }
 
 TEST_F(TextureObjects, PlaysTexbind) {
-    open();
     for (std::size_t i = 0; i < texbindCalls().size(); ++i)
         click("objects:texbind");
     EXPECT_EQ(state().log.size(), texbindCalls().size());
@@ -107,15 +94,6 @@ TEST_F(TextureObjects, PlaysTexbind) {
     click("objects:reset");
     EXPECT_EQ(names(), objects::TextureNames{});
     EXPECT_TRUE(state().log.empty());
-}
-
-TEST_F(TextureObjects, FitsWhateverRoomItHas) {
-    for (const auto& [width, height, scale] :
-         {std::tuple(1280, 800, 1.0F), std::tuple(1024, 700, 1.5F), std::tuple(700, 500, 2.0F)}) {
-        open(width, height, scale);
-        EXPECT_TRUE(has("objects:gen"));
-        expectSoundFrame();
-    }
 }
 
 } // namespace

@@ -24,23 +24,13 @@ using namespace test;
 using testing::HasSubstr;
 
 /// Files whose changes are told by the test.
-class ToldFiles final : public Files {
+class ToldFiles final : public FilesAtOnce {
 public:
-    [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted) override {
-        return files_.load(std::move(path), wanted);
-    }
-    void cancel(Ticket ticket) override { files_.cancel(ticket); }
-    [[nodiscard]] std::vector<ImageLoader::Loaded> take() override { return files_.take(); }
-    [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override { return std::nullopt; }
     void watch(std::vector<std::filesystem::path> files) override { watched = std::move(files); }
     [[nodiscard]] std::vector<std::filesystem::path> changed() override { return std::exchange(told, {}); }
-    void wait() const override {}
 
     std::vector<std::filesystem::path> watched;
     std::vector<std::filesystem::path> told;
-
-private:
-    FilesAtOnce files_;
 };
 
 /// A teacher's lesson of two steps, which is edited while it is open.
@@ -48,9 +38,8 @@ class LessonFolderInTheWindow : public Workbench {
 protected:
     LessonFolderInTheWindow() {
         Services services = beside_.lend();
-        lend({files, services.levels, services.reference, services.kept, services.probe, services.levelMap,
-              services.patterns, services.levelPictures, services.lessons, services.environments,
-              services.plainProbe, services.sheet, services.programs, services.writing});
+        services.files = files;
+        lend(services);
         write("First text.", "textures[0].wrapS=GL_CLAMP");
         EXPECT_TRUE(openLesson(*session, lesson::LessonFolder::onDisk(folder.path()), 1));
         frames();

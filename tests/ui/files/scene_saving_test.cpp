@@ -34,6 +34,11 @@ protected:
     /// As an editor does that writes into the file.
     void edit(std::string_view text) const { std::ofstream(file) << text; }
     [[nodiscard]] std::string text() const { return readText(file).value(); }
+    void expectSaved() {
+        save(session);
+        EXPECT_EQ(session.asking.dialog, Dialog::None);
+        EXPECT_EQ(parseScene(text()).value(), session.document.scene);
+    }
 
     test::TempDir folder;
     fs::path file = folder / "scene.json";
@@ -87,22 +92,17 @@ TEST_F(SavedScene, IsAskedAboutAgainWhereItChangesAgain) {
 TEST_F(SavedScene, OfTheSameContentIsNoChangeWhateverItsTime) {
     edit(begun);
     fs::last_write_time(file, fs::last_write_time(file) + std::chrono::hours(1));
-    save(session);
-    EXPECT_EQ(session.asking.dialog, Dialog::None);
-    EXPECT_EQ(parseScene(text()).value(), session.document.scene);
+    expectSaved();
 }
 
 TEST_F(SavedScene, InAnotherSpellingIsNoChange) {
     edit("{\n  \"textures\": [{\"wrapS\": \"GL_REPEAT\"}],\n  \"version\": 1}");
-    save(session);
-    EXPECT_EQ(session.asking.dialog, Dialog::None);
+    expectSaved();
 }
 
 TEST_F(SavedScene, ThatIsGoneIsWrittenAnew) {
     fs::remove(file);
-    save(session);
-    EXPECT_EQ(session.asking.dialog, Dialog::None);
-    EXPECT_EQ(parseScene(text()).value(), session.document.scene);
+    expectSaved();
 }
 
 TEST_F(SavedScene, ThatIsNoSceneAnyMoreStays) {

@@ -116,9 +116,11 @@ TEST(Catalogue, FindsASentenceWithItsCapitalAndItsFullStop) {
                 Optional(StrEq("блок выключен。")));
 }
 
-TEST(Catalogue, TranslatesPartsOneByOne) {
+TEST(Catalogue, TranslatesPartsOneByOneAndReadsAKeyOfSeveralLines) {
     const Catalogue catalogue =
-        read("msgid \"Red\"\nmsgstr \"Красный\"\n\nmsgid \"Green\"\nmsgstr \"Зелёный\"\n");
+        read("msgid \"{}\\nClick: undo {}\"\nmsgstr \"{}\\nЩелчок: отменить {}\"\n\n"
+             "msgid \"Red\"\nmsgstr \"Красный\"\n\nmsgid \"Green\"\nmsgstr \"Зелёный\"\n");
+    EXPECT_THAT(catalogue.translate("Red\nClick: undo 3"), Optional(StrEq("Красный\nЩелчок: отменить 3")));
     EXPECT_THAT(catalogue.translate("Red\nGL_RED  ·  Green"), Optional(StrEq("Красный\nGL_RED  ·  Зелёный")));
     EXPECT_THAT(catalogue.translate("a.png: Red"), Optional(StrEq("a.png: Красный")));
     EXPECT_THAT(catalogue.translate("Green: Red"), Optional(StrEq("Зелёный: Красный")));
@@ -128,12 +130,6 @@ TEST(Catalogue, TranslatesPartsOneByOne) {
     EXPECT_THAT(catalogue.translate("Red 25 %, Red"), Optional(StrEq("Red 25 %, Красный")));
     EXPECT_THAT(catalogue.translate("Red. Green."), Optional(StrEq("Красный. Зелёный.")));
     EXPECT_EQ(catalogue.translate("a.png: b"), std::nullopt);
-}
-
-TEST(Catalogue, ReadsAKeyOfSeveralLines) {
-    const Catalogue catalogue = read("msgid \"{}\\nClick: undo {}\"\nmsgstr \"{}\\nЩелчок: отменить {}\"\n\n"
-                                     "msgid \"Red\"\nmsgstr \"Красный\"\n");
-    EXPECT_THAT(catalogue.translate("Red\nClick: undo 3"), Optional(StrEq("Красный\nЩелчок: отменить 3")));
 }
 
 TEST(Catalogue, LeavesOutWhatIsNotReady) {

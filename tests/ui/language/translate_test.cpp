@@ -13,11 +13,13 @@ protected:
     void SetUp() override { useCatalogue(&catalogue, &gaps); }
     void TearDown() override { useCatalogue(nullptr); }
 
-    std::set<std::string, std::less<>> gaps;
-    Catalogue catalogue =
-        Catalogue::parse(Language::Chinese, std::vector<CatalogueFile>{{"zh_CN/a.po", "msgid \"Cancel\"\n"
-                                                                                      "msgstr \"取消\"\n"}})
+    static Catalogue read(const char* entries) {
+        return Catalogue::parse(Language::Chinese, std::vector<CatalogueFile>{{"zh_CN/a.po", entries}})
             .value();
+    }
+
+    std::set<std::string, std::less<>> gaps;
+    Catalogue catalogue = read("msgid \"Cancel\"\nmsgstr \"取消\"\n");
 };
 
 TEST_F(Translate, LeavesEnglishAlone) {
@@ -46,12 +48,7 @@ TEST_F(Translate, KeepsTheIdentityOfALabel) {
 // "Texture" as a name of a file or a model.
 TEST_F(Translate, KeepsNamesInSentences) {
     const Catalogue sentences =
-        Catalogue::parse(Language::Chinese,
-                         std::vector<CatalogueFile>{{"zh_CN/a.po", "msgid \"Texture\"\n"
-                                                                   "msgstr \"纹理\"\n\n"
-                                                                   "msgid \"Open {}\"\n"
-                                                                   "msgstr \"打开 {}\"\n"}})
-            .value();
+        read("msgid \"Texture\"\nmsgstr \"纹理\"\n\nmsgid \"Open {}\"\nmsgstr \"打开 {}\"\n");
     useCatalogue(&sentences);
     EXPECT_STREQ(tr("Open Texture"), "打开 纹理");
     keepNames({"Texture"});

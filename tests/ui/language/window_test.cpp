@@ -89,12 +89,7 @@ struct LoneKey {
     std::string key;
     Catalogue catalogue;
 
-    [[nodiscard]] std::size_t said() const {
-        std::size_t bytes = key.size();
-        for (std::size_t at = key.find("{}"); at != std::string::npos; at = key.find("{}", at + 2))
-            bytes -= 2;
-        return bytes;
-    }
+    [[nodiscard]] std::size_t said() const { return with("").size(); }
     [[nodiscard]] std::string with(std::string_view part) const {
         std::string text = key;
         for (std::size_t at = text.find("{}"); at != std::string::npos;

@@ -1,5 +1,4 @@
 #include "app/ui/files/replaced_document.h"
-#include "app/ui/levels/levels_tab.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/level_view.h"
 #include "tests/ui/workbench.h"
@@ -15,8 +14,8 @@ using namespace test;
 
 class LevelsTab : public Workbench {
 protected:
-    /// A square of 64 x 64 texels, seen from far away.
-    void open(float distance = 60) {
+    /// With a square of 64 x 64 texels, seen from far away.
+    LevelsTab() {
         Scene start;
         start.view.azimuth = start.view.elevation = 0;
         start.models.resize(1);
@@ -27,9 +26,25 @@ protected:
         start.textures[0].minFilter = MinFilter::LinearMipmapLinear;
         start.passes[0].units[0].enabled = true;
         this->start(std::move(start));
-        scene().view.distance = distance; // after the camera was fitted
+        scene().view.distance = 60; // after the camera was fitted
+        show();
+    }
+    void show() {
         session->window.wantedTab = Tab::Levels;
         frames(4);
+    }
+    void dragTo(std::string_view handle, int level) {
+        drag(place(handle), {middleOf("levels:picture " + std::to_string(level)) - place(handle).x, 0});
+    }
+    /// With a max level of 5, clicks a level, which is then read alone.
+    void readAloneOf5(int level) {
+        texture().maxLevel = 5;
+        frames(2);
+        click("levels:level " + std::to_string(level));
+    }
+    void expectRange(int base, int max) {
+        EXPECT_EQ(texture().baseLevel, base);
+        EXPECT_EQ(texture().maxLevel, max);
     }
     [[nodiscard]] ImVec2 middleOfTheView() const {
         return {static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) / 2,
@@ -40,8 +55,7 @@ protected:
         return item.right - item.left;
     }
     [[nodiscard]] float middleOf(std::string_view name) const {
-        const auto& item = places.items.find(name)->second;
-        return (item.left + item.right) / 2;
+        return places.items.find(name)->second.left + widthOf(name) / 2;
     }
     [[nodiscard]] int lastLevel() const {
         int last = 0;
@@ -52,15 +66,13 @@ protected:
 };
 
 TEST_F(LevelsTab, HasAllLevelsAtTheirTrueRelativeSizes) {
-    open();
     const int last = lastLevel();
     ASSERT_GE(last, 5);
     for (int level = 1; level <= last; ++level) {
-        const float larger = widthOf("levels:picture " + std::to_string(level - 1));
-        const float smaller = widthOf("levels:picture " + std::to_string(level));
-        EXPECT_NEAR(smaller, std::max(1.0F, larger / 2), 1) << level;
-        EXPECT_GT(middleOf("levels:picture " + std::to_string(level)),
-                  middleOf("levels:picture " + std::to_string(level - 1)));
+        const std::string larger = "levels:picture " + std::to_string(level - 1);
+        const std::string smaller = "levels:picture " + std::to_string(level);
+        EXPECT_NEAR(widthOf(smaller), std::max(1.0F, widthOf(larger) / 2), 1) << level;
+        EXPECT_GT(middleOf(smaller), middleOf(larger));
     }
     EXPECT_TRUE(has("levels:hint"));
     EXPECT_FALSE(has("levels:pixel"));
@@ -69,7 +81,6 @@ TEST_F(LevelsTab, HasAllLevelsAtTheirTrueRelativeSizes) {
 }
 
 TEST_F(LevelsTab, MarksTheLevelsOfThePixelUnderThePointer) {
-    open();
     moveTo(middleOfTheView());
     const reference::PixelLevels* levels = askedLevels(*session);
     ASSERT_NE(levels, nullptr);
@@ -88,7 +99,6 @@ TEST_F(LevelsTab, MarksTheLevelsOfThePixelUnderThePointer) {
 }
 
 TEST_F(LevelsTab, MarksTheLevelsOfTheProbedPixel) {
-    open();
     session->look.explaining.pixel = {layout.picture.width / 2, layout.picture.height / 2};
     moveTo({3, 3});
     ASSERT_NE(askedLevels(*session), nullptr);
@@ -98,19 +108,13 @@ TEST_F(LevelsTab, MarksTheLevelsOfTheProbedPixel) {
 }
 
 TEST_F(LevelsTab, AClickReadsALevelAloneAndTheNextOneLetsGo) {
-    open();
-    texture().maxLevel = 5;
-    frames(2);
-    click("levels:level 3");
-    EXPECT_EQ(texture().baseLevel, 3);
-    EXPECT_EQ(texture().maxLevel, 3);
+    readAloneOf5(3);
+    expectRange(3, 3);
     EXPECT_TRUE(has("levels:remark"));
     click("levels:level 1"); // from one to the next
-    EXPECT_EQ(texture().baseLevel, 1);
-    EXPECT_EQ(texture().maxLevel, 1);
+    expectRange(1, 1);
     click("levels:level 1");
-    EXPECT_EQ(texture().baseLevel, 0);
-    EXPECT_EQ(texture().maxLevel, 5) << "what was there first";
+    expectRange(0, 5); // what was there first
     key('Z', {ctrl});
     EXPECT_EQ(texture().baseLevel, 1);
     key('Z', {ctrl});
@@ -118,18 +122,13 @@ TEST_F(LevelsTab, AClickReadsALevelAloneAndTheNextOneLetsGo) {
     texture().baseLevel = texture().maxLevel = 2; // by another control
     frames(2);
     click("levels:level 2");
-    EXPECT_EQ(texture().baseLevel, 0);
-    EXPECT_EQ(texture().maxLevel, 1000);
+    expectRange(0, 1000);
 }
 
 TEST_F(LevelsTab, TheHandlesLimitTheLevels) {
-    open();
-    const auto wayTo = [this](std::string_view handle, int level) {
-        return ImVec2(middleOf("levels:picture " + std::to_string(level)) - place(handle).x, 0);
-    };
-    drag(place("levels:base"), wayTo("levels:base", 1));
+    dragTo("levels:base", 1);
     EXPECT_EQ(texture().baseLevel, 1);
-    drag(place("levels:max"), wayTo("levels:max", 3));
+    dragTo("levels:max", 3);
     EXPECT_EQ(texture().maxLevel, 3);
     drag(place("levels:base"), {900, 0});
     EXPECT_EQ(texture().baseLevel, 3) << "not beyond the last that is read";
@@ -142,13 +141,9 @@ TEST_F(LevelsTab, TheHandlesLimitTheLevels) {
 }
 
 TEST_F(LevelsTab, TheScaleLimitsLambda) {
-    open();
-    const auto wayTo = [this](std::string_view handle, int level) {
-        return ImVec2(middleOf("levels:picture " + std::to_string(level)) - place(handle).x, 0);
-    };
-    drag(place("levels:min lod"), wayTo("levels:min lod", 1));
+    dragTo("levels:min lod", 1);
     EXPECT_NEAR(texture().minLod, 1, 0.1F);
-    drag(place("levels:max lod"), wayTo("levels:max lod", 2));
+    dragTo("levels:max lod", 2);
     EXPECT_NEAR(texture().maxLod, 2, 0.1F);
     moveTo(middleOfTheView());
     ASSERT_NE(askedLevels(*session), nullptr);
@@ -163,7 +158,6 @@ TEST_F(LevelsTab, TheScaleLimitsLambda) {
 }
 
 TEST_F(LevelsTab, BothBiasesMoveLambdaAndEverythingGoesBack) {
-    open();
     moveTo(middleOfTheView());
     const float before = askedLevels(*session)->lambda;
     EXPECT_FALSE(has("levels:unbiased"));
@@ -188,7 +182,6 @@ TEST_F(LevelsTab, BothBiasesMoveLambdaAndEverythingGoesBack) {
 }
 
 TEST_F(LevelsTab, TheWheelEnlarges) {
-    open();
     const float width = widthOf("levels:picture 2");
     wheel(place("levels:level 2"), 3);
     EXPECT_NEAR(widthOf("levels:picture 2"), width * 1.25F * 1.25F * 1.25F, 2);
@@ -197,7 +190,6 @@ TEST_F(LevelsTab, TheWheelEnlarges) {
 }
 
 TEST_F(LevelsTab, SaysWhyLessIsReadThanThereIs) {
-    open();
     EXPECT_FALSE(has("levels:remark"));
     texture().minFilter = MinFilter::Linear;
     frames(2);
@@ -230,7 +222,6 @@ TEST_F(LevelsTab, SaysWhyLessIsReadThanThereIs) {
 }
 
 TEST_F(LevelsTab, ShowsLinesVolumesAndFaces) {
-    open();
     for (const Target target : {Target::Texture1D, Target::Texture3D, Target::CubeMap}) {
         unit().target = target;
         frames(3);
@@ -241,7 +232,6 @@ TEST_F(LevelsTab, ShowsLinesVolumesAndFaces) {
 
 // Each level in its own colour, with the flag next to its number.
 TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
-    open();
     texture().mipmaps = MipPolicy::Colored;
     texture().pattern = Pattern::MipColors;
     frames(2);
@@ -258,39 +248,27 @@ TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
 
 // The other dock is drawn after this one in the same frame.
 TEST_F(LevelsTab, RemembersTheRangeInTheRightDock) {
-    open();
     moveTab(session->settings.workspace, Tab::Levels, Dock::Right);
-    texture().maxLevel = 5;
-    frames(3);
-    click("levels:level 3");
+    frames(1);
+    readAloneOf5(3);
     ASSERT_EQ(texture().maxLevel, 3);
     click("levels:level 3");
-    EXPECT_EQ(texture().baseLevel, 0);
-    EXPECT_EQ(texture().maxLevel, 5);
+    expectRange(0, 5);
 }
 
 // Another scene's texture may also use a single level: the earlier range belongs to the old scene.
 TEST_F(LevelsTab, AnotherSceneKnowsNothingOfTheLevelsFromBefore) {
-    open();
-    texture().maxLevel = 5;
-    frames(2);
-    click("levels:level 3");
-    Scene other = scene();
-    replaceDocument(*session, Document{other, ImageSource{}});
-    session->window.wantedTab = Tab::Levels;
-    frames(3);
+    readAloneOf5(3);
+    replaceDocument(*session, Document{Scene(scene()), ImageSource{}});
+    show();
     ASSERT_EQ(texture().baseLevel, 3);
     click("levels:level 3");
-    EXPECT_EQ(texture().baseLevel, 0);
-    EXPECT_EQ(texture().maxLevel, 1000) << "OpenGL's, not 5";
+    expectRange(0, 1000); // OpenGL's, not 5
 }
 
 TEST_F(LevelsTab, AnotherTextureKnowsNothingOfTheLevelsFromBefore) {
-    open();
-    texture().maxLevel = 5;
     scene().textures.push_back(texture());
-    frames(2);
-    click("levels:level 3");
+    readAloneOf5(3);
     ASSERT_TRUE(session->document.forced);
     unit().texture = 1;
     frames(1);
@@ -307,7 +285,6 @@ TEST_F(LevelsTab, AnotherTextureKnowsNothingOfTheLevelsFromBefore) {
 
 // +x of this pattern is red, +y green and +z blue.
 TEST_F(LevelsTab, OfACubeMapEachFaceCanBeShown) {
-    open();
     EXPECT_FALSE(has("levels:face +x")) << "a square has none";
     texture().pattern = Pattern::CubeFaces;
     unit().target = Target::CubeMap;
@@ -336,12 +313,10 @@ TEST_F(LevelsTab, OfACubeMapEachFaceCanBeShown) {
 }
 
 TEST_F(LevelsTab, IsSoundInEverySize) {
-    open();
     for (const auto& [width, height, scale] :
          {std::tuple(1024, 700, 1.0F), {1920, 1080, 1.5F}, {3840, 2160, 2.0F}}) {
         start(scene(), width, height, scale);
-        session->window.wantedTab = Tab::Levels;
-        frames(4);
+        show();
         EXPECT_TRUE(has("levels:level 0"));
         expectSoundFrame();
     }

@@ -24,32 +24,25 @@ struct Case {
     const char* message;
 };
 
-void PrintTo(const Case& each, std::ostream* out) {
-    *out << each.name;
+TEST(CoordText, WhatIsWrongIsOneSentence) {
+    for (const Case& row :
+         {Case{"Nothing", "", "expected lines with two numbers each, found none"},
+          Case{"Blanks", " \n\n", "expected lines with two numbers each, found none"},
+          Case{"AWord", "0 0\nabc 1", "line 2: expected a number, found \"abc\""},
+          Case{"Half", "0 0.5x", "line 1: expected a number, found \"0.5x\""},
+          Case{"NotANumber", "nan 0", "line 1: expected a number, found \"nan\""},
+          Case{"One", "1", "line 1: expected 2 to 4 numbers, found 1"},
+          Case{"Five", "1 2 3 4 5", "line 1: expected 2 to 4 numbers, found 5"},
+          Case{"TooLarge", "1 1001", "line 1: expected a number from -1000 to 1000, found 1001"},
+          Case{"Control", "\x1b[2J 1", "line 1: expected a number, found \"\\u001b\""},
+          Case{"Long", std::string(1000, 'x'),
+               "line 1: expected a number, found \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx\""}}) {
+        SCOPED_TRACE(row.name);
+        const Result<TexCoords> parsed = parseCoordText(row.text);
+        ASSERT_FALSE(parsed);
+        EXPECT_EQ(parsed.error().message, row.message);
+    }
 }
-
-class BadCoordText : public testing::TestWithParam<Case> {};
-
-TEST_P(BadCoordText, IsToldInOneSentence) {
-    const Result<TexCoords> parsed = parseCoordText(GetParam().text);
-    ASSERT_FALSE(parsed);
-    EXPECT_EQ(parsed.error().message, GetParam().message);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    All, BadCoordText,
-    testing::Values(Case{"Nothing", "", "expected lines with two numbers each, found none"},
-                    Case{"Blanks", " \n\n", "expected lines with two numbers each, found none"},
-                    Case{"AWord", "0 0\nabc 1", "line 2: expected a number, found \"abc\""},
-                    Case{"Half", "0 0.5x", "line 1: expected a number, found \"0.5x\""},
-                    Case{"NotANumber", "nan 0", "line 1: expected a number, found \"nan\""},
-                    Case{"One", "1", "line 1: expected 2 to 4 numbers, found 1"},
-                    Case{"Five", "1 2 3 4 5", "line 1: expected 2 to 4 numbers, found 5"},
-                    Case{"TooLarge", "1 1001", "line 1: expected a number from -1000 to 1000, found 1001"},
-                    Case{"Control", "\x1b[2J 1", "line 1: expected a number, found \"\\u001b\""},
-                    Case{"Long", std::string(1000, 'x'),
-                         "line 1: expected a number, found \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx\""}),
-    [](const auto& test) { return test.param.name; });
 
 } // namespace
 } // namespace texplorer::ui::coord_text_test

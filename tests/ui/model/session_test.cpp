@@ -38,14 +38,6 @@ TEST_F(OpeningAScene, ReplacesTheDocument) {
     EXPECT_EQ(session->document.lastChanged, "");
 }
 
-TEST_F(OpeningAScene, StartsTheClockAnew) {
-    session->look.playback = {.playing = false, .time = 2.5, .speed = 0.25F};
-    open(R"({"version": 1, "models": [{"shape": "cube", "spin": [0, 90, 0]}]})");
-    EXPECT_TRUE(session->look.playback.playing);
-    EXPECT_EQ(session->look.playback.time, 0);
-    EXPECT_EQ(session->look.playback.speed, 1);
-}
-
 TEST_F(OpeningAScene, KeepsTheColumnsOfTheVertexList) {
     showTab(session->settings.workspace, Tab::Vertices);
     frames(2);
@@ -97,12 +89,6 @@ TEST_F(OpeningAScene, ANewOneIsDrawnByWhatThereIs) {
     EXPECT_EQ(view.compared, (std::array{RendererKind::Shader, RendererKind::Reference}));
 }
 
-TEST_F(OpeningAScene, AFileEndsTheLesson) {
-    ASSERT_TRUE(openLessonNamed(*session, "wrap", 2));
-    open(R"({"version": 1})");
-    EXPECT_FALSE(session->lesson);
-}
-
 constexpr std::size_t filtersWithReference = 4; // a step that shows λ, as the reference has it
 
 struct Opening {
@@ -133,6 +119,7 @@ TEST_P(AnotherDocument, IsLookedAtAnew) {
     session->look.explaining.pixel = {5, 6};
     session->look.explaining.texel = reference::TexelQuestion{};
     session->look.fileView.chosen = "/damaged.dds";
+    say(*session, "brick.bmp has changed and can't be read now.");
     session->recording.begin = 1;
     session->recording.seconds = 2;
     states.details.levels.face = 3;
@@ -150,6 +137,7 @@ TEST_P(AnotherDocument, IsLookedAtAnew) {
     EXPECT_NE(session->look.explaining.pixel, (reference::PixelPlace{5, 6}));
     EXPECT_FALSE(session->look.explaining.texel);
     EXPECT_TRUE(session->look.fileView.chosen.empty());
+    EXPECT_EQ(session->look.notice.text, "");
     EXPECT_EQ(session->recording.begin, 0);
     EXPECT_EQ(session->recording.seconds, std::nullopt);
     EXPECT_EQ(states.details.levels.face, 0);
@@ -191,15 +179,15 @@ INSTANTIATE_TEST_SUITE_P(
     All, AnotherDocument,
     testing::Values(
         Opening{"New", newScene, true},
+        Opening{"File",
+                [](Session& session) {
+                    const texplorer::test::TempDir folder;
+                    texplorer::test::writeRaw(folder / "scene.json", R"({"version": 1})");
+                    EXPECT_TRUE(openScene(session, folder / "scene.json"));
+                }},
         Opening{"Example", [](Session& session) { EXPECT_TRUE(openExample(session, "cube.json")); }},
         Opening{"Lesson", [](Session& session) { EXPECT_TRUE(openLessonNamed(session, "wrap", 0)); }}),
     [](const auto& test) { return std::string(test.param.name); });
-
-TEST_F(OpeningAScene, TakesBackWhatWasSaidOfTheOldOne) {
-    say(*session, "brick.bmp has changed and can't be read now.");
-    open(R"({"version": 1})");
-    EXPECT_EQ(session->look.notice.text, "");
-}
 
 TEST_F(OpeningAScene, SelectsAModelThatIsSeen) {
     click("show:Sphere");

@@ -16,24 +16,21 @@ protected:
 TEST_F(EnvironmentLine, IsThatOfTheModeAndTheBaseFormat) {
     EXPECT_TRUE(says("Cv = Cp × Cs"));
     EXPECT_TRUE(says("Av = Ap × As"));
-    texture().internalFormat = InternalFormat::Rgb;
-    unit().envMode = EnvMode::Replace;
-    frames(2);
-    EXPECT_TRUE(says("Cv = Cs"));
-    EXPECT_TRUE(says("Av = Ap")) << "RGB has no alpha";
-    unit().envMode = EnvMode::Blend;
-    texture().internalFormat = InternalFormat::Intensity;
-    frames(2);
-    EXPECT_TRUE(says("Cv = Cp × (1 − Cs) + Cc × Cs"));
-    EXPECT_TRUE(says("Av = Ap × (1 − As) + Ac × As"));
-    unit().envMode = EnvMode::Decal;
-    texture().internalFormat = InternalFormat::Luminance;
-    frames(2);
-    EXPECT_TRUE(says("Cv = undefined; here Cp"));
-    unit().envMode = EnvMode::Combine;
     unit().combine.rgb = CombineRgb::Add;
-    frames(2);
-    EXPECT_TRUE(says("Cv = Cs + Cp"));
+    using Lines = std::vector<const char*>;
+    for (const auto& [mode, format, lines] :
+         {std::tuple(EnvMode::Replace, InternalFormat::Rgb,
+                     Lines{"Cv = Cs", "Av = Ap"}), // no alpha of its own
+          std::tuple(EnvMode::Blend, InternalFormat::Intensity,
+                     Lines{"Cv = Cp × (1 − Cs) + Cc × Cs", "Av = Ap × (1 − As) + Ac × As"}),
+          std::tuple(EnvMode::Decal, InternalFormat::Luminance, Lines{"Cv = undefined; here Cp"}),
+          std::tuple(EnvMode::Combine, InternalFormat::Luminance, Lines{"Cv = Cs + Cp"})}) {
+        unit().envMode = mode;
+        texture().internalFormat = format;
+        frames(2);
+        for (const char* line : lines)
+            EXPECT_TRUE(says(line)) << line;
+    }
 }
 
 TEST_F(EnvironmentLine, IsThatOfThePreviewedMode) {

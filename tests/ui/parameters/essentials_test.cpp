@@ -2,7 +2,6 @@
 #include "app/ui/model/session.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/keys.h"
-#include "tests/ui/window_sizes.h"
 #include "tests/ui/workbench.h"
 #include "texplorer/scene/tex_coords.h"
 
@@ -26,6 +25,10 @@ protected:
         EXPECT_LE(item->second.bottom, room.bottom) << name;
         EXPECT_LE(item->second.right, static_cast<float>(layout.parameters.right())) << name;
         EXPECT_GE(item->second.left, static_cast<float>(layout.parameters.x)) << name;
+    }
+    void undo(int steps) {
+        for (int i = 0; i < steps; ++i)
+            key('Z', {ctrl});
     }
     [[nodiscard]] glm::vec4 coordinate(std::size_t vertex) {
         return effectiveTexCoord(scene().models[0], selectedMesh(*session), 0, vertex);
@@ -133,8 +136,7 @@ TEST_F(Essentials, OneClickSetsAFilterAWrapModeAndAnEnvironment) {
     click("passes[0].units[0].envMode=GL_DECAL");
     EXPECT_EQ(unit().envMode, EnvMode::Decal);
     EXPECT_EQ(session->document.lastChanged, "passes[0].units[0].envMode");
-    for (int i = 0; i < 4; ++i)
-        key('Z', {ctrl});
+    undo(4);
     EXPECT_EQ(scene(), session->document.saved);
 }
 
@@ -145,8 +147,7 @@ TEST_F(Essentials, AnisotropyIsSetByAButtonOrByANumber) {
     EXPECT_EQ(texture().maxAnisotropy, 16);
     drag(place("textures[0].maxAnisotropy"), {-2000, 0});
     EXPECT_EQ(texture().maxAnisotropy, 1);
-    key('Z', {ctrl});
-    key('Z', {ctrl});
+    undo(2);
     EXPECT_EQ(texture().maxAnisotropy, 8);
 }
 
@@ -159,9 +160,7 @@ TEST_F(Essentials, TheSliderOfAnisotropyDoublesInEqualSteps) {
     EXPECT_EQ(texture().maxAnisotropy, 16);
     key('Z', {ctrl});
     EXPECT_NEAR(texture().maxAnisotropy, 4, 0.3F) << "the way is one step of undo";
-}
-
-TEST_F(Essentials, AnisotropyHasItsButtonsInASmallWindowToo) {
+    // Its buttons are in a small window, too.
     start(defaultScene(), 1024, 700);
     click("textures[0].maxAnisotropy=2");
     EXPECT_EQ(texture().maxAnisotropy, 2);
@@ -194,7 +193,7 @@ TEST_F(Essentials, APatternIsChosenByItsPicture) {
     EXPECT_EQ(session->asking.dialog, Dialog::OpenImage);
 }
 
-TEST_F(Essentials, TheMatrixIsSetInMotion) {
+TEST_F(Essentials, TheMatrixIsSetInMotionAndItsStepsAreAClickAway) {
     click("motion:scroll");
     ASSERT_EQ(unit().matrix.size(), 1U);
     EXPECT_EQ(unit().matrix[0].op, MatrixOp::Translate);
@@ -206,21 +205,16 @@ TEST_F(Essentials, TheMatrixIsSetInMotion) {
     click("add:scale");
     ASSERT_EQ(unit().matrix.size(), 2U);
     EXPECT_EQ(unit().matrix[1].amount, glm::vec3(1));
-    key('Z', {ctrl});
-    key('Z', {ctrl});
-    key('Z', {ctrl});
+    undo(3);
     EXPECT_THAT(unit().matrix, IsEmpty());
     EXPECT_FALSE(session->document.history.canUndo());
-}
-
-TEST_F(Essentials, TheStepsOfTheMatrixAreAClickAway) {
     click("motion:spin");
     click("edit matrix");
     EXPECT_EQ(states.parameters.tab, ParameterTab::Coordinates);
     EXPECT_TRUE(has("passes[0].units[0].matrix[0].angleRate"));
 }
 
-TEST_F(Essentials, AHoveredChoiceIsPreviewed) {
+TEST_F(Essentials, AHoveredChoiceIsPreviewedInAListToo) {
     const Scene before = scene();
     moveTo(place("textures[0].wrapS=GL_CLAMP"));
     ASSERT_TRUE(session->look.preview);
@@ -245,9 +239,6 @@ TEST_F(Essentials, AHoveredChoiceIsPreviewed) {
     EXPECT_FALSE(has("preview"));
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canUndo());
-}
-
-TEST_F(Essentials, AChoiceOfAListIsPreviewedToo) {
     session->settings.glNames = true;
     frames(2);
     scrollTo("textures[0].minFilter");
@@ -261,30 +252,29 @@ TEST_F(Essentials, AChoiceOfAListIsPreviewedToo) {
 }
 
 TEST_F(Essentials, ARowIsPinnedAndTakenOutAgain) {
+    const auto pick = [this](const std::string& item) {
+        click("textures[0].lodBias#label", ImGuiMouseButton_Right);
+        click("textures[0].lodBias#menu:" + item);
+    };
     scrollTo("textures[0].lodBias#label");
-    click("textures[0].lodBias#label", ImGuiMouseButton_Right);
-    click("textures[0].lodBias#menu:pin");
+    pick("pin");
     EXPECT_THAT(session->settings.pinned, ElementsAre("textures[].lodBias"));
     states.parameters.tab = ParameterTab::Essentials;
     frames(2);
     drag(place("textures[0].lodBias"), {50, 0}); // 0.02 a pixel
     EXPECT_NEAR(texture().lodBias, 1, 0.05F);
-    click("textures[0].lodBias#label", ImGuiMouseButton_Right);
-    click("textures[0].lodBias#menu:reset");
+    pick("reset");
     EXPECT_EQ(texture().lodBias, 0);
-    click("textures[0].lodBias#label", ImGuiMouseButton_Right);
-    click("textures[0].lodBias#menu:pin");
+    pick("pin");
     EXPECT_THAT(session->settings.pinned, IsEmpty());
     EXPECT_FALSE(has("textures[0].lodBias"));
 }
 
-TEST_F(Essentials, WhatEssentialsHasIsNotPinned) {
+TEST_F(Essentials, WhatEssentialsHasOrNothingHasIsNotPinned) {
     click("textures[0].magFilter#label", ImGuiMouseButton_Right);
     click("textures[0].magFilter#menu:pin");
     EXPECT_THAT(session->settings.pinned, IsEmpty());
-}
-
-TEST_F(Essentials, APinOfNothingIsNoTrouble) {
+    key(key::escape);
     session->settings.pinned = {"textures[].nothing", "", "models[].material.ambient"};
     frames(2);
     expectSoundFrame();

@@ -94,17 +94,13 @@ TEST_F(ModelSection, RemovesModelsDownToNone) {
     EXPECT_EQ(scene().models[0].shape, Shape::Cube);
 }
 
-TEST_F(ModelSection, ANameIsShownWhereModelsAreChosen) {
+TEST_F(ModelSection, ANameAndAnOwnMaterialHaveTheirRows) {
     startWith(three(), "Model");
     press("models[0].name");
     key(ui::key::end);
     type("!");
     key(ui::key::enter);
     EXPECT_EQ(scene().models[0].name, "a!");
-}
-
-TEST_F(ModelSection, AnOwnMaterialHasItsRows) {
-    startWith(three(), "Model");
     EXPECT_FALSE(has("models[0].material.diffuse"));
     press("models[0].ownMaterial");
     EXPECT_TRUE(scene().models[0].ownMaterial);

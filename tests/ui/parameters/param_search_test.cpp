@@ -1,3 +1,5 @@
+// The search of the parameters panel: parameters_panel.cpp.
+
 #include "app/ui/model/param_match.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/keys.h"

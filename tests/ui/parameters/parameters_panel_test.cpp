@@ -20,6 +20,20 @@ protected:
         states.parameters.tab = tab;
         frames(2);
     }
+    void press(std::string_view name) {
+        scrollTo(name);
+        click(name);
+    }
+    void pull(std::string_view name, float way) {
+        scrollTo(name);
+        drag(place(name), {way, 0});
+    }
+    void typeInto(std::string_view name, std::string_view text) {
+        scrollTo(name);
+        doubleClickAt(place(name));
+        type(text);
+        key(key::enter);
+    }
     /// What all tabs have, with what is folded.
     std::set<std::string> namesOfAllTabs() {
         std::set<std::string> names;
@@ -43,8 +57,7 @@ TEST_F(ParametersPanel, AComboChoosesAnEnumerator) {
 
 TEST_F(ParametersPanel, ADragIsOneStepOfUndo) {
     click("parameters:Texture");
-    scrollTo("textures[0].maxAnisotropy");
-    drag(place("textures[0].maxAnisotropy"), {100, 0}); // 0.05 a pixel
+    pull("textures[0].maxAnisotropy", 100); // 0.05 a pixel
     EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
     drag(place("textures[0].maxAnisotropy"), {40, 0});
     EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
@@ -58,18 +71,12 @@ TEST_F(ParametersPanel, ADragIsOneStepOfUndo) {
     EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
 }
 
-TEST_F(ParametersPanel, ADragEndsAtTheEndOfTheRange) {
-    scrollTo("textures[0].maxAnisotropy");
-    drag(place("textures[0].maxAnisotropy"), {2000, 0});
+TEST_F(ParametersPanel, ANumberStaysInItsRange) {
+    pull("textures[0].maxAnisotropy", 2000);
     EXPECT_EQ(texture().maxAnisotropy, 16);
     drag(place("textures[0].maxAnisotropy"), {-2000, 0});
     EXPECT_EQ(texture().maxAnisotropy, 1);
-}
-
-TEST_F(ParametersPanel, ANumberCanBeTypedAndIsBroughtIntoItsRange) {
-    scrollTo("textures[0].maxAnisotropy");
-    const ImVec2 at = place("textures[0].maxAnisotropy");
-    moveTo(at);
+    moveTo(place("textures[0].maxAnisotropy")); // typed after a click with Ctrl
     setHeld(ctrl, true);
     ImGui::GetIO().MouseDown[0] = true;
     frames(1);
@@ -83,8 +90,7 @@ TEST_F(ParametersPanel, ANumberCanBeTypedAndIsBroughtIntoItsRange) {
 
 TEST_F(ParametersPanel, AColourIsPickedAndUndoneAtOnce) {
     unit().envMode = EnvMode::Blend;
-    scrollTo("passes[0].units[0].envColor");
-    click("passes[0].units[0].envColor");
+    press("passes[0].units[0].envColor");
     const std::string picker = "passes[0].units[0].envColor#picker";
     const WidgetPlaces::Item box = places.items.at(picker);
     // The upper right of the picker's square: saturated and bright.
@@ -100,8 +106,7 @@ TEST_F(ParametersPanel, AColourIsPickedAndUndoneAtOnce) {
 }
 
 TEST_F(ParametersPanel, ACheckboxSwitches) {
-    scrollTo("passes[0].units[0].enabled");
-    click("passes[0].units[0].enabled");
+    press("passes[0].units[0].enabled");
     EXPECT_FALSE(unit().enabled);
     click("passes[0].units[0].enabled");
     EXPECT_TRUE(unit().enabled);
@@ -139,8 +144,7 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
     choose("textures[1].wrapS", "GL_CLAMP");
     EXPECT_EQ(scene().textures[1].wrapS, Wrap::Clamp);
     EXPECT_EQ(scene().textures[0].wrapS, Wrap::Repeat);
-    scrollTo("texture choice");
-    click("texture choice");
+    press("texture choice");
     click("bind:0");
     EXPECT_EQ(unit().texture, 0);
     click("remove texture");
@@ -151,8 +155,7 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
     click("remove texture");
     EXPECT_TRUE(scene().textures.empty());
     EXPECT_FALSE(unit().enabled) << "a scene file refuses a unit without a texture";
-    scrollTo("passes[0].units[0].enabled");
-    click("passes[0].units[0].enabled");
+    press("passes[0].units[0].enabled");
     EXPECT_TRUE(unit().enabled);
     EXPECT_EQ(scene().textures.size(), 1U) << "it gets one";
 }
@@ -167,20 +170,15 @@ TEST_F(ParametersPanel, EditsTheChosenUnit) {
 
 TEST_F(ParametersPanel, MatrixStepsAreAddedMovedAndRemoved) {
     open("Texture matrix");
-    scrollTo("add:translate");
-    click("add:translate");
-    scrollTo("add:rotate");
-    click("add:rotate");
+    press("add:translate");
+    press("add:rotate");
     ASSERT_EQ(unit().matrix.size(), 2U);
     EXPECT_EQ(unit().matrix[1].amount, glm::vec3(0, 0, 1));
-    scrollTo("passes[0].units[0].matrix[1].angleRate");
-    drag(place("passes[0].units[0].matrix[1].angleRate"), {40, 0});
+    pull("passes[0].units[0].matrix[1].angleRate", 40);
     EXPECT_NEAR(unit().matrix[1].angleRate, 20, 1);
-    scrollTo("passes[0].units[0].matrix[1]#up");
-    click("passes[0].units[0].matrix[1]#up");
+    press("passes[0].units[0].matrix[1]#up");
     EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
-    scrollTo("passes[0].units[0].matrix[1]#remove");
-    click("passes[0].units[0].matrix[1]#remove");
+    press("passes[0].units[0].matrix[1]#remove");
     ASSERT_EQ(unit().matrix.size(), 1U);
     EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
 }
@@ -188,8 +186,7 @@ TEST_F(ParametersPanel, MatrixStepsAreAddedMovedAndRemoved) {
 TEST_F(ParametersPanel, PassesAreAddedExchangedSwitchedOffAndRemoved) {
     EXPECT_FALSE(has("pass:0")) << "there is nothing to choose from";
     open("Pass");
-    scrollTo("add pass");
-    click("add pass");
+    press("add pass");
     ASSERT_EQ(scene().passes.size(), 2U);
     EXPECT_EQ(scene().passes[1].depthFunc, CompareFunc::LessEqual) << "or it would draw nothing";
     Pass like = scene().passes[0];
@@ -197,25 +194,20 @@ TEST_F(ParametersPanel, PassesAreAddedExchangedSwitchedOffAndRemoved) {
     EXPECT_EQ(scene().passes[1], like);
     EXPECT_EQ(session->look.selection.pass, 1);
 
-    scrollTo("passes[1].enabled");
-    click("passes[1].enabled");
+    press("passes[1].enabled");
     EXPECT_TRUE(scene().passes[0].enabled);
     EXPECT_FALSE(scene().passes[1].enabled);
-    scrollTo("pass up");
-    click("pass up");
+    press("pass up");
     EXPECT_FALSE(scene().passes[0].enabled);
     EXPECT_EQ(session->look.selection.pass, 0) << "it stays chosen";
 
-    scrollTo("pass:1");
-    click("pass:1");
+    press("pass:1");
     EXPECT_EQ(session->look.selection.pass, 1);
-    scrollTo("remove pass");
-    click("remove pass");
+    press("remove pass");
     ASSERT_EQ(scene().passes.size(), 1U);
     EXPECT_FALSE(scene().passes[0].enabled);
     EXPECT_EQ(session->look.selection.pass, 0);
-    scrollTo("remove pass");
-    click("remove pass");
+    press("remove pass");
     EXPECT_EQ(scene().passes.size(), 1U) << "one there is always";
     for (int i = 0; i < 4; ++i)
         key('Z', {ctrl});
@@ -325,7 +317,6 @@ TEST_F(ParametersPanel, TheFirstUnitHasNoneBeforeIt) {
     show(ParameterTab::Unit);
     EXPECT_TRUE(has("combine:colour of this texture × colour of primary colour (no unit before)"));
     click("unit:1");
-    frames(2);
     EXPECT_TRUE(has("combine:colour of this texture × colour of previous unit"));
 }
 
@@ -351,14 +342,12 @@ TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
     choose(path + "mode", "GL_OBJECT_LINEAR");
     EXPECT_FALSE(has(path + "eyePlane[0]"));
     EXPECT_TRUE(has(path + "objectPlane[0]"));
-    scrollTo(path + "objectPlane[1]");
-    drag(place(path + "objectPlane[1]"), {50, 0});
+    pull(path + "objectPlane[1]", 50);
     EXPECT_NEAR(unit().texGenS.objectPlane.y, 0.5F, 0.02F);
     choose(path + "mode", "GL_SPHERE_MAP");
     EXPECT_FALSE(has(path + "eyePlane[0]"));
     EXPECT_FALSE(has(path + "objectPlane[0]"));
-    scrollTo("passes[0].units[0].texGenQ.mode");
-    click("passes[0].units[0].texGenQ.mode");
+    press("passes[0].units[0].texGenQ.mode");
     EXPECT_FALSE(has("passes[0].units[0].texGenQ.mode=GL_SPHERE_MAP")) << "q has two modes";
     EXPECT_TRUE(has("passes[0].units[0].texGenQ.mode=GL_OBJECT_LINEAR"));
 }
@@ -374,8 +363,7 @@ TEST_F(ParametersPanel, ASectionThatIsInUseSaysSoEvenShut) {
     frames(2);
     EXPECT_TRUE(has("passes[0].units[0].matrix[0].op"));
     EXPECT_TRUE(has("in use:Texture matrix"));
-    scrollTo("section:Generated coordinates");
-    click("section:Generated coordinates");
+    press("section:Generated coordinates");
     EXPECT_FALSE(has(texGen)) << "the user may shut it";
     EXPECT_TRUE(has("in use:Generated coordinates")) << "and sees it all the same";
     unit().matrix.clear();
@@ -398,13 +386,19 @@ TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
     }
 }
 
-TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
+TEST_F(ParametersPanel, WhatHasNoEffectIsMarkedAndFoldedAndDoesntVanish) {
     const auto inert = [&](const char* key) { return has("textures[0]." + std::string(key) + "#inert"); };
     show(ParameterTab::Texture);
     EXPECT_TRUE(inert("flip")) << "a pattern is upright";
     EXPECT_TRUE(inert("npot")) << "a pattern's size is a power of two";
     EXPECT_TRUE(inert("wrapR")) << "the target is 2D";
     EXPECT_TRUE(inert("borderColor"));
+    EXPECT_FALSE(has("textures[0].depthSize"));
+    press("textures[0]#no effect");
+    scrollTo("textures[0].depthSize");
+    EXPECT_TRUE(has("textures[0].depthSize#inert"));
+    drag(place("textures[0].depthSize"), {30, 0});
+    EXPECT_EQ(texture().depthSize, 286) << "it can be edited all the same";
     choose("textures[0].wrapS", "GL_CLAMP_TO_BORDER");
     EXPECT_FALSE(inert("borderColor"));
     EXPECT_FALSE(inert("internalFormat"));
@@ -470,17 +464,6 @@ TEST_F(ParametersPanel, WhatIsAskedForIsShownWhereItIs) {
     EXPECT_EQ(session->out.wantedParam, "") << "it is not waited for";
 }
 
-TEST_F(ParametersPanel, WhatHasNoEffectIsFoldedAndDoesntVanish) {
-    show(ParameterTab::Texture);
-    EXPECT_FALSE(has("textures[0].depthSize"));
-    scrollTo("textures[0]#no effect");
-    click("textures[0]#no effect");
-    scrollTo("textures[0].depthSize");
-    EXPECT_TRUE(has("textures[0].depthSize#inert"));
-    drag(place("textures[0].depthSize"), {30, 0});
-    EXPECT_EQ(texture().depthSize, 286) << "it can be edited all the same";
-}
-
 TEST_F(ParametersPanel, TwoColumnsWhereThereIsRoom) {
     start(defaultScene(), 2560, 1440);
     session->settings.workspace.seams.parameters = 640;
@@ -495,32 +478,21 @@ TEST_F(ParametersPanel, TwoColumnsWhereThereIsRoom) {
 }
 
 TEST_F(ParametersPanel, NoLimitCanBeTypedOver) {
-    scrollTo("textures[0].maxLevel");
-    doubleClickAt(place("textures[0].maxLevel"));
-    type("3");
-    key(key::enter);
+    typeInto("textures[0].maxLevel", "3");
     EXPECT_EQ(texture().maxLevel, 3);
-    scrollTo("textures[0].minLod");
-    doubleClickAt(place("textures[0].minLod"));
-    type("1.5");
-    key(key::enter);
+    typeInto("textures[0].minLod", "1.5");
     EXPECT_EQ(texture().minLod, 1.5F);
 }
 
 TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
-    struct Size {
-        int width, height;
-        float scale;
-    };
-    for (const Size size :
-         {Size{1280, 800, 1}, Size{1920, 1080, 1}, Size{2560, 1440, 1}, Size{2560, 1600, 2}}) {
-        start(defaultScene(), size.width, size.height, size.scale);
+    for (const auto& [width, height, scale] : {std::tuple(1280, 800, 1), std::tuple(1920, 1080, 1),
+                                               std::tuple(2560, 1440, 1), std::tuple(2560, 1600, 2)}) {
+        start(defaultScene(), width, height, static_cast<float>(scale));
         for (const ParameterTabRow& tab : parameterTabRows) {
             show(tab.tab);
             for (const auto& [name, item] : places.items) {
-                const bool isParam = name.starts_with("textures[0]") || name.starts_with("passes[0]") ||
-                                     name.starts_with("unit:") || name.starts_with("parameters:");
-                if (!isParam)
+                if (std::ranges::none_of(std::array{"textures[0]", "passes[0]", "unit:", "parameters:"},
+                                         [&](const char* begin) { return name.starts_with(begin); }))
                     continue;
                 EXPECT_GE(item.left, static_cast<float>(layout.parameters.x)) << name;
                 EXPECT_LE(item.right, static_cast<float>(layout.parameters.right())) << name;
@@ -529,17 +501,13 @@ TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
     }
 }
 
-TEST_F(ParametersPanel, LargeTextHasItsTabsInAList) {
+TEST_F(ParametersPanel, LargeTextHasItsTabsInAListAndLeavesUnitsTheirNumbers) {
     start(defaultScene(), 1280, 800, 2.5F);
     EXPECT_FALSE(has("parameters:Texture")) << "seven lines of buttons would leave nothing of Essentials";
     click("parameters' tabs");
     click("parameters:Light");
     EXPECT_TRUE(has("section:Light"));
     EXPECT_FALSE(has("parameters:Texture"));
-}
-
-TEST_F(ParametersPanel, LargeTextLeavesUnitsTheirNumbers) {
-    start(defaultScene(), 1280, 800, 2.5F);
     for (const char* unit : {"unit:0", "unit:1", "unit:2", "unit:3"}) {
         const auto whole = places.items.at(unit);
         const auto toggle = places.items.at(std::string(unit) + " on");
@@ -549,10 +517,10 @@ TEST_F(ParametersPanel, LargeTextLeavesUnitsTheirNumbers) {
 }
 
 TEST_F(ParametersPanel, ATinyWindowStillDraws) {
-    start(defaultScene(), 640, 400);
-    EXPECT_TRUE(has("view"));
-    start(defaultScene(), 320, 200);
-    EXPECT_TRUE(has("view"));
+    for (const int width : {640, 320}) {
+        start(defaultScene(), width, width * 5 / 8);
+        EXPECT_TRUE(has("view"));
+    }
 }
 
 } // namespace

@@ -9,11 +9,16 @@ namespace {
 
 using namespace test;
 
-class TextureLists : public Workbench {};
+class TextureLists : public Workbench {
+protected:
+    void press(std::string_view name) {
+        scrollTo(name);
+        click(name);
+    }
+};
 
 TEST_F(TextureLists, AStepIsAddedAndShowsItsPicture) {
-    scrollTo("add step");
-    click("add step");
+    press("add step");
     click("add step:invert");
     ASSERT_EQ(texture().preparation.size(), 1U);
     EXPECT_EQ(texture().preparation[0].op, ImageOp::Invert);
@@ -28,24 +33,20 @@ TEST_F(TextureLists, AStepIsAddedAndShowsItsPicture) {
 TEST_F(TextureLists, StepsChangePlacesAndGo) {
     texture().preparation = {{.op = ImageOp::Invert}, {.op = ImageOp::Sharpen}};
     frames(2);
-    scrollTo("textures[0].preparation[1]#up");
-    click("textures[0].preparation[1]#up");
+    press("textures[0].preparation[1]#up");
     EXPECT_EQ(texture().preparation[0].op, ImageOp::Sharpen);
-    scrollTo("textures[0].preparation[0]#remove");
-    click("textures[0].preparation[0]#remove");
+    press("textures[0].preparation[0]#remove");
     ASSERT_EQ(texture().preparation.size(), 1U);
     EXPECT_EQ(texture().preparation[0].op, ImageOp::Invert);
 }
 
 TEST_F(TextureLists, LevelsAreAddedDownToTheLast) {
-    EXPECT_FALSE(has("add all levels")) << "they are not wanted yet";
+    EXPECT_FALSE(has("levels:add all")) << "they are not wanted yet";
     texture().mipmaps = MipPolicy::Given;
     frames(2);
-    scrollTo("add level");
-    click("add level");
+    press("levels:add");
     EXPECT_EQ(texture().levels.size(), 1U);
-    scrollTo("add all levels");
-    click("add all levels");
+    press("levels:add all");
     EXPECT_EQ(texture().levels.size(), 6U) << "below 64 × 64 texels";
     scrollTo("textures[0].levels[0]#remove");
     frames(2);

@@ -14,8 +14,8 @@ lesson::LessonScene ofColor(glm::vec4 color) {
 // Answers are identified by their place: one whose edits fail must not pass its place to the next.
 TEST(LessonWork, KeepsThePlaceOfWhatHasNoPicture) {
     LessonWork work(When::AtOnce);
-    work.askPictures({std::nullopt, ofColor({1, 0, 0, 1}), std::nullopt, ofColor({0, 1, 0, 1})});
-    const auto pictures = work.takePictures();
+    work.pictures.ask({std::nullopt, ofColor({1, 0, 0, 1}), std::nullopt, ofColor({0, 1, 0, 1})});
+    const auto pictures = work.pictures.take().value();
     ASSERT_TRUE(pictures);
     ASSERT_EQ(pictures->size(), 4U);
     EXPECT_FALSE((*pictures)[0]);
@@ -24,16 +24,16 @@ TEST(LessonWork, KeepsThePlaceOfWhatHasNoPicture) {
     const auto corner = [&](std::size_t i) { return (*pictures)[i]->at(0, 0); };
     EXPECT_EQ(corner(1)[0], std::byte{255});
     EXPECT_EQ(corner(3)[1], std::byte{255});
-    EXPECT_FALSE(work.takePictures()) << "once";
+    EXPECT_FALSE(work.pictures.take()) << "once";
 }
 
 TEST(LessonWork, ForgetsAtRest) {
     LessonWork work(When::AtOnce);
-    work.askPictures({ofColor({1, 0, 0, 1})});
-    work.askGrade(defaultScene(), defaultScene(), {});
+    work.pictures.ask({ofColor({1, 0, 0, 1})});
+    work.grades.ask({defaultScene(), defaultScene(), {}});
     work.rest();
-    EXPECT_FALSE(work.takePictures());
-    EXPECT_FALSE(work.takeGrade());
+    EXPECT_FALSE(work.pictures.take());
+    EXPECT_FALSE(work.grades.take());
 }
 
 } // namespace

@@ -28,8 +28,7 @@ class Restoring : public Workbench {
 protected:
     /// Opens a window, which offers earlier unsaved work. Only `flush` writes.
     void window() {
-        session.reset();
-        unsaved.reset();
+        shut();
         start(defaultScene());
         unsaved.emplace(folder, std::function<void()>{}, 24h);
         session->services.unsaved = &*unsaved;
@@ -40,7 +39,17 @@ protected:
         recordEdit(*session, "Shininess");
         frames(1);
     }
-    bool flush() { return unsaved->autosave.flush(); }
+    bool flush() { return unsaved->autosave.flush().has_value(); }
+    /// Opens a window with unsaved work that is written.
+    void windowWithWork(float shininess = 77) {
+        window();
+        edit(shininess);
+        ASSERT_TRUE(flush());
+    }
+    void shut() {
+        session.reset();
+        unsaved.reset();
+    }
     [[nodiscard]] std::size_t drafts() const {
         std::size_t count = 0;
         if (fs::exists(folder))
@@ -55,11 +64,8 @@ protected:
 };
 
 TEST_F(Restoring, WithoutAThreadThePictureIsThereAtOnce) {
-    window();
-    edit(77);
-    ASSERT_TRUE(flush());
-    session.reset();
-    unsaved.reset();
+    windowWithWork();
+    shut();
     const texplorer::test::NoThreads none;
     const Recovery recovery(folder);
     ASSERT_EQ(recovery.offers().size(), 1U);
@@ -68,11 +74,8 @@ TEST_F(Restoring, WithoutAThreadThePictureIsThereAtOnce) {
 }
 
 TEST_F(Restoring, ADraftWhoseLockCannotBeOpenedIsSaidAndStays) {
-    window();
-    edit(77);
-    ASSERT_TRUE(flush());
-    session.reset();
-    unsaved.reset();
+    windowWithWork();
+    shut();
     std::vector<fs::path> locks;
     for (const fs::directory_entry& each : fs::directory_iterator(folder))
         if (each.path().extension() == ".lock")
@@ -101,10 +104,8 @@ TEST_F(Restoring, NothingIsOfferedWhereNothingWasLost) {
 }
 
 TEST_F(Restoring, WhatWasEditedComesBack) {
-    window();
-    edit(77);
+    windowWithWork();
     const Scene work = scene();
-    ASSERT_TRUE(flush());
     ASSERT_EQ(drafts(), 1U);
 
     window();
@@ -129,9 +130,7 @@ TEST_F(Restoring, WhatWasEditedComesBack) {
 }
 
 TEST_F(Restoring, ItsPictureIsDrawn) {
-    window();
-    edit(77);
-    ASSERT_TRUE(flush());
+    windowWithWork();
     window();
     while (!unsaved->recovery.picture()) // if it never comes, the test times out
         std::this_thread::yield();
@@ -184,9 +183,7 @@ TEST_F(Restoring, AnImageThatIsGoneIsSaidAndTheWorkIsThere) {
 }
 
 TEST_F(Restoring, DiscardForgetsItAndLaterDoesNot) {
-    window();
-    edit(1);
-    ASSERT_TRUE(flush());
+    windowWithWork(1);
     window();
     key(key::escape);
     EXPECT_EQ(session->asking.dialog, Dialog::None);
@@ -220,11 +217,8 @@ TEST_F(Restoring, SeveralAreOfferedOneAfterTheOther) {
 }
 
 TEST_F(Restoring, ADamagedDraftIsASentence) {
-    window();
-    edit(1);
-    ASSERT_TRUE(flush());
-    session.reset();
-    unsaved.reset();
+    windowWithWork(1);
+    shut();
     for (const fs::directory_entry& each : fs::directory_iterator(folder))
         std::ofstream(each.path()) << "\x7F"
                                       "ELF";
@@ -239,9 +233,7 @@ TEST_F(Restoring, ADamagedDraftIsASentence) {
 }
 
 TEST_F(Restoring, AWindowBesideThisOneKeepsItsOwn) {
-    window();
-    edit(1);
-    ASSERT_TRUE(flush());
+    windowWithWork(1);
     const Recovery other(folder);
     EXPECT_TRUE(other.offers().empty());
 }

@@ -138,6 +138,18 @@ protected:
         return SettingsFile(places(), {}, std::chrono::milliseconds(1000), [this] { return now; });
     }
 
+    /// Writes the settings file as another program does.
+    void put(std::string_view text) const {
+        std::filesystem::create_directories(places().settings.parent_path());
+        ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(text)));
+    }
+    /// A window with these settings.
+    void window(const Settings& settings) {
+        SettingsFile file = open();
+        std::ignore = file.read();
+        file.keep(settings);
+    }
+
     test::TempDir folder;
     double now = 10;
 };
@@ -177,12 +189,11 @@ TEST_F(KeptSettings, NothingIsWrittenWhereNothingChanged) {
     EXPECT_FALSE(std::filesystem::exists(places().settings));
 }
 
-TEST_F(KeptSettings, AFileThatCannotBeReadIsSetAsideBesideThoseOfBefore) {
-    std::filesystem::create_directories(places().settings.parent_path());
+TEST_F(KeptSettings, AFileThatCannotBeParsedIsSetAsideBesideThoseOfBefore) {
     const std::vector<std::pair<std::string, std::string>> files{
         {"{\"theme\": \"light\"", ".broken"}, {"[1]", ".broken-2"}, {std::string("{}\0{}", 5), ".broken-3"}};
     for (const auto& [wrong, name] : files) {
-        ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(wrong)));
+        put(wrong);
         SettingsFile file = open();
         EXPECT_EQ(file.read(), Settings{});
         const std::optional<std::string> problem = file.takeProblem();
@@ -194,10 +205,25 @@ TEST_F(KeptSettings, AFileThatCannotBeReadIsSetAsideBesideThoseOfBefore) {
     EXPECT_EQ(readText(places().settings.string() + ".broken").value(), "{\"theme\": \"light\"");
 }
 
+/// It may hold valid settings.
+TEST_F(KeptSettings, AFileThatCannotBeReadStaysWhereItIs) {
+    std::filesystem::create_directories(places().settings); // root can read every file, but no folder
+    std::filesystem::create_directories(places().recent.parent_path());
+    ASSERT_TRUE(writeFileAtomically(places().recent, viewBytes("[1")));
+    {
+        SettingsFile file = open();
+        Settings settings = file.read();
+        EXPECT_EQ(settings, Settings{});
+        EXPECT_THAT(file.takeProblem().value_or(""),
+                    testing::AllOf(HasSubstr("Settings can't be read: "), HasSubstr("recent.json.broken")));
+        settings.glNames = !settings.glNames;
+        file.keep(settings);
+    }
+    EXPECT_TRUE(std::filesystem::is_directory(places().settings));
+}
+
 TEST_F(KeptSettings, AValueThatIsNotKnownIsLeftOutAndStaysInTheFile) {
-    std::filesystem::create_directories(places().settings.parent_path());
-    ASSERT_TRUE(
-        writeFileAtomically(places().settings, viewBytes(R"({"theme": "pink", "textPercent": 150})")));
+    put(R"({"theme": "pink", "textPercent": 150})");
     {
         SettingsFile file = open();
         Settings settings = file.read();
@@ -214,13 +240,8 @@ TEST_F(KeptSettings, AValueThatIsNotKnownIsLeftOutAndStaysInTheFile) {
 }
 
 TEST_F(KeptSettings, UnknownKeysSurviveAWindow) {
-    std::filesystem::create_directories(places().settings.parent_path());
-    ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(R"({"fromLater": true})")));
-    {
-        SettingsFile file = open();
-        std::ignore = file.read();
-        file.keep(unusual());
-    }
+    put(R"({"fromLater": true})");
+    window(unusual());
     EXPECT_THAT(readText(places().settings).value(), HasSubstr("fromLater"));
     EXPECT_EQ(open().read(), unusual());
 }
@@ -231,11 +252,7 @@ TEST_F(KeptSettings, TwoWindowsShareTheFiles) {
     Settings second;
     first.pinned = {"a", "b"};
     first.recentFiles = {"/old"};
-    {
-        SettingsFile file = open();
-        std::ignore = file.read();
-        file.keep(first);
-    }
+    window(first);
     {
         SettingsFile one = open();
         SettingsFile other = open();
@@ -274,8 +291,7 @@ TEST_F(KeptSettings, WindowsThatWriteAtTheSameInstantLoseNothing) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         Settings other;
         other.theme = Theme::Light;
-        const std::string text = writeSettings(other);
-        ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(text)));
+        put(writeSettings(other));
         lock.reset();
     }
     const Settings last = open().read();
@@ -318,11 +334,7 @@ TEST_F(KeptSettings, WhatWasWrittenOnceIsNotWrittenAgain) {
 TEST_F(KeptSettings, ForgottenFilesStayForgotten) {
     Settings settings;
     settings.recentFiles = {"/a", "/b"};
-    {
-        SettingsFile file = open();
-        std::ignore = file.read();
-        file.keep(settings);
-    }
+    window(settings);
     {
         SettingsFile one = open();
         SettingsFile other = open();

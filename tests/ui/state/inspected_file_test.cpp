@@ -32,23 +32,18 @@ struct Row {
     const char* owners;
 };
 
-class FieldOfByte : public testing::TestWithParam<Row> {};
-
-TEST_P(FieldOfByte, IsTheSmallestThatCoversIt) {
-    EXPECT_EQ(owners(GetParam().fields), GetParam().owners);
+TEST(FieldOfByte, IsTheSmallestThatCoversIt) {
+    for (const Row& row :
+         {Row{"None", {}, ".........."}, Row{"One", {field(2, 3)}, "..000....."},
+          Row{"SideBySide", {field(0, 2), field(2, 2)}, "0011......"},
+          Row{"InASection", {field(0, 8, 0), field(2, 2), field(6, 2)}, "00110022.."},
+          Row{"TwoSectionsDeep", {field(0, 9, 0), field(1, 6), field(2, 1, 2)}, "012111100."},
+          Row{"ReachesBehindTheSection", {field(0, 4, 0), field(3, 3)}, "000111...."},
+          Row{"EmptyField", {field(3, 0), field(2, 4)}, "..1111...."},
+          Row{"SameBytesTwice", {field(1, 2), field(1, 2)}, ".11......."},
+          Row{"WithoutEnd", {field(4, SIZE_MAX)}, "....000000"}})
+        EXPECT_EQ(owners(row.fields), row.owners) << row.name;
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    All, FieldOfByte,
-    testing::Values(Row{"None", {}, ".........."}, Row{"One", {field(2, 3)}, "..000....."},
-                    Row{"SideBySide", {field(0, 2), field(2, 2)}, "0011......"},
-                    Row{"InASection", {field(0, 8, 0), field(2, 2), field(6, 2)}, "00110022.."},
-                    Row{"TwoSectionsDeep", {field(0, 9, 0), field(1, 6), field(2, 1, 2)}, "012111100."},
-                    Row{"ReachesBehindTheSection", {field(0, 4, 0), field(3, 3)}, "000111...."},
-                    Row{"EmptyField", {field(3, 0), field(2, 4)}, "..1111...."},
-                    Row{"SameBytesTwice", {field(1, 2), field(1, 2)}, ".11......."},
-                    Row{"WithoutEnd", {field(4, SIZE_MAX)}, "....000000"}),
-    [](const auto& test) { return test.param.name; });
 
 } // namespace
 } // namespace texplorer::ui::inspected_file_test

@@ -5,16 +5,19 @@
 
 namespace texplorer::test {
 
-/// The window with a square, whose vertices are 0 at (0, 0), 1 at (1, 0), 2 at (1, 1) and 3 at (0, 1).
+/// The window with the default scene, or with one shape alone: the vertices of a Quad are 0 at (0, 0), 1 at
+/// (1, 0), 2 at (1, 1) and 3 at (0, 1).
 class PlaneBench : public Workbench {
 protected:
-    PlaneBench() {
-        Scene square = defaultScene();
-        square.models.resize(1);
-        square.models[0].shape = Shape::Quad;
-        start(std::move(square));
+    PlaneBench() = default;
+    explicit PlaneBench(Shape shape) {
+        Scene alone = defaultScene();
+        alone.models.resize(1);
+        alone.models[0].shape = shape;
+        start(std::move(alone));
     }
 
+    ui::TextureSpaceState& state() { return states.textureSpace; }
     glm::vec4 coord(std::size_t vertex) {
         return effectiveTexCoord(*ui::selectedModel(*session), ui::selectedMesh(*session), 0, vertex);
     }
@@ -37,11 +40,26 @@ protected:
         const auto found = places.items.lower_bound(beginning);
         return found != places.items.end() && found->first.starts_with(beginning) ? found->first : "";
     }
-    std::size_t undoSteps() {
-        std::size_t steps = 0;
-        for (History history = session->document.history; history.canUndo(); history.undo())
-            ++steps;
-        return steps;
+    std::size_t undoSteps() { return session->document.history.position(); }
+    /// A component of the window's picture at a place.
+    int shown(ImVec2 place, int component = 0) {
+        frames();
+        const Image window = picture();
+        return std::to_integer<int>(
+            window.at(static_cast<int>(place.x),
+                      window.height - 1 - static_cast<int>(place.y))[static_cast<std::size_t>(component)]);
+    }
+    void dragTo(ImVec2 from, ImVec2 to) { drag(from, {to.x - from.x, to.y - from.y}); }
+    /// Presses at a place and moves, without a release.
+    void hold(ImVec2 from, ImVec2 way) {
+        moveTo(from);
+        ImGui::GetIO().MouseDown[0] = true;
+        frames(1);
+        moveTo({from.x + way.x, from.y + way.y});
+    }
+    void release() {
+        ImGui::GetIO().MouseDown[0] = false;
+        frames(3);
     }
     /// A key that is held while the mouse does something.
     struct Held {

@@ -21,8 +21,20 @@ using testing::IsEmpty;
 
 class PlaneInput : public PlaneBench {
 protected:
+    PlaneInput()
+        : PlaneBench(Shape::Quad) {}
+
+    void expectPlace(const char* name, float s, float t) {
+        EXPECT_NEAR(place(name).x, at(s, t).x, 0.5F) << name;
+        EXPECT_NEAR(place(name).y, at(s, t).y, 0.5F) << name;
+    }
     std::vector<std::size_t> chosen() { return chosenVertices(session->look.selection); }
-    TextureSpaceState& state() { return states.textureSpace; }
+    /// Begins a move of vertex 2 by its key, with the mouse in the middle.
+    void grab() {
+        clickAt(place("coord:2"));
+        moveTo(at(0.5F, 0.5F));
+        key('G');
+    }
 };
 
 TEST_F(PlaneInput, ShiftAndAClickAddAndTakeAway) {
@@ -43,9 +55,7 @@ TEST_F(PlaneInput, ADragWithShiftChoosesWhatIsInItsBox) {
     const Plane before = session->look.plane;
     {
         const Held shifted(*this, shift);
-        const ImVec2 from = at(0.5F, -0.1F);
-        const ImVec2 to = at(1.1F, 1.1F);
-        drag(from, {to.x - from.x, to.y - from.y});
+        dragTo(at(0.5F, -0.1F), at(1.1F, 1.1F));
     }
     EXPECT_THAT(chosen(), ElementsAre(1, 2));
     EXPECT_EQ(session->look.plane.s, before.s) << "the plane stays";
@@ -55,13 +65,11 @@ TEST_F(PlaneInput, ADragWithShiftChoosesWhatIsInItsBox) {
 TEST_F(PlaneInput, InItsModeADragNeedsNoShift) {
     state().selects = true;
     clickAt(place("coord:0"));
-    const ImVec2 from = at(0.5F, 0.5F);
-    const ImVec2 to = at(1.1F, 1.1F);
-    drag(from, {to.x - from.x, to.y - from.y});
+    dragTo(at(0.5F, 0.5F), at(1.1F, 1.1F));
     EXPECT_THAT(chosen(), ElementsAre(2)) << "in the place of those before";
     const Plane before = session->look.plane;
     const Held shifted(*this, shift);
-    drag(from, {to.x - from.x, to.y - from.y});
+    dragTo(at(0.5F, 0.5F), at(1.1F, 1.1F));
     EXPECT_LT(session->look.plane.s, before.s) << "with Shift it moves the plane";
 }
 
@@ -87,17 +95,12 @@ TEST_F(PlaneInput, SeveralMoveTogetherInOneStep) {
 
 TEST_F(PlaneInput, EscapeTakesADragBack) {
     const Scene before = scene();
-    moveTo(place("coord:2"));
-    ImGui::GetIO().MouseDown[0] = true;
-    frames(1);
-    ImGui::GetIO().MousePos.x += 40;
-    frames(2);
+    hold(place("coord:2"), {40, 0});
     EXPECT_NE(scene(), before);
     key(key::escape);
     ImGui::GetIO().MousePos.x += 40;
     frames(2);
-    ImGui::GetIO().MouseDown[0] = false;
-    frames(3);
+    release();
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(session->document.history.canRedo());
     key('Y', {ctrl});
@@ -115,12 +118,10 @@ TEST_F(PlaneInput, AClickThatTremblesMovesNothing) {
 TEST_F(PlaneInput, WhereACoordinateEndsCanBeDragged) {
     unit().matrix = {{.op = MatrixOp::Scale, .amount = {0.5F, 0.5F, 1}}};
     frames(2);
-    const ImVec2 end = place("end:2");
-    EXPECT_NEAR(end.x, at(0.5F, 0.5F).x, 0.5F);
-    EXPECT_NEAR(end.y, at(0.5F, 0.5F).y, 0.5F);
-    EXPECT_NEAR(place("coord:2").x, at(1, 1).x, 0.5F);
+    expectPlace("end:2", 0.5F, 0.5F);
+    expectPlace("coord:2", 1, 1);
     const float unitPixels = pixelsPerUnit();
-    drag(end, {40, 10});
+    drag(place("end:2"), {40, 10});
     expectCoord(2, 1 + 2 * 40 / unitPixels, 1 - 2 * 10 / unitPixels);
     EXPECT_EQ(undoSteps(), 1U);
     drag(place("coord:1"), {0, 20});
@@ -134,11 +135,9 @@ TEST_F(PlaneInput, TheDivisionByQIsTakenBack) {
     matrix[0][3] = 0.5F;
     unit().matrix = {{.op = MatrixOp::Load, .matrix = matrix}};
     frames(2);
-    const ImVec2 end = place("end:2");
-    EXPECT_NEAR(end.x, at(1 / 3.0F, 2 / 3.0F).x, 0.5F);
-    EXPECT_NEAR(end.y, at(1 / 3.0F, 2 / 3.0F).y, 0.5F);
+    expectPlace("end:2", 1 / 3.0F, 2 / 3.0F);
     const float unitPixels = pixelsPerUnit();
-    drag(end, {-20, 0});
+    drag(place("end:2"), {-20, 0});
     const float x = 1 / 3.0F - 20 / unitPixels;
     const float s = x / (0.5F - 0.5F * x);
     expectCoord(2, s, 2 / 3.0F * (1 + 0.5F * s));
@@ -171,16 +170,11 @@ TEST_F(PlaneInput, SaysWhyWhatIsGeneratedCannotBeMoved) {
     session->look.plane = {0, 0.5F, 3};
     frames(2);
     const Scene before = scene();
-    moveTo(place("end:0"));
     EXPECT_NEAR(place("end:0").x, at(-1, 0).x, 0.5F);
-    ImGui::GetIO().MouseDown[0] = true;
-    frames(1);
-    ImGui::GetIO().MousePos.y -= 40;
-    frames(2);
+    hold(place("end:0"), {0, -40});
     EXPECT_EQ(noted("refusal:"),
               "refusal:s is generated (GL_OBJECT_LINEAR): the given coordinate has no effect");
-    ImGui::GetIO().MouseDown[0] = false;
-    frames(3);
+    release();
     EXPECT_EQ(noted("refusal:"), "");
     EXPECT_EQ(scene(), before);
 }
@@ -189,23 +183,16 @@ TEST_F(PlaneInput, SaysWhereTheMatrixHasNoInverse) {
     unit().matrix = {{.op = MatrixOp::Scale, .amount = {0, 1, 1}}};
     frames(2);
     const Scene before = scene();
-    moveTo(place("end:2"));
-    ImGui::GetIO().MouseDown[0] = true;
-    frames(1);
-    ImGui::GetIO().MousePos.x += 40;
-    frames(2);
+    hold(place("end:2"), {40, 0});
     EXPECT_EQ(session->look.selection.vertex, 2U);
     EXPECT_EQ(noted("refusal:"),
               "refusal:the texture matrix has no inverse: it maps many coordinates to one place");
-    ImGui::GetIO().MouseDown[0] = false;
-    frames(3);
+    release();
     EXPECT_EQ(scene(), before);
 }
 
 TEST_F(PlaneInput, GMovesUntilEnter) {
-    clickAt(place("coord:2"));
-    moveTo(at(0.5F, 0.5F));
-    key('G');
+    grab();
     EXPECT_NE(noted("move hint:Moving 1"), "");
     moveTo(at(0.75F, 0.6F));
     expectCoord(2, 1.25F, 1.1F, 0.01F);
@@ -223,9 +210,7 @@ TEST_F(PlaneInput, AnImageThatArrivesWaitsForTheEndOfAMove) {
     const TempDir folder;
     const std::filesystem::path file = folder.path() / "two.png";
     ASSERT_TRUE(writeFileAtomically(file, encodePng(drawPattern(Pattern::Checker)).value()));
-    clickAt(place("coord:2"));
-    moveTo(at(0.5F, 0.5F));
-    key('G');
+    grab();
     moveTo(at(0.75F, 0.6F));
     importImage(*session, file);
     frames(3);
@@ -245,10 +230,8 @@ TEST_F(PlaneInput, AnImageThatArrivesWaitsForTheEndOfAMove) {
 
 TEST_F(PlaneInput, EscapeTakesAKeyedMoveBackAndNothingElse) {
     session->look.explaining.pixel = {5, 5};
-    clickAt(place("coord:2"));
     const Scene before = scene();
-    moveTo(at(0.5F, 0.5F));
-    key('G');
+    grab();
     moveTo(at(0.75F, 0.6F));
     EXPECT_NE(scene(), before);
     key('T'); // t alone: a shortcut elsewhere
@@ -263,9 +246,7 @@ TEST_F(PlaneInput, EscapeTakesAKeyedMoveBackAndNothingElse) {
 }
 
 TEST_F(PlaneInput, AClickKeepsAKeyedMoveAndWhatIsChosen) {
-    clickAt(place("coord:2"));
-    moveTo(at(0.5F, 0.5F));
-    key('G');
+    grab();
     clickAt(at(0.75F, 0.5F));
     expectCoord(2, 1.25F, 1, 0.01F);
     EXPECT_THAT(chosen(), ElementsAre(2));
@@ -342,12 +323,12 @@ TEST_F(PlaneInput, VerticesSnapAndCtrlInvertsIt) {
 }
 
 TEST_F(PlaneInput, ASnapIsToTheNearest) {
-    const glm::vec2 texels(8, 4);
-    EXPECT_EQ(snapped({0.3F, 0.3F}, Snap::Texel, texels, 0), glm::vec2(0.25F, 0.25F));
-    EXPECT_EQ(snapped({0.35F, 0.4F}, Snap::Texel, texels, 0), glm::vec2(0.375F, 0.5F));
-    EXPECT_EQ(snapped({-0.3F, 1.9F}, Snap::Quarter, texels, 0), glm::vec2(-0.25F, 2));
-    EXPECT_EQ(snapped({0.05F, 0.5F}, Snap::Whole, texels, 0.1F), glm::vec2(0, 0.5F));
-    EXPECT_EQ(snapped({1.08F, -0.2F}, Snap::Whole, texels, 0.1F), glm::vec2(1, -0.2F));
+    const auto to = [](glm::vec2 place, Snap snap) { return snapped(place, snap, {8, 4}, 0.1F); };
+    EXPECT_EQ(to({0.3F, 0.3F}, Snap::Texel), glm::vec2(0.25F, 0.25F));
+    EXPECT_EQ(to({0.35F, 0.4F}, Snap::Texel), glm::vec2(0.375F, 0.5F));
+    EXPECT_EQ(to({-0.3F, 1.9F}, Snap::Quarter), glm::vec2(-0.25F, 2));
+    EXPECT_EQ(to({0.05F, 0.5F}, Snap::Whole), glm::vec2(0, 0.5F));
+    EXPECT_EQ(to({1.08F, -0.2F}, Snap::Whole), glm::vec2(1, -0.2F));
 }
 
 TEST_F(PlaneInput, HoveringAVertexRingsItInBothViews) {

@@ -5,8 +5,6 @@
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/texture_space/plane_bench.h"
 
-#include <glm/glm.hpp>
-
 #include <mutex>
 
 namespace texplorer::ui::plane_tools_test {
@@ -16,17 +14,12 @@ using namespace test;
 
 class PlaneTools : public PlaneBench {
 protected:
-    TextureSpaceState& state() { return states.textureSpace; }
+    PlaneTools()
+        : PlaneBench(Shape::Quad) {}
+
     void openTools() {
         click("plane tools");
         frames(2);
-    }
-    int shown(ImVec2 place, int component = 0) {
-        frames();
-        const Image window = picture();
-        return std::to_integer<int>(
-            window.at(static_cast<int>(place.x),
-                      window.height - 1 - static_cast<int>(place.y))[static_cast<std::size_t>(component)]);
     }
     /// Within a white and a black square of checker.c's picture, away from outlines.
     ImVec2 white() { return at(1.5F / 8, 2.5F / 8); }
@@ -249,7 +242,7 @@ protected:
 TEST_F(PlaneToolsLater, WhatWasCancelledComesWhenItIsWantedAgain) {
     LevelsWorker& worker = session->services.levels;
     {
-        const std::unique_lock hold(held);
+        const std::unique_lock lock(held);
         show(std::byte{100});
         state().look.channel = Channel::Red;
         frames(3);
@@ -271,7 +264,7 @@ TEST_F(PlaneToolsLater, WhatWasCancelledComesWhenItIsWantedAgain) {
 TEST_F(PlaneToolsLater, TheFormerPictureStaysUntilThereIsANewOne) {
     show(std::byte{100});
     {
-        const std::unique_lock hold(held);
+        const std::unique_lock lock(held);
         state().look.channel = Channel::Red;
         frames(3);
         EXPECT_EQ(state().level.picture(), nullptr);
@@ -284,7 +277,7 @@ TEST_F(PlaneToolsLater, TheFormerPictureStaysUntilThereIsANewOne) {
     EXPECT_EQ(state().level.statistics()->components[0].mean, 100);
     EXPECT_EQ(noted("legend:Computing…"), "");
     {
-        const std::unique_lock hold(held);
+        const std::unique_lock lock(held);
         state().look.level = 1;
         frames(3);
         ASSERT_NE(state().level.picture(), nullptr);
@@ -305,7 +298,7 @@ TEST_F(PlaneToolsLater, AnImageThatIsGoneIsNotShown) {
     state().look.channel = Channel::Red;
     waitForAll();
     ASSERT_NE(state().level.picture(), nullptr);
-    const std::unique_lock hold(held);
+    const std::unique_lock lock(held);
     show(std::byte{50});
     EXPECT_EQ(state().level.picture(), nullptr);
     EXPECT_TRUE(state().level.isComputing());

@@ -1,17 +1,13 @@
 #include "app/ui/files/lessons.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/state/chosen_vertices.h"
-#include "app/ui/widgets/theme.h"
-#include "tests/ui/workbench.h"
-#include "texplorer/scene/tex_coords.h"
+#include "tests/ui/texture_space/plane_bench.h"
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <span>
-#include <string_view>
 #include <tuple>
 
 namespace texplorer::ui::texture_space_panel_test {
@@ -19,28 +15,7 @@ namespace {
 
 using namespace test;
 
-class TextureSpace : public Workbench {
-protected:
-    glm::vec4 coord(std::size_t vertex) {
-        return effectiveTexCoords(*selectedModel(*session), selectedMesh(*session), 0)[vertex];
-    }
-    float pixelsPerUnit() {
-        const WidgetPlaces::Item& canvas = places.items.at("texture space");
-        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) / session->look.plane.extent;
-    }
-    /// The position of a coordinate in the panel.
-    ImVec2 at(float s, float t) {
-        const WidgetPlaces::Item& canvas = places.items.at("texture space");
-        return {(canvas.left + canvas.right) / 2 + (s - session->look.plane.s) * pixelsPerUnit(),
-                (canvas.top + canvas.bottom) / 2 - (t - session->look.plane.t) * pixelsPerUnit()};
-    }
-    int channel(ImVec2 place, int component) {
-        const Image window = picture();
-        return std::to_integer<int>(
-            window.at(static_cast<int>(place.x),
-                      window.height - 1 - static_cast<int>(place.y))[static_cast<std::size_t>(component)]);
-    }
-};
+class TextureSpace : public PlaneBench {};
 
 TEST_F(TextureSpace, AVertexIsDraggedToOtherCoordinates) {
     session->look.selection.vertex = 2;
@@ -108,9 +83,9 @@ TEST_F(TextureSpace, ShowsTheFacesOfACubeMapSideBySide) {
     frames(2);
     EXPECT_FALSE(has("coord:0")) << "a direction has no place here";
     const ImVec2 inPositiveX = at(0.69F, 0.4F);
-    EXPECT_GT(channel(inPositiveX, 0), channel(inPositiveX, 1) + 80);
+    EXPECT_GT(shown(inPositiveX, 0), shown(inPositiveX, 1) + 80);
     const ImVec2 inPositiveY = at(0.44F, 0.66F);
-    EXPECT_GT(channel(inPositiveY, 1), channel(inPositiveY, 0) + 60);
+    EXPECT_GT(shown(inPositiveY, 1), shown(inPositiveY, 0) + 60);
     const Scene before = scene();
     drag(at(0, 0), {30, 10});
     EXPECT_EQ(scene(), before);
@@ -126,15 +101,19 @@ void PrintTo(const Heavy& heavy, std::ostream* out) {
     *out << heavy.name;
 }
 
-class HeavyMesh : public TextureSpace, public testing::WithParamInterface<Heavy> {};
+class HeavyMesh : public TextureSpace, public testing::WithParamInterface<Heavy> {
+protected:
+    HeavyMesh() {
+        Scene heavy = defaultScene();
+        heavy.models.resize(1);
+        heavy.models[0].shape = GetParam().shape;
+        heavy.models[0].slices = heavy.models[0].stacks = GetParam().subdivision;
+        start(std::move(heavy), 2560, 1440);
+    }
+};
 
 /// Dear ImGui aborts if a panel has more than 65535 vertices.
 TEST_P(HeavyMesh, IsDrawnFromNearAndFarWithoutACrash) {
-    Scene heavy = defaultScene();
-    heavy.models.resize(1);
-    heavy.models[0].shape = GetParam().shape;
-    heavy.models[0].slices = heavy.models[0].stacks = GetParam().subdivision;
-    start(heavy, 2560, 1440);
     for (const float extent : {0.02F, 1.6F, 20.0F, 112.0F, 200.0F}) {
         session->look.plane.extent = extent;
         session->look.selection.vertex = 5;
@@ -146,13 +125,8 @@ TEST_P(HeavyMesh, IsDrawnFromNearAndFarWithoutACrash) {
 
 /// With two outlines, all vertices selected, and a board behind transparent parts.
 TEST_P(HeavyMesh, IsDrawnTwiceWithEverythingChosenWithoutACrash) {
-    Scene heavy = defaultScene();
-    heavy.models.resize(1);
-    heavy.models[0].shape = GetParam().shape;
-    heavy.models[0].slices = heavy.models[0].stacks = GetParam().subdivision;
-    heavy.textures[0].pattern = Pattern::Tree;
-    heavy.passes[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {0.5F, 0.5F, 1}}};
-    start(heavy, 2560, 1440);
+    texture().pattern = Pattern::Tree;
+    unit().matrix = {{.op = MatrixOp::Scale, .amount = {0.5F, 0.5F, 1}}};
     std::vector<std::size_t> all(selectedMesh(*session).vertices.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     chooseVertices(session->look.selection, std::move(all));
@@ -211,22 +185,22 @@ TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
     frames(3);
     // checker.c: squares of 8 texels, the one at the lower left is black; t grows upwards.
     const float square = 1.0F / 8;
-    EXPECT_EQ(channel(at(square / 2, 2.5F * square), 1), 0);
-    EXPECT_EQ(channel(at(1.5F * square, 2.5F * square), 1), 255);
+    EXPECT_EQ(shown(at(square / 2, 2.5F * square), 1), 0);
+    EXPECT_EQ(shown(at(1.5F * square, 2.5F * square), 1), 255);
     const ImVec2 outside = at(-0.15F, 2.5F * square);
-    EXPECT_GT(channel(outside, 0), 120);
-    EXPECT_LT(channel(outside, 1), 40);
+    EXPECT_GT(shown(outside, 0), 120);
+    EXPECT_LT(shown(outside, 1), 40);
     const ImVec2 above =
         at(1.5F * square, 1 + 0.5F * square); // t still repeats, darker than the image itself
-    EXPECT_GT(channel(above, 1), 120);
-    EXPECT_LT(channel(above, 1), 200);
+    EXPECT_GT(shown(above, 1), 120);
+    EXPECT_LT(shown(above, 1), 200);
 }
 
 // Outside an opaque image, the border's alpha of 0 still shows the board.
 TEST_F(TextureSpace, ABoardLiesBehindWhatIsTransparent) {
     states.textureSpace.legend = false;
     const auto isBoard = [this](ImVec2 place) {
-        const auto at = [&](int c) { return channel(place, c); };
+        const auto at = [&](int c) { return shown(place, c); };
         for (const ImU32 tint : {ImU32(ui::color::board), ImU32(ui::color::boardLight)}) {
             if (ImGui::ColorConvertFloat4ToU32({static_cast<float>(at(0)) / 255,
                                                 static_cast<float>(at(1)) / 255,
@@ -240,7 +214,7 @@ TEST_F(TextureSpace, ABoardLiesBehindWhatIsTransparent) {
     texture().wrapS = Wrap::ClampToBorder;
     texture().borderColor = {1, 0, 0, 0};
     frames(3);
-    EXPECT_LT(channel(at(-0.15F, 0.4F), 0) - channel(at(-0.15F, 0.4F), 2), 20) << "not red";
+    EXPECT_LT(shown(at(-0.15F, 0.4F), 0) - shown(at(-0.15F, 0.4F), 2), 20) << "not red";
     texture().pattern = Pattern::Tree;
     frames(3);
     EXPECT_TRUE(isBoard(at(0.05F, 0.9F))) << "the sky around the tree";

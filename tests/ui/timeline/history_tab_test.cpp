@@ -83,7 +83,13 @@ TEST_F(HistoryTab, ShowsTheStepThatIsPresentHoweverManyThereAre) {
     EXPECT_TRUE(places.items.at("history:0").visible);
 }
 
-class Reset : public Workbench {};
+class Reset : public Workbench {
+protected:
+    void reset(const char* item = "menu:Reset to the start") {
+        click("menu:Edit");
+        click(item);
+    }
+};
 
 TEST_F(Reset, TakesBackEverythingAndIsAStepOfUndo) {
     const Scene start = scene();
@@ -93,8 +99,7 @@ TEST_F(Reset, TakesBackEverythingAndIsAStepOfUndo) {
     sealEdit(*session);
     const Scene edited = scene();
     frames(1);
-    click("menu:Edit");
-    click("menu:Reset to the start");
+    reset();
     EXPECT_EQ(scene(), start);
     EXPECT_EQ(session->document.history.undoName(), "Reset to the start");
     key('Z', {ctrl});
@@ -106,15 +111,12 @@ TEST_F(Reset, LeadsToTheFileWhereThereIsOne) {
     scene().passes[0].blend = true;
     recordEdit(*session, "Blend");
     frames(1);
-    click("menu:Edit");
-    ASSERT_TRUE(has("menu:Reset to the file"));
-    click("menu:Reset to the file");
+    reset("menu:Reset to the file");
     EXPECT_FALSE(scene().passes[0].blend);
 }
 
 TEST_F(Reset, IsNotOfferedWhereNothingDiffers) {
-    click("menu:Edit");
-    click("menu:Reset to the start");
+    reset();
     EXPECT_FALSE(session->document.history.canUndo());
 }
 

@@ -36,12 +36,18 @@ protected:
     }
 };
 
-TEST_F(TimelineTab, SaysHowItBegins) {
+TEST_F(TimelineTab, IsOpenedBesideTheClockSaysHowItBeginsAndLeadsToTheRecording) {
+    session->window.wantedTab = Tab::Commands;
+    frames(3);
+    click("timeline");
+    frames(3);
     EXPECT_TRUE(has("timeline:empty"));
     turn();
     EXPECT_FALSE(has("timeline:empty"));
     EXPECT_TRUE(has("track:view.azimuth"));
     EXPECT_TRUE(has("key:view.azimuth@4"));
+    click("timeline:record");
+    EXPECT_EQ(session->asking.dialog, Dialog::Record);
 }
 
 TEST_F(TimelineTab, HasSomethingToBeginWith) {
@@ -51,7 +57,6 @@ TEST_F(TimelineTab, HasSomethingToBeginWith) {
         sealEdit(*session);
         frames(2);
         click("timeline:turn");
-        frames(2);
         ASSERT_EQ(keys().size(), 2U);
         EXPECT_TRUE(session->look.playback.playing);
         EXPECT_NEAR(sceneAt(scene(), 0).view.azimuth, azimuth, 0.001F);
@@ -59,23 +64,9 @@ TEST_F(TimelineTab, HasSomethingToBeginWith) {
         EXPECT_NEAR(std::abs(half), 180, 0.001F);
         EXPECT_NEAR(sceneAt(scene(), 4).view.azimuth - azimuth, 2 * half, 0.001F);
         key('Z', {ctrl});
-        frames(2);
         EXPECT_TRUE(has("timeline:empty")) << "one step";
         EXPECT_EQ(scene().view.azimuth, azimuth);
     }
-}
-
-TEST_F(TimelineTab, LeadsToTheRecording) {
-    click("timeline:record");
-    EXPECT_EQ(session->asking.dialog, Dialog::Record);
-}
-
-TEST_F(TimelineTab, IsOpenedBesideTheClock) {
-    session->window.wantedTab = Tab::Commands;
-    frames(3);
-    click("timeline");
-    frames(3);
-    EXPECT_TRUE(has("timeline:empty"));
 }
 
 TEST_F(TimelineTab, AParametersMenuAddsAKeyAtThisTime) {
@@ -83,19 +74,15 @@ TEST_F(TimelineTab, AParametersMenuAddsAKeyAtThisTime) {
     open("Texture");
     scrollTo("textures[0].lodBias#label");
     click("textures[0].lodBias#label", ImGuiMouseButton_Right);
-    frames(2);
     click("textures[0].lodBias#menu:key");
-    frames(2);
     ASSERT_EQ(keys().size(), 1U);
     EXPECT_EQ(keys()[0], (KeyFrame{1.5F, "textures[0].lodBias", "0"}));
     EXPECT_TRUE(has("textures[0].lodBias#key")) << "its label has a diamond";
     session->look.playback.time = 3;
     frames(2);
     click("textures[0].lodBias#key");
-    frames(2);
     EXPECT_EQ(keys().size(), 2U);
     click("textures[0].lodBias#key");
-    frames(2);
     EXPECT_EQ(keys().size(), 1U) << "the one of this time";
     take(*session, Undo{});
     take(*session, Undo{});
@@ -108,7 +95,6 @@ TEST_F(TimelineTab, AKeyIsDraggedInTimeInOneStep) {
     const std::size_t step = session->document.history.position();
     const ImVec2 from = place("key:view.azimuth@4");
     drag(from, {placeAt(2.03F).x - from.x, 0});
-    frames(2);
     EXPECT_EQ(keys()[1].time, 2) << "it comes to the grid";
     EXPECT_EQ(session->look.playback.time, 2);
     EXPECT_EQ(session->document.history.position(), step + 1);
@@ -119,21 +105,16 @@ TEST_F(TimelineTab, AKeyIsDraggedInTimeInOneStep) {
 TEST_F(TimelineTab, AClickChoosesAKeyAndItsControlsChangeIt) {
     turn();
     click("key:view.azimuth@4");
-    frames(2);
     EXPECT_EQ(session->look.playback.time, 4);
     click("key:easing");
-    frames(2);
     click("easing:ease-in-out");
-    frames(2);
     EXPECT_EQ(keys()[1].easing, Easing::EaseInOut);
     doubleClickAt(place("key:time"));
     key('A', {ctrl});
     type("3.25");
     key(key::enter);
-    frames(2);
     EXPECT_EQ(keys()[1].time, 3.25F);
     click("key:remove");
-    frames(2);
     EXPECT_EQ(keys().size(), 1U);
     EXPECT_FALSE(has("key:remove"));
 }
@@ -141,7 +122,6 @@ TEST_F(TimelineTab, AClickChoosesAKeyAndItsControlsChangeIt) {
 TEST_F(TimelineTab, KeysOfTheKeyboardMoveAndRemove) {
     turn();
     click("key:view.azimuth@4");
-    frames(2);
     key(key::left);
     EXPECT_EQ(keys()[1].time, 3.9F);
     EXPECT_EQ(session->look.playback.time, double{3.9F}) << "the clock follows";
@@ -152,7 +132,6 @@ TEST_F(TimelineTab, KeysOfTheKeyboardMoveAndRemove) {
     key('.');
     EXPECT_EQ(session->look.playback.time, 4);
     key(key::del);
-    frames(2);
     EXPECT_EQ(keys().size(), 1U);
     take(*session, Undo{});
     EXPECT_EQ(keys().size(), 2U);
@@ -161,14 +140,10 @@ TEST_F(TimelineTab, KeysOfTheKeyboardMoveAndRemove) {
 TEST_F(TimelineTab, AMenuHasEasingsAndRemoves) {
     turn();
     click("key:view.azimuth@0", ImGuiMouseButton_Right);
-    frames(2);
     click("key menu:hold");
-    frames(2);
     EXPECT_EQ(keys()[0].easing, Easing::Hold);
     click("track:view.azimuth", ImGuiMouseButton_Right);
-    frames(2);
     click("track menu:remove");
-    frames(2);
     EXPECT_TRUE(keys().empty());
     EXPECT_TRUE(has("timeline:empty"));
 }
@@ -176,25 +151,19 @@ TEST_F(TimelineTab, AMenuHasEasingsAndRemoves) {
 TEST_F(TimelineTab, MenusOpenByTheKeyboard) {
     turn();
     click("key:view.azimuth@0");
-    frames(2);
     key(key::menu);
-    frames(2);
     EXPECT_TRUE(has("key menu:hold"));
     key(key::escape);
-    frames(2);
     open("Texture");
     scrollTo("textures[0].lodBias");
     click("textures[0].lodBias");
-    frames(2);
     key(key::f10, {shift});
-    frames(2);
     EXPECT_TRUE(has("textures[0].lodBias#menu:key"));
 }
 
 TEST_F(TimelineTab, ADoubleClickAddsAKey) {
     turn();
     doubleClickAt(placeAt(1));
-    frames(2);
     ASSERT_EQ(keys().size(), 3U);
     EXPECT_EQ(keys()[2], (KeyFrame{1, "view.azimuth", "10"})) << "what it is then";
 }
@@ -202,7 +171,6 @@ TEST_F(TimelineTab, ADoubleClickAddsAKey) {
 TEST_F(TimelineTab, TheRulerMovesTheTimeAndThePanelsFollow) {
     turn();
     clickAt({placeAt(2).x, place("timeline:ruler").y});
-    frames(2);
     EXPECT_EQ(session->look.playback.time, 2);
     EXPECT_EQ(scene(), session->document.history.current()) << "the scene itself stays";
     click("timeline:next");
@@ -214,13 +182,11 @@ TEST_F(TimelineTab, TheRulerMovesTheTimeAndThePanelsFollow) {
 TEST_F(TimelineTab, TurningTheCameraByTheMouseIsAKey) {
     const float start = scene().view.azimuth;
     drag(place("view"), {-50, 0});
-    frames(2);
     const float way = scene().view.azimuth - start;
     turn();
     session->look.playback.time = 2;
     frames(2);
     drag(place("view"), {-50, 0});
-    frames(2);
     ASSERT_EQ(keys().size(), 3U);
     EXPECT_EQ(keys()[2].time, 2);
     EXPECT_NEAR(sceneAt(scene(), 2).view.azimuth, 20 + way, 1e-3F) << "from where it is then";

@@ -128,28 +128,20 @@ TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
     EXPECT_GT(different, 0) << "the reference rounds otherwise somewhere";
 }
 
-TEST_F(Comparison, TheStripSaysHowFarTheyAreApart) {
+// A ring says that something is over the tolerance: a difference of one pixel is within one of 255.
+TEST_F(Comparison, TheStripSaysHowFarTheyAreApartAndOnlyWhatIsOverTheToleranceIsRinged) {
     showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
-    static_cast<void>(window());
-    EXPECT_TRUE(has("share over"));
-    EXPECT_TRUE(has("mean difference"));
-    ASSERT_TRUE(has("worst"));
+    for (const int tolerance : {2, ViewSettings::maxTolerance}) {
+        session->view.tolerance = tolerance;
+        static_cast<void>(window());
+        for (const char* name : {"share over", "mean difference", "worst"})
+            EXPECT_TRUE(has(name)) << name;
+        EXPECT_EQ(has("ring"), tolerance == 2);
+    }
     session->view.compared = {RendererKind::Fixed, RendererKind::Fixed};
     static_cast<void>(window());
     EXPECT_TRUE(has("equal"));
     EXPECT_FALSE(has("worst"));
-}
-
-// A ring says that something is over the tolerance: a difference of one pixel is within one of 255.
-TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
-    showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
-    session->view.tolerance = 2;
-    static_cast<void>(window());
-    EXPECT_TRUE(has("ring"));
-    session->view.tolerance = ViewSettings::maxTolerance;
-    static_cast<void>(window());
-    ASSERT_TRUE(has("worst"));
-    EXPECT_FALSE(has("ring"));
 }
 
 // What is only noted, such as a border that the driver takes away, keeps no picture back.

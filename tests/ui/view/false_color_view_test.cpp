@@ -19,7 +19,7 @@ protected:
     }
 };
 
-TEST_F(FalseColorView, IsChosenInTheToolRow) {
+TEST_F(FalseColorView, IsChosenInTheToolRowAndInTheMenu) {
     EXPECT_FALSE(has("false colors:legend"));
     EXPECT_EQ(session->look.levels.answer, nullptr) << "hidden panels request no work";
     choose("lambda");
@@ -36,16 +36,13 @@ TEST_F(FalseColorView, IsChosenInTheToolRow) {
     EXPECT_FALSE(has("false colors:legend"));
     EXPECT_EQ(session->look.levels.answer, nullptr);
     EXPECT_FALSE(session->document.history.canUndo()) << "to look is no edit";
-}
-
-TEST_F(FalseColorView, IsChosenInTheMenu) {
     click("menu:View");
     click("menu:Picture or false colours");
     click("shown:lambda");
     EXPECT_EQ(session->view.shown, Shown::Lambda);
 }
 
-TEST_F(FalseColorView, TellsTheNumberUnderThePointer) {
+TEST_F(FalseColorView, TellsTheNumberUnderThePointerAndWhyThereIsNone) {
     choose("lambda");
     moveTo(onTheCube());
     EXPECT_TRUE(has("false colors:tip"));
@@ -57,6 +54,10 @@ TEST_F(FalseColorView, TellsTheNumberUnderThePointer) {
     EXPECT_FALSE(has("false colors:tip")) << "nothing is drawn there";
     moveTo({5, 5});
     EXPECT_FALSE(session->look.levels.hovered);
+    session->look.selection.unit = 2;
+    frames(2);
+    EXPECT_TRUE(has("false colors:none"));
+    EXPECT_FALSE(has("false colors:legend"));
 }
 
 // Opaque parts have exactly the false colour of the pixel.
@@ -81,14 +82,6 @@ TEST_F(FalseColorView, LiesOverThePicture) {
         }
     }
     EXPECT_GT(compared, 200);
-}
-
-TEST_F(FalseColorView, SaysWhyThereAreNone) {
-    choose("lambda");
-    session->look.selection.unit = 2;
-    frames(2);
-    EXPECT_TRUE(has("false colors:none"));
-    EXPECT_FALSE(has("false colors:legend"));
 }
 
 TEST_F(FalseColorView, IsSoundInANarrowWindowAndBesideADifference) {

@@ -29,15 +29,12 @@ protected:
     }
 };
 
-TEST_F(RendererChoice, TheMenuBarChoosesAmongThem) {
+TEST_F(RendererChoice, TheMenuBarKeysAndTheViewMenuChooseAmongThem) {
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         click("renderer:" + std::string(row.label));
         EXPECT_EQ(session->view.renderer, static_cast<RendererKind>(row.value)) << row.label;
     }
     EXPECT_FALSE(session->document.history.canUndo()) << "it is no edit of the scene";
-}
-
-TEST_F(RendererChoice, KeysAndTheViewMenuChooseToo) {
     key('3');
     EXPECT_EQ(session->view.renderer, RendererKind::Reference);
     key('2');
@@ -47,26 +44,19 @@ TEST_F(RendererChoice, KeysAndTheViewMenuChooseToo) {
     EXPECT_EQ(session->view.renderer, RendererKind::Fixed);
 }
 
-TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropy) {
-    Scene scene = defaultScene();
-    scene.textures[0].maxAnisotropy = 8;
-    start(std::move(scene), 800, 500);
-    showOne(session->view, RendererKind::Reference);
-    const auto probes = view();
-    click("menu:View");
-    click("menu:Anisotropy of the reference: Ellipse");
-    EXPECT_EQ(session->view.anisotropy, reference::AnisotropyMethod::Ellipse);
-    EXPECT_FALSE(view() == probes);
-}
-
-TEST_F(RendererChoice, TheReferenceHasBothEndsOfRho) {
+TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropyAndBothEndsOfRho) {
     start(defaultScene(), 800, 500);
     showOne(session->view, RendererKind::Reference);
-    const auto ideal = view();
-    click("menu:View");
-    click("menu:rho of the reference: Lower end");
+    for (const auto& [anisotropy, item] : {std::tuple(1.0F, "menu:rho of the reference: Lower end"),
+                                           std::tuple(8.0F, "menu:Anisotropy of the reference: Ellipse")}) {
+        texture().maxAnisotropy = anisotropy;
+        const auto before = view();
+        click("menu:View");
+        click(item);
+        EXPECT_FALSE(view() == before) << item;
+    }
+    EXPECT_EQ(session->view.anisotropy, reference::AnisotropyMethod::Ellipse);
     EXPECT_EQ(session->view.rho, reference::RhoMethod::Lower);
-    EXPECT_FALSE(view() == ideal);
 }
 
 /// A window whose host lacks some renderers.

@@ -14,9 +14,7 @@ using namespace test;
 class ViewPanel : public Workbench {
 protected:
     ImVec2 pixelOf(std::size_t model, std::size_t vertex) {
-        const float aspect =
-            static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height);
-        const glm::vec2 at = projectVertex(scene(), model, vertex, 0, aspect).value();
+        const glm::vec2 at = projectVertex(scene(), model, vertex, 0, aspectOf(layout)).value();
         return {static_cast<float>(layout.picture.x) + at.x * static_cast<float>(layout.picture.width),
                 static_cast<float>(layout.picture.y) + at.y * static_cast<float>(layout.picture.height)};
     }
@@ -178,14 +176,11 @@ TEST_F(ViewPanel, SeamsChangeTheWidthsOfTheColumns) {
 
 /// Every pixel belongs to a panel, at every size, and GL has nothing to say.
 TEST_F(ViewPanel, PanelsCoverTheWholeWindow) {
-    struct Size {
-        int width, height;
-        float scale;
-    };
-    for (const Size size : {Size{1280, 800, 1}, Size{640, 400, 1}, Size{1920, 1200, 1.5F}}) {
-        start(defaultScene(), size.width, size.height, size.scale);
+    for (const auto& [width, height, scale] :
+         {std::tuple(1280, 800, 1.0F), std::tuple(640, 400, 1.0F), std::tuple(1920, 1200, 1.5F)}) {
+        start(defaultScene(), width, height, scale);
         frames(2);
-        EXPECT_EQ(pixelsOfNoPanel(picture()), 0) << size.width;
+        EXPECT_EQ(pixelsOfNoPanel(picture()), 0) << width;
     }
 }
 

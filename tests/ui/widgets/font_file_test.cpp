@@ -1,4 +1,4 @@
-#include "app/ui/widgets/font_file.h"
+#include "app/ui/widgets/fonts.h"
 #include "tests/support/temp_dir.h"
 #include "texplorer/files/file_io.h"
 

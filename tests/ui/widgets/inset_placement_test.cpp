@@ -24,10 +24,6 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 class InsetPlacement : public testing::TestWithParam<Case> {};
 
-bool overlap(const Box& a, const Box& b) {
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-}
-
 TEST_P(InsetPlacement, MarksStayInSightWhereverTheyAre) {
     const auto& [name, marks, size, count] = GetParam();
     const std::array kept{image, Uncovered{marks, 100}};
@@ -42,9 +38,9 @@ TEST_P(InsetPlacement, MarksStayInSightWhereverTheyAre) {
         EXPECT_GE(boxes[i].low.y, 0);
         EXPECT_LE(boxes[i].high.x, 100);
         EXPECT_LE(boxes[i].high.y, 100);
-        EXPECT_FALSE(overlap(boxes[i], marks));
+        EXPECT_FALSE(overlaps(boxes[i], marks));
         for (std::size_t j = 0; j < i; ++j)
-            EXPECT_FALSE(overlap(boxes[i], boxes[j]));
+            EXPECT_FALSE(overlaps(boxes[i], boxes[j]));
     }
 }
 

@@ -7,14 +7,11 @@ using namespace test;
 
 class VectorControls : public Workbench {};
 
-TEST_F(VectorControls, HaveLettersBesideTheirColours) {
+TEST_F(VectorControls, HaveLettersBesideTheirColoursWhereTheNumberLeavesRoom) {
     click("parameters:Light");
     for (const char* letter : {"letter:x", "letter:y", "letter:z"})
         EXPECT_TRUE(has(letter)) << letter;
     EXPECT_FALSE(has("letter:s"));
-}
-
-TEST_F(VectorControls, LeaveALetterOutWhereTheNumberNeedsItsRoom) {
     start(defaultScene(), 1024, 700);
     scene().light.position = {-999.99F, -999.99F, -999.99F, 1};
     scene().light.projector.target = {-999.99F, -999.99F, -999.99F};
@@ -23,18 +20,14 @@ TEST_F(VectorControls, LeaveALetterOutWhereTheNumberNeedsItsRoom) {
 }
 
 TEST_F(VectorControls, NameTheCoordinateThatARowOfAMatrixMakes) {
-    MatrixStep step;
-    step.op = MatrixOp::Multiply;
-    unit().matrix = {step};
+    unit().matrix = {{.op = MatrixOp::Multiply}};
     open("Texture matrix");
     for (const char* letter : {"letter:s", "letter:t", "letter:r", "letter:q"})
         EXPECT_TRUE(has(letter)) << letter;
 }
 
 TEST_F(VectorControls, HaveTheirUnitNextToTheLabel) {
-    MatrixStep step;
-    step.op = MatrixOp::Rotate;
-    unit().matrix = {step};
+    unit().matrix = {{.op = MatrixOp::Rotate}};
     open("Texture matrix");
     scrollTo("passes[0].units[0].matrix[0].rate[1]");
     EXPECT_TRUE(has("passes[0].units[0].matrix[0].rate#unit"));

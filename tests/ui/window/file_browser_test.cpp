@@ -11,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <set>
 
 namespace texplorer::ui::file_browser_test {
@@ -32,8 +31,15 @@ protected:
         key(key::enter);
     }
     void change() { choose("textures[0].wrapS", "GL_CLAMP"); }
+    /// A picture as texshot writes it, in "made.png".
+    Bytes writePicture(const Scene& drawn) {
+        Bytes png = encodePng(plain, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value();
+        EXPECT_TRUE(writeFileAtomically(folder / "made.png", png));
+        return png;
+    }
 
     texplorer::test::TempDir folder;
+    const Image plain{PixelFormat::Rgb8, 2, 2, 1, Bytes(12, std::byte{7})};
 };
 
 TEST_F(FileBrowserDialog, SaysWhatAnEmptyFolderLacks) {
@@ -79,11 +85,8 @@ TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
     Scene drawn = defaultScene();
     drawn.textures[0].wrapS = Wrap::MirroredRepeat;
     drawn.view.distance = 9; // not the start's, which is fitted to the view
-    Image picture = Image::uninitialised(PixelFormat::Rgb8, 2, 2);
-    std::ranges::fill(picture.pixels, std::byte{7});
-    const Bytes png = encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value();
-    ASSERT_TRUE(writeFileAtomically(folder / "made.png", png));
-    ASSERT_TRUE(writeFileAtomically(folder / "plain.png", encodePng(picture).value()));
+    const Bytes png = writePicture(drawn);
+    ASSERT_TRUE(writeFileAtomically(folder / "plain.png", encodePng(plain).value()));
     for (const char* name : {"a.json", "b.texplorer.json", "c.suite.json", "d.txt"})
         write(folder / name, R"({"version": 1})");
     session->document.file = folder / "a.json";
@@ -114,11 +117,8 @@ TEST_F(FileBrowserDialog, APictureThatTexshotHasDrawnIsAScene) {
 TEST_F(FileBrowserDialog, WhatIsMeantByAPictureWithItsSceneIsAsked) {
     Scene drawn = defaultScene();
     drawn.textures[0].wrapS = Wrap::MirroredRepeat;
-    Image picture = Image::uninitialised(PixelFormat::Rgb8, 2, 2);
-    std::ranges::fill(picture.pixels, std::byte{7});
     const std::filesystem::path made = folder / "made.png";
-    ASSERT_TRUE(writeFileAtomically(
-        made, encodePng(picture, {.texts = {{sceneKeyword, writeScene(drawn)}}}).value()));
+    static_cast<void>(writePicture(drawn));
     requestOpen(*session, {made});
     frames(3);
     ASSERT_EQ(session->asking.dialog, Dialog::Picture);
@@ -165,40 +165,31 @@ TEST_F(FileBrowserDialog, AnExistingFileIsNotReplacedUnasked) {
 }
 
 struct Refused {
-    const char* name;
     const char* file;
     const char* content; // nullptr: there is no such file
     const char* sentence;
 };
 
-void PrintTo(const Refused& refused, std::ostream* out) {
-    *out << refused.name;
-}
-
-class RefusedScene : public FileBrowserDialog, public testing::WithParamInterface<Refused> {};
-
-TEST_P(RefusedScene, SaysWhyAndChangesNothing) {
+TEST_F(FileBrowserDialog, WhatIsNoSceneIsSaidAndChangesNothing) {
     const Scene before = scene();
-    if (GetParam().content)
-        write(folder / GetParam().file, GetParam().content);
-    key('O', {ctrl});
-    enter(folder / GetParam().file);
-    EXPECT_EQ(session->asking.dialog, Dialog::OpenScene) << "the list stays open";
-    EXPECT_THAT(states.dialogs.browser.error, HasSubstr(GetParam().sentence));
-    EXPECT_TRUE(has("browser:error"));
-    key(key::escape);
-    EXPECT_EQ(session->asking.dialog, Dialog::None);
-    EXPECT_EQ(scene(), before);
-    EXPECT_TRUE(session->document.file.empty());
+    for (const auto& [file, content, sentence] :
+         {Refused{"none.json", nullptr, "no file"},
+          Refused{"cut.json", R"({"version": 1, "textures": [)", ""},
+          Refused{"name.json", R"({"textures": [{"wrapS": "GL_SOMETIMES"}]})", "GL_REPEAT"}}) {
+        SCOPED_TRACE(file);
+        if (content)
+            write(folder / file, content);
+        key('O', {ctrl});
+        enter(folder / file);
+        EXPECT_EQ(session->asking.dialog, Dialog::OpenScene) << "the list stays open";
+        EXPECT_THAT(states.dialogs.browser.error, HasSubstr(sentence));
+        EXPECT_TRUE(has("browser:error"));
+        key(key::escape);
+        EXPECT_EQ(session->asking.dialog, Dialog::None);
+        EXPECT_EQ(scene(), before);
+        EXPECT_TRUE(session->document.file.empty());
+    }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    All, RefusedScene,
-    testing::Values(Refused{"Missing", "none.json", nullptr, "no file"},
-                    Refused{"Truncated", "cut.json", R"({"version": 1, "textures": [)", ""},
-                    Refused{"UnknownName", "name.json", R"({"textures": [{"wrapS": "GL_SOMETIMES"}]})",
-                            "GL_REPEAT"}),
-    [](const auto& test) { return test.param.name; });
 
 TEST_F(FileBrowserDialog, AMissingImageIsSaidOnceTheListIsClosed) {
     const Scene before = scene();

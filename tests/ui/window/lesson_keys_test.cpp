@@ -22,7 +22,8 @@ using testing::ElementsAre;
 
 class LessonKeys : public Workbench {
 protected:
-    void open(std::size_t step = 0) {
+    LessonKeys() { open(0); }
+    void open(std::size_t step) {
         ASSERT_TRUE(openLessonNamed(*session, "bumps", step));
         frames(4);
     }
@@ -43,7 +44,6 @@ protected:
 
 // Two units: sum, base; one: bump, inverse, base; none: base alone. The plates come last.
 TEST_F(LessonKeys, AreThoseOfTheProgram) {
-    open();
     EXPECT_THAT(passes(), ElementsAre(true, false, false, true, false, true, true));
     key('M');
     EXPECT_THAT(passes(), ElementsAre(false, true, true, true, false, true, false));
@@ -60,7 +60,6 @@ TEST_F(LessonKeys, AreThoseOfTheProgram) {
 }
 
 TEST_F(LessonKeys, AChoiceThatAnotherOverridesIsKept) {
-    open();
     key('B');
     const Scene without = scene();
     key('E');
@@ -70,7 +69,6 @@ TEST_F(LessonKeys, AChoiceThatAnotherOverridesIsKept) {
 }
 
 TEST_F(LessonKeys, TwoArrowsAreAdded) {
-    open();
     const glm::vec3 before = scene().models[0].spin;
     setHeld(key::right, true);
     hold(key::up, 3);
@@ -80,7 +78,6 @@ TEST_F(LessonKeys, TwoArrowsAreAdded) {
 }
 
 TEST_F(LessonKeys, FTakesTheNextFilterInTheCameraAsItIs) {
-    open();
     scene().view.azimuth = 33;
     EXPECT_EQ(texture().minFilter, MinFilter::Linear);
     key('F');
@@ -104,7 +101,6 @@ TEST_F(LessonKeys, FTakesTheNextFilterInTheCameraAsItIs) {
 }
 
 TEST_F(LessonKeys, DoNothingElse) {
-    open();
     clickAt(place("lesson title"));
     const float distance = scene().view.distance;
     key(key::pageDown);
@@ -121,20 +117,20 @@ TEST_F(LessonKeys, AreNoLongerOfferedForWhatTheyDidBefore) {
             return item.first.starts_with("view hints:") && item.first.find(words) != std::string::npos;
         });
     };
-    EXPECT_TRUE(offered("Hold E"));
-    EXPECT_TRUE(offered("M: magnifier"));
-    EXPECT_EQ(keysOf(*session, "frame"), "F");
-    open();
     EXPECT_FALSE(offered("Hold E"));
     EXPECT_FALSE(offered("M: magnifier"));
     EXPECT_TRUE(offered("Drag: orbit"));
     EXPECT_EQ(keysOf(*session, "frame"), "");
     EXPECT_EQ(keysOf(*session, "search"), "Ctrl+F");
     EXPECT_EQ(keysOf(*session, "note"), "N");
+    closeLesson(*session);
+    frames(4);
+    EXPECT_TRUE(offered("Hold E"));
+    EXPECT_TRUE(offered("M: magnifier"));
+    EXPECT_EQ(keysOf(*session, "frame"), "F");
 }
 
 TEST_F(LessonKeys, EachPressIsAStepOfUndo) {
-    open();
     key('M');
     key('B');
     undoOnce();
@@ -147,7 +143,6 @@ TEST_F(LessonKeys, EachPressIsAStepOfUndo) {
 }
 
 TEST_F(LessonKeys, ArrowsGoOnWhileTheyAreHeld) {
-    open();
     const glm::vec3 spin = scene().models[0].spin;
     key(key::up);
     EXPECT_NEAR(scene().models[0].spin.x, spin.x - 0.6F, 1e-4F) << "0.01 degrees a frame";
@@ -166,7 +161,6 @@ TEST_F(LessonKeys, ArrowsGoOnWhileTheyAreHeld) {
 }
 
 TEST_F(LessonKeys, TheWindowGoesOnWhileOneIsHeld) {
-    open();
     session->look.playback.playing = false;
     EXPECT_FALSE(isMoving(*session));
     setHeld(key::up, true);
@@ -181,7 +175,6 @@ TEST_F(LessonKeys, TheWindowGoesOnWhileOneIsHeld) {
 }
 
 TEST_F(LessonKeys, GoBeforeTheWindowsOwn) {
-    open();
     session->look.explaining.pixel = {100, 100};
     moveTo(ImVec2(static_cast<float>(layout.view.x + layout.view.width / 2),
                   static_cast<float>(layout.view.y + layout.view.height / 2)));
@@ -194,7 +187,6 @@ TEST_F(LessonKeys, GoBeforeTheWindowsOwn) {
 }
 
 TEST_F(LessonKeys, AreLettersWhereOneTypes) {
-    open();
     session->out.wantsSearch = true;
     frames(4);
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
@@ -203,7 +195,6 @@ TEST_F(LessonKeys, AreLettersWhereOneTypes) {
 }
 
 TEST_F(LessonKeys, AreClickedAsWell) {
-    open();
     click("lesson key:M");
     EXPECT_TRUE(has("lesson key:M=one unit"));
     click("lesson key:Up");
@@ -222,7 +213,6 @@ TEST_F(LessonKeys, DoNothingWhereTheSceneHasNotWhatTheyChange) {
 }
 
 TEST_F(LessonKeys, AreListedAmongAllKeysWhileTheLessonIsOpen) {
-    open();
     key(key::f1);
     frames(3);
     EXPECT_TRUE(has("help:Multitexture"));
@@ -235,7 +225,6 @@ TEST_F(LessonKeys, AreListedAmongAllKeysWhileTheLessonIsOpen) {
 }
 
 TEST_F(LessonKeys, EndWithTheLesson) {
-    open();
     closeLesson(*session);
     frames(3);
     const Scene before = scene();

@@ -6,7 +6,10 @@
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 #include "texplorer/files/file_io.h"
+#include "texplorer/preset/preset.h"
 #include "texplorer/scene/storage/scene_link.h"
+
+#include <imgui_internal.h>
 
 namespace texplorer::menu_bar_test {
 namespace {
@@ -21,7 +24,17 @@ using testing::StartsWith;
 class MenuBar : public test::Workbench {
 protected:
     [[nodiscard]] int& percent() { return session->settings.textPercent; }
+    void item(std::string_view menu, std::string_view name) {
+        click("menu:" + std::string(menu));
+        click("menu:" + std::string(name));
+    }
+    void choosePreset(std::string_view name) {
+        click("menu:Presets");
+        click("preset:" + std::string(name));
+    }
 };
+using PresetsMenu = MenuBar;
+using EditMenu = MenuBar;
 
 TEST_F(MenuBar, TextGrowsAndShrinksByKeys) {
     const float before = ImGui::GetFontSize();
@@ -89,8 +102,7 @@ TEST_F(MenuBar, EverySizeOfTextFillsTheWindow) {
 }
 
 TEST_F(MenuBar, AThemeIsChosenInTheMenu) {
-    click("menu:View");
-    click("menu:Theme");
+    item("View", "Theme");
     click("menu:Light colours");
     EXPECT_EQ(session->settings.theme, Theme::Light);
     frames(1);
@@ -100,8 +112,7 @@ TEST_F(MenuBar, AThemeIsChosenInTheMenu) {
 }
 
 TEST_F(MenuBar, TextSizesAreInTheMenu) {
-    click("menu:View");
-    click("menu:Text size");
+    item("View", "Text size");
     click("menu:200 %");
     EXPECT_EQ(percent(), 200);
 }
@@ -119,8 +130,7 @@ TEST_F(MenuBar, HelpStandsBelowOrBesideThePointer) {
 TEST_F(MenuBar, ALinkLeadsBackToTheScene) {
     texture().wrapS = Wrap::ClampToBorder;
     recordEdit(*session, "Wrap s");
-    click("menu:File");
-    click("menu:Copy link to this scene");
+    item("File", "Copy link to this scene");
     const std::string link = ImGui::GetClipboardText();
     EXPECT_THAT(link, StartsWith("texplorer:1:"));
     EXPECT_TRUE(session->look.notice.isGood);
@@ -167,15 +177,154 @@ TEST_F(MenuBar, RecentFilesOpenAgain) {
     const Settings settings = session->settings;
     start(defaultScene());
     session->settings = settings;
-    click("menu:File");
-    click("menu:Open recent");
+    item("File", "Open recent");
     click("menu:mine.json");
     frames(2);
     EXPECT_EQ(session->document.file, folder / "mine.json");
-    click("menu:File");
-    click("menu:Open recent");
+    item("File", "Open recent");
     click("menu:Forget these files");
     EXPECT_TRUE(session->settings.recentFiles.empty());
+}
+
+TEST_F(EditMenu, NamesWhatItUndoesAndRedoes) {
+    choose("textures[0].wrapS", "GL_CLAMP");
+    item("Edit", "Undo Wrap s: Clamp (legacy)");
+    EXPECT_EQ(texture().wrapS, Wrap::Repeat);
+    item("Edit", "Redo Wrap s: Clamp (legacy)");
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+}
+
+TEST_F(EditMenu, ResetsATextureToGlsInitialValuesButKeepsItsImage) {
+    texture().pattern = Pattern::Brick;
+    texture().wrapS = Wrap::Clamp;
+    item("Edit", "Texture parameters");
+    EXPECT_EQ(texture().pattern, Pattern::Brick);
+    EXPECT_EQ(texture().wrapS, Wrap::Repeat);
+    EXPECT_EQ(texture().minFilter, MinFilter::NearestMipmapLinear);
+}
+
+TEST_F(EditMenu, ResetsAUnitButKeepsItsBinding) {
+    unit().envMode = EnvMode::Add;
+    unit().matrix.resize(3);
+    item("Edit", "Texture unit");
+    EXPECT_EQ(unit(), (Unit{.enabled = true}));
+}
+
+TEST_F(EditMenu, ResetsEverythingAndUndoesIt) {
+    const Scene before = scene();
+    item("Edit", "Everything but models and view");
+    EXPECT_EQ(scene().material, Material{});
+    EXPECT_EQ(scene().light, Light{});
+    EXPECT_EQ(scene().models, before.models);
+    EXPECT_EQ(scene().view, before.view);
+    key('Z', {ctrl});
+    EXPECT_EQ(scene(), before);
+}
+
+TEST_F(EditMenu, ViewShowsShapes) {
+    item("View", "Show Cube");
+    EXPECT_TRUE(scene().models[0].visible);
+    EXPECT_FALSE(scene().models[1].visible);
+}
+
+TEST_F(EditMenu, ArrowsAndEnterWorkInAnOpenList) {
+    scrollTo("textures[0].internalFormat");
+    click("textures[0].internalFormat");
+    key(ui::key::down);
+    key(ui::key::space);
+    EXPECT_NE(texture().internalFormat, InternalFormat::Rgba);
+    EXPECT_TRUE(session->look.playback.playing) << "Space was the list's";
+}
+
+TEST_F(EditMenu, TheListsFollowWhatUndoShows) {
+    item("View", "Show Sphere");
+    EXPECT_EQ(session->look.selection.model, 1);
+    scene().models[0].visible = true;
+    scene().models[1].visible = false;
+    recordEdit(*session, "Visible");
+    EXPECT_EQ(session->look.selection.model, 1) << "hiding a model does not move the selection off it";
+    key('Z', {ctrl});
+    EXPECT_EQ(session->look.selection.model, 1);
+    key('Y', {ctrl});
+    EXPECT_EQ(session->look.selection.model, 0);
+}
+
+TEST_F(PresetsMenu, OffersEachOfThem) {
+    click("menu:Presets");
+    for (const Preset& each : presets())
+        EXPECT_TRUE(has("preset:" + std::string(each.name))) << each.name;
+}
+
+TEST_F(PresetsMenu, IsOneStepOfUndoThatBearsItsName) {
+    const Scene before = scene();
+    choosePreset("alpha-test");
+    EXPECT_TRUE(scene().passes[0].alphaTest);
+    EXPECT_EQ(texture().pattern, Pattern::Tree);
+    EXPECT_EQ(session->document.history.undoName(), "Alpha test > 0.5");
+    EXPECT_THAT(session->look.notice.text, HasSubstr("the far sides show through the holes"));
+    key('Z', {ctrl});
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->document.history.canUndo());
+}
+
+TEST_F(PresetsMenu, IsAboutTheSelectedUnit) {
+    session->look.selection.unit = 1;
+    choosePreset("sphere-map");
+    EXPECT_FALSE(scene().passes[0].units[0].texGenS.enabled);
+    EXPECT_TRUE(scene().passes[0].units[1].texGenS.enabled);
+}
+
+TEST_F(PresetsMenu, ShowsWhatItWouldDoWhileThePointerRestsOnIt) {
+    const Scene before = scene();
+    click("menu:Presets");
+    moveTo(place("preset:anisotropy"));
+    ASSERT_TRUE(session->look.preview);
+    EXPECT_EQ(session->look.preview->scene->textures[0].maxAnisotropy, 16);
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->document.history.canUndo());
+    moveTo(place("preset:decal"));
+    ASSERT_TRUE(session->look.preview);
+    EXPECT_EQ(session->look.preview->scene->passes[0].units[0].envMode, EnvMode::Decal);
+    moveTo({600, 700});
+    EXPECT_FALSE(session->look.preview);
+}
+
+TEST_F(PresetsMenu, ExplainsItselfBesideTheMenuAndThePicture) {
+    click("menu:Presets");
+    for (const Preset& each : presets()) {
+        moveTo(place("preset:" + std::string(each.name)));
+        const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+        ASSERT_TRUE(tip && tip->Active) << each.name;
+        for (const char* covered : {"View", "##Menu_00"}) {
+            const ImGuiWindow* other = ImGui::FindWindowByName(covered);
+            ASSERT_TRUE(other && other->Active) << covered;
+            EXPECT_FALSE(tip->Rect().Overlaps(other->Rect())) << each.name << " over " << covered;
+        }
+    }
+}
+
+TEST_F(PresetsMenu, LetsWhatMovesPlay) {
+    session->look.playback.playing = false;
+    choosePreset("decal");
+    EXPECT_FALSE(session->look.playback.playing);
+    choosePreset("scroll");
+    EXPECT_TRUE(session->look.playback.playing);
+}
+
+TEST_F(PresetsMenu, SelectsAModelThatOneSees) {
+    session->look.selection.vertex = 3;
+    choosePreset("shimmer");
+    EXPECT_EQ(scene().models[static_cast<std::size_t>(session->look.selection.model)].shape, Shape::Floor);
+    EXPECT_FALSE(session->look.selection.vertex);
+}
+
+TEST_F(PresetsMenu, SaysWhyThereIsNoRoom) {
+    for (Unit& each : scene().passes[0].units)
+        each.enabled = true;
+    const Scene before = scene();
+    choosePreset("detail");
+    EXPECT_EQ(scene(), before);
+    EXPECT_THAT(session->look.notice.text, HasSubstr("4 units"));
 }
 
 } // namespace

@@ -10,7 +10,7 @@ using reference::PixelPlace;
 
 class PixelKeys : public Workbench {
 protected:
-    void begin() {
+    PixelKeys() {
         session->look.explaining.pixel = {100, 100};
         moveTo(middleOf(layout.view));
     }
@@ -21,7 +21,6 @@ protected:
 };
 
 TEST_F(PixelKeys, MoveThePixelThatIsExplained) {
-    begin();
     key(key::right);
     EXPECT_EQ(pixel(), (PixelPlace{101, 100}));
     key(key::up);
@@ -35,7 +34,6 @@ TEST_F(PixelKeys, MoveThePixelThatIsExplained) {
 }
 
 TEST_F(PixelKeys, KeepItInThePicture) {
-    begin();
     session->look.explaining.pixel = {3, layout.picture.height - 2};
     key(key::left, {shift});
     key(key::up, {shift});
@@ -43,7 +41,6 @@ TEST_F(PixelKeys, KeepItInThePicture) {
 }
 
 TEST_F(PixelKeys, BelongToOthersElsewhere) {
-    begin();
     for (const Rect& other : {layout.parameters, layout.texture}) {
         moveTo(middleOf(other));
         key(key::right);
@@ -56,7 +53,6 @@ TEST_F(PixelKeys, BelongToOthersElsewhere) {
 }
 
 TEST_F(PixelKeys, GoWithWhatWasUsedLastWhereThePointerIsOverNothing) {
-    begin();
     clickAt(middleOf(layout.view));
     const PixelPlace clicked = pixel();
     moveTo({-100, -100});

@@ -70,35 +70,33 @@ TEST_F(Workbench, TabIsATextFieldsWhileItHasTheKeyboard) {
     EXPECT_EQ(maximisedOf(session->settings.workspace), Maximised::None);
 }
 
-TEST_F(Workbench, F11FillsTheScreenAndGivesItBack) {
-    key(ui::key::f11);
-    EXPECT_TRUE(session->window.fillsScreen);
-    key(ui::key::f11);
-    EXPECT_FALSE(session->window.fillsScreen);
-}
-
-TEST_F(Workbench, F12AsksForAPicture) {
+TEST_F(Workbench, KeysSwitchWhatTheySayWithTheirModifiers) {
+    for (const bool on : {true, false}) {
+        key(ui::key::f11);
+        EXPECT_EQ(session->window.fillsScreen, on);
+    }
     key(ui::key::f12);
     EXPECT_EQ(session->window.wantedCapture, Capture::Window);
     key(ui::key::f12, {shift});
     EXPECT_EQ(session->window.wantedCapture, Capture::View);
+    key('M', {shift});
+    EXPECT_FALSE(session->view.magnifies);
+    key('M');
+    EXPECT_TRUE(session->view.magnifies);
 }
 
 TEST_F(Workbench, F1ListsTheKeys) {
     key(ui::key::f1);
     EXPECT_EQ(session->asking.dialog, Dialog::Help);
-    EXPECT_TRUE(has("help:close"));
     key(ui::key::f11); // a dialog has its own keys
     EXPECT_FALSE(session->window.fillsScreen);
+    key(ui::key::space);
+    EXPECT_TRUE(session->look.playback.playing);
+    click("help:close");
+    EXPECT_FALSE(has("help:close"));
+    key(ui::key::f1);
     key(ui::key::escape);
     EXPECT_EQ(session->asking.dialog, Dialog::None);
-}
-
-TEST_F(Workbench, AModifierMakesAnotherShortcut) {
-    key('M', {shift});
-    EXPECT_FALSE(session->view.magnifies);
-    key('M');
-    EXPECT_TRUE(session->view.magnifies);
 }
 
 } // namespace

@@ -9,11 +9,8 @@ using namespace ui;
 
 class Tour : public test::Workbench {};
 
-TEST_F(Tour, IsNotShownUnlessItIsAskedFor) {
-    EXPECT_FALSE(has("tour:Next"));
-}
-
 TEST_F(Tour, LeadsThroughItsSteps) {
+    EXPECT_FALSE(has("tour:Next")) << "it is not asked for";
     click("menu:Help");
     click("menu:Tour");
     frames(2);
