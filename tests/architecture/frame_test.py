@@ -51,7 +51,7 @@ class Frame(unittest.TestCase):
 
     def test_panels_only_read_the_session(self):
         """They request what they want changed."""
-        acting = {"workbench.h", "shortcuts.h", "text_size.h", "notes.h", "lesson_keys.h"}  # the frame, and actions
+        acting = {"workbench.h", "shortcuts.h", "text_size.h", "notes.h"}  # the frame, and actions
         for folder in PANELS:
             for header in sorted(folder.glob("*.h")):
                 if header.parent.name == "window" and header.name in acting:
