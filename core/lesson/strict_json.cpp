@@ -57,7 +57,7 @@ public:
     bool parse_error(std::size_t position, const std::string& /*token*/,
                      const nlohmann::json::exception& error) override {
         const std::string_view read = text_.substr(0, std::min(text_.size(), position));
-        problem_ = Error{ErrorCode::Malformed, mistakeIn(error.id, error.what()),
+        problem_ = Error{ErrorCode::Malformed, mistakeIn(error.id, error.what(), wordAt(text_, position)),
                          fmt::format("line {}", 1 + std::ranges::count(read, '\n'))};
         return false;
     }

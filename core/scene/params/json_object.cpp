@@ -2,7 +2,7 @@
 
 #include "texplorer/scene/params/param_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
@@ -19,27 +19,21 @@ std::string foundText(const nlohmann::json& json) {
     return json.dump();
 }
 
-JsonObject::JsonObject(const nlohmann::json& json, std::string where, std::optional<Error>& problem,
-                       Tells tells)
+JsonObject::JsonObject(const nlohmann::json& json, std::string where, std::optional<Error>& problem)
     : json_(json)
     , where_(std::move(where))
-    , problem_(problem)
-    , tells_(tells) {
+    , problem_(problem) {
     if (!json.is_object())
-        say(ErrorCode::Malformed, "", sentence("an object", &json));
+        say(ErrorCode::Malformed, "", fmt::format("expected {}, found {}", "an object", foundText(json)));
 }
 
 JsonObject::~JsonObject() {
     if (!json_.is_object() || problem_)
         return;
     for (const auto& [key, value] : json_.items()) {
-        if (std::ranges::find(taken_, key) != taken_.end())
-            continue;
-        if (tells_ == Tells::Found)
+        if (std::ranges::find(taken_, key) == taken_.end())
             say(ErrorCode::Malformed, shortened(key),
                 fmt::format("unknown key; {}", suggestName(key, taken_)));
-        else
-            say(ErrorCode::Malformed, key, fmt::format("expected one of {}", fmt::join(taken_, ", ")));
     }
 }
 
@@ -110,12 +104,9 @@ void JsonObject::whole(const char* key, int& target, int min, int max) {
 
 void JsonObject::refuse(const std::string& key, const std::string& expected) {
     const auto found = json_.is_object() ? json_.find(key) : json_.end();
-    say(ErrorCode::Malformed, key, sentence(expected, found == json_.end() ? nullptr : &*found));
-}
-
-std::string JsonObject::sentence(const std::string& expected, const nlohmann::json* found) const {
-    return found && tells_ == Tells::Found ? fmt::format("expected {}, found {}", expected, foundText(*found))
-                                           : fmt::format("expected {}", expected);
+    say(ErrorCode::Malformed, key,
+        found == json_.end() ? fmt::format("expected {}", expected)
+                             : fmt::format("expected {}, found {}", expected, foundText(*found)));
 }
 
 void JsonObject::refuseCount(const char* key, std::size_t min, std::size_t max, std::size_t found) {

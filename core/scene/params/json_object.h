@@ -17,11 +17,7 @@ namespace texplorer {
 /// unknown. Only the first problem is reported.
 class JsonObject {
 public:
-    /// What a sentence tells: what is expected, or what was found as well, and which key may be meant.
-    enum class Tells : bool { Expected, Found };
-
-    JsonObject(const nlohmann::json& json, std::string where, std::optional<Error>& problem,
-               Tells tells = Tells::Found);
+    JsonObject(const nlohmann::json& json, std::string where, std::optional<Error>& problem);
     ~JsonObject();
     JsonObject(const JsonObject&) = delete;
     JsonObject& operator=(const JsonObject&) = delete;
@@ -72,13 +68,11 @@ private:
         for (std::size_t i = 0; i < values.size() && !problem_; ++i)
             take(values[i], placeOf(key) + "/" + std::to_string(i));
     }
-    [[nodiscard]] std::string sentence(const std::string& expected, const nlohmann::json* found) const;
     void refuseCount(const char* key, std::size_t min, std::size_t max, std::size_t found);
 
     const nlohmann::json& json_;
     std::string where_;
     std::optional<Error>& problem_;
-    Tells tells_;
     std::vector<std::string_view> taken_;
 };
 

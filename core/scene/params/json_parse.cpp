@@ -69,8 +69,9 @@ struct Frame {
 
 class Reader : public nlohmann::json_sax<FloatJson> {
 public:
-    explicit Reader(Scene& scene)
-        : scene_(scene) {}
+    Reader(Scene& scene, std::string_view text)
+        : scene_(scene)
+        , text_(text) {}
 
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
@@ -105,7 +106,8 @@ public:
     bool end_object() override;
     bool start_array(std::size_t) override;
     bool end_array() override;
-    bool parse_error(std::size_t, const std::string& token, const FloatJson::exception& problem) override;
+    bool parse_error(std::size_t position, const std::string& token,
+                     const FloatJson::exception& problem) override;
 
 private:
     /// The parameter that a scalar or an array of numbers would be for; nullptr where none may come.
@@ -132,6 +134,7 @@ private:
     }
 
     Scene& scene_;
+    std::string_view text_;
     std::vector<Frame> frames_;
     std::optional<Error> error_;
 };
@@ -162,7 +165,7 @@ std::string Reader::expected() const {
     switch (frame.kind) {
     case Frame::Kind::Object:
         if (frame.versionNext)
-            return fmt::format("a version number from 1 to {}", sceneFormatVersion);
+            return fmt::format("version {}", sceneFormatVersion);
         if (frame.schemaNext)
             return "a text";
         if (frame.row)
@@ -378,7 +381,8 @@ bool Reader::numbersEnded(const Frame& ended) {
     }
 }
 
-bool Reader::parse_error(std::size_t, const std::string& token, const FloatJson::exception& problem) {
+bool Reader::parse_error(std::size_t position, const std::string& token,
+                         const FloatJson::exception& problem) {
     constexpr int numberOverflow = 406;
     if (problem.id == numberOverflow)
         return refuse(shortened(token));
@@ -388,12 +392,11 @@ bool Reader::parse_error(std::size_t, const std::string& token, const FloatJson:
     constexpr std::string_view before = "parse error at ";
     if (const std::size_t at = text.find(before); at != std::string_view::npos)
         text.remove_prefix(at + before.size());
-    text = text.substr(0, text.find("; last read")); // which may be long, and not even UTF-8
     const std::size_t colon = text.find(": ");
-    error_ = colon == std::string_view::npos
-                 ? Error{ErrorCode::Malformed, std::string(text), {}}
-                 : Error{ErrorCode::Malformed, readableProblem(text.substr(colon + 2)),
-                         std::string(text.substr(0, colon))};
+    const std::string said = readableProblem(colon == std::string_view::npos ? text : text.substr(colon + 2),
+                                             wordAt(text_, position));
+    error_ = Error{ErrorCode::Malformed, said,
+                   std::string(colon == std::string_view::npos ? std::string_view() : text.substr(0, colon))};
     return false;
 }
 
@@ -410,7 +413,7 @@ Result<Scene> parseScene(std::string_view json) {
         return fail(whole.error());
 
     Scene scene = defaultScene();
-    Reader reader(scene);
+    Reader reader(scene, json);
     const bool parsed = FloatJson::sax_parse(json.begin(), json.end(), &reader);
     if (reader.error())
         return fail(*reader.error());

@@ -1,6 +1,8 @@
 #include "texplorer/scene/params/json_problem.h"
 
+#include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"
+#include "texplorer/text/utf8.h"
 
 #include <fmt/core.h>
 
@@ -42,9 +44,30 @@ std::string foundText(std::string_view token) {
     return std::string(token);
 }
 
+bool isLetter(char each) {
+    return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z');
+}
+
 } // namespace
 
-std::string readableProblem(std::string_view said) {
+std::string wordAt(std::string_view text, std::size_t position) {
+    const std::size_t at = std::min(text.size(), std::max<std::size_t>(position, 1) - 1);
+    std::size_t begin = at;
+    std::size_t end = at;
+    while (begin > 0 && isLetter(text[begin - 1]))
+        --begin;
+    while (end < text.size() && isLetter(text[end]))
+        ++end;
+    std::string_view word = text.substr(begin, end - begin);
+    constexpr std::array<std::string_view, 3> words{"true", "false", "null"};
+    if (word.empty() || std::ranges::find(words, word) != words.end()) // then it is the sign after it
+        word = text.substr(at, std::max<std::size_t>(firstCharacter(text.substr(at)).bytes, 1));
+    return word.empty() ? std::string() : fmt::format("'{}'", shortened(word));
+}
+
+std::string readableProblem(std::string_view said, std::string_view found) {
+    const bool isAfterTheEnd = said.ends_with(theEnd);
+    said = said.substr(0, said.find("; last read")); // which may be long, and not even UTF-8
     if (!said.starts_with(beforeContext) && said.find(emptyInput) != std::string_view::npos)
         return fmt::format("the file ends; expected {}", places.back().expected);
     const std::size_t dash = said.find(" - ");
@@ -56,7 +79,8 @@ std::string readableProblem(std::string_view said) {
     if (place == places.end())
         return std::string(said);
     if (problem == "invalid literal") // neither a word nor a sign that JSON has
-        return fmt::format("expected {}, found invalid JSON", place->expected);
+        return isAfterTheEnd ? fmt::format("expected the end of the file, found {}", found)
+                             : fmt::format("expected {}, found {}", place->expected, found);
     if (!problem.starts_with(unexpected)) // "invalid string: missing closing quote"
         return std::string(problem);
     problem.remove_prefix(unexpected.size());
@@ -71,13 +95,12 @@ std::string readableProblem(std::string_view said) {
                                                place->inside, place->expected);
 }
 
-std::string mistakeIn(int exception, std::string_view said) {
+std::string mistakeIn(int exception, std::string_view said, std::string_view found) {
     constexpr int numberOverflow = 406;
     if (exception == numberOverflow)
         return "expected a smaller number";
-    said = said.substr(0, said.find("; last read"));
     const std::size_t syntax = said.find("syntax error");
-    return printable(readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax)));
+    return printable(readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax), found));
 }
 
 } // namespace texplorer

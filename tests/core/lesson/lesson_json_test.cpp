@@ -72,6 +72,8 @@ TEST(LessonJson, IsRefusedByPlace) {
     const std::vector<Refused> rows{
         {"", malformed, "line 1", "the file ends"},
         {"{\n\"lesson\": 1,\n\"title\" 3}", malformed, "line 3", "expected ':' after the key"},
+        {"{\"lesson\": 1}\n x", malformed, "line 2", "expected the end of the file, found 'x'"},
+        {R"({"lesson": NaN})", malformed, "line 1", "expected a value, found 'NaN'"},
         {"[1]", malformed, "", "expected an object"},
         {std::string("{}\0{}", 5), malformed, "line 1", "a NUL character"},
         {"\xff", malformed, "line 1", ""},
