@@ -79,6 +79,7 @@ constexpr std::array shortcutRows{
     Shortcut{"undo", 'Z', true, false, "undo the last edit", asks<Undo>, true},
     Shortcut{"redo", 'Z', true, true, "redo the last undone edit", asks<Redo>, true},
     Shortcut{"", 'Y', true, false, "redo the last undone edit", asks<Redo>, true},
+    Shortcut{"new scene", 'N', true, false, "start a new scene", runs<askNewScene>},
     Shortcut{"open scene", 'O', true, false, "open a scene", runs<askOpenScene>},
     Shortcut{"open image", 'I', true, false, "open an image",
              [](Session& s, const Layout&) { askOpenImage(s); }},
