@@ -125,9 +125,9 @@ ui::ViewFrame ViewFrames::drawReference(const Subject& subject, ui::Session& ses
 /// Keeps the picture of the shown history step, once it is complete and no mouse button is held: while a step
 /// continues, its picture changes.
 void ViewFrames::keepStepPicture(ui::Session& session) {
-    History& history = session.document.history;
+    ui::History& history = session.document.history;
     const ui::ViewFrame& view = frames_.front();
-    if (history.pictureOf(history.position()) || session.look.preview || ui::isKeptShown(session) ||
+    if (history.pictureOf(history.position()) || ui::shownPreview(session) || ui::isKeptShown(session) ||
         !view.whole || view.frame.unfinished || ImGui::IsAnyMouseDown() || session.out.keyTaken ||
         session.document.scene != history.current())
         return;

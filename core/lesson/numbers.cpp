@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace texplorer::lesson {
@@ -96,6 +97,15 @@ reference::PixelPlace pixelOf(int x, int y, PictureSize picture) {
         (picture.width * whole * upwards / 2 + (x - whole / 2) * picture.height * across) / (whole * upwards);
     return {std::clamp(column, 0, std::max(0, picture.width - 1)),
             std::max(0, picture.height - 1 - y * picture.height / whole)};
+}
+
+reference::PixelPlace pixelOf(reference::PixelPlace pixel, PictureSize from, PictureSize to) {
+    const double scale = static_cast<double>(to.height) / std::max(1, from.height);
+    const auto placed = [scale](int at, int before, int now) { // the middles of pixels, from the centre
+        const double moved = now / 2.0 + (at + 0.5 - before / 2.0) * scale;
+        return static_cast<int>(std::clamp(std::floor(moved), 0.0, std::max(0.0, now - 1.0)));
+    };
+    return {placed(pixel.x, from.width, to.width), placed(pixel.y, from.height, to.height)};
 }
 
 Numbers::Numbers(std::string_view sign)

@@ -20,6 +20,10 @@ inline constexpr PictureSize pageSize{320, 240};
 /// a picture of any size: the centre and the visible height stay the same.
 [[nodiscard]] reference::PixelPlace pixelOf(int x, int y, PictureSize picture);
 
+/// The pixel of a picture of another size that shows the same: the centre and the visible height stay the
+/// same. The nearest one if it is outside.
+[[nodiscard]] reference::PixelPlace pixelOf(reference::PixelPlace pixel, PictureSize from, PictureSize to);
+
 /// The values of the words. {color} the pixel's bytes, {fragment} the colour of lighting or glColor; of its
 /// first unit: {s} {t} the coordinates, {side} {up} the distances in texels to the next pixel to the side and
 /// above, {rho}, {lambda}, {level} the levels that are read, {probes} the number of samples of an anisotropic

@@ -3,7 +3,7 @@
 #include "app/ui/files/program_file.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/program_menu.h"
 #include "app/ui/widgets/theme.h"

@@ -2,7 +2,7 @@
 
 #include "app/ui/code/glsl_text.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 

@@ -5,7 +5,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/kept.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/param_widgets.h"
 

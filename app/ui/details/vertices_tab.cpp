@@ -3,7 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/tex_coord_edits.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"

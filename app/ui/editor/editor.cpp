@@ -3,25 +3,32 @@
 #include "app/ui/editor/followed_selection.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/notice.h"
+#include "app/ui/model/preview.h"
 #include "app/ui/model/requests.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/timeline_edits.h"
 #include "texplorer/scene/animation.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace texplorer::ui {
 namespace {
 
-/// Records the document's scene for undo.
-void record(Session& session, const Step& step) {
-    Document& document = session.document;
+/// Removes a message about an earlier state of the scene.
+void removeGoodNotice(Session& session) {
     if (session.look.notice.isGood)
-        session.look.notice = {}; // messages about earlier actions are out of date
+        session.look.notice = {};
+}
+
+/// Records the document's scene for undo.
+void record(Session& session, const Step& step, std::optional<Reselection> reselects) {
+    Document& document = session.document;
     if (!step.continues)
         document.history.seal();
-    document.history.record(document.scene, step.name);
+    document.history.record(document.scene, step.name, std::move(reselects));
     if (!step.continues)
         document.history.seal();
     document.lastChanged = step.path;
@@ -32,7 +39,8 @@ bool appliesPreset(const Step& step) {
         step.edits, [](const Edit& each) { return std::holds_alternative<edit::ApplyPreset>(each); });
 }
 
-void selectAfter(Session& session, const Step& step) {
+/// Returns true if the selected objects have other indices.
+bool selectAfter(Session& session, const Step& step) {
     Selection& selection = session.look.selection;
     bool renumbered = false;
     for (const Edit& each : step.edits)
@@ -41,16 +49,25 @@ void selectAfter(Session& session, const Step& step) {
     if (selection.model != model || appliesPreset(step))
         leaveHiddenModel(session);
     bringSelectionBack(session);
-    if (renumbered)
-        clearTexel(session); // it may belong to another model or pass
+    return renumbered;
 }
 
-void showStep(Session& session, const Scene& scene) {
-    session.document.scene = scene;
+/// Undoes or redoes.
+void moveInHistory(Session& session, const std::function<void(History&, Selection&)>& move) {
+    Document& document = session.document;
+    Selection& selection = session.look.selection;
+    const int model = selection.model;
+    const int pass = selection.pass;
+    move(document.history, selection);
+    document.scene = document.history.current();
     showPresent(session);
     leaveHiddenModel(session);
     bringSelectionBack(session);
-    session.document.lastChanged.clear();
+    if (selection.model != model || selection.pass != pass)
+        clearTexel(session);
+    removeGoodNotice(session);
+    restPreview(session);
+    document.lastChanged.clear();
 }
 
 void take(Session& session, EndStep /*end*/) {
@@ -58,17 +75,15 @@ void take(Session& session, EndStep /*end*/) {
 }
 
 void take(Session& session, DropStep /*drop*/) {
-    showStep(session, session.document.history.takeBack());
+    moveInHistory(session, [](History& history, Selection& selection) { history.takeBack(selection); });
 }
 
 void take(Session& session, Undo /*undo*/) {
-    if (session.document.history.canUndo())
-        showStep(session, session.document.history.undo());
+    moveInHistory(session, [](History& history, Selection& selection) { history.undo(selection); });
 }
 
 void take(Session& session, Redo /*redo*/) {
-    if (session.document.history.canRedo())
-        showStep(session, session.document.history.redo());
+    moveInHistory(session, [](History& history, Selection& selection) { history.redo(selection); });
 }
 
 void take(Session& session, const Action& action) {
@@ -76,7 +91,8 @@ void take(Session& session, const Action& action) {
 }
 
 void take(Session& session, GoToStep to) {
-    showStep(session, session.document.history.goTo(to.step));
+    moveInHistory(session,
+                  [&to](History& history, Selection& selection) { history.goTo(to.step, selection); });
 }
 
 void take(Session& session, const Step& step) {
@@ -87,13 +103,18 @@ void take(Session& session, const Step& step) {
         makeEditsAt(scene, step.edits, {.shown = playback.time, .key = presentKeyTime(session)});
     if (!keyed)
         return say(session, keyed.error());
-    record(session, step);
+    removeGoodNotice(session);
     if (*keyed)
         holdTime(session);
     else if (!moved && appliesPreset(step) && isAnimated(scene))
         playback.playing = true;
     showPresent(session);
-    selectAfter(session, step);
+    Reselection reselection{.before = session.look.selection};
+    const bool renumbered = selectAfter(session, step);
+    if (renumbered)
+        clearTexel(session); // it may belong to another model or pass
+    reselection.after = session.look.selection;
+    record(session, step, renumbered || step.select ? std::optional(std::move(reselection)) : std::nullopt);
     if (!step.says.empty())
         tell(session, step.says);
 }

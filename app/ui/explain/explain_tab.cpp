@@ -3,7 +3,7 @@
 #include "app/ui/explain/step_rows.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"

@@ -4,7 +4,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/level_view.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/segments.h"

@@ -4,7 +4,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"

@@ -6,7 +6,7 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/param_match.h"
 #include "app/ui/model/sheet_choice.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"

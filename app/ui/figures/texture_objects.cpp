@@ -2,7 +2,7 @@
 
 #include "app/ui/figures/plot.h"
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/param_names.h"

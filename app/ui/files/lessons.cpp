@@ -76,8 +76,11 @@ void look(Session& session, const lesson::Look& wanted) {
     if (const EnumRow* shown = findRow(EnumTable<reference::Shown>::rows,
                                        wanted.shown.empty() ? std::string_view("picture") : wanted.shown))
         session.view.shown = static_cast<reference::Shown>(shown->value);
-    session.look.wantedProbe =
-        wanted.probeX < 0 ? std::nullopt : std::optional(WantedProbe{wanted.probeX, wanted.probeY});
+    if (wanted.probeX >= 0)
+        session.look.wantedProbe =
+            WantedProbe{[x = wanted.probeX, y = wanted.probeY](lesson::PictureSize picture) {
+                return lesson::pixelOf(x, y, picture);
+            }};
     if (!wanted.renderer.empty())
         showRenderers(session.view, wanted.renderer);
     session.lesson->lookedAt = LessonPictures{before, session.view};

@@ -301,7 +301,7 @@ void drawList(const Session& session) {
          lessonTitles(catalogueInUse() ? catalogueInUse()->language() : Language::English)) {
         ImGui::PushID(each.name.c_str());
         const LessonProgress progress = progressOf(session.settings, each.name, each.steps);
-        const std::string count = fmt::format("{} of {}", progress.done, progress.steps);
+        const std::string count = fmt::format("{} / {}", progress.done, progress.steps);
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x;
         if (ImGui::Selectable(each.title.c_str(), false, 0, {room - ImGui::GetFontSize(), 0}))
             act(session, [name = each.name](Session& s) { askLesson(s, name); });

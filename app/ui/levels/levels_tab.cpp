@@ -4,7 +4,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/level_edits.h"
 #include "app/ui/model/level_view.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/same_line.h"

@@ -46,8 +46,6 @@ void askAboutPicture(Session& session, view::Size picture) {
     if (asked.texel && asked.texelOf != imageAsked(session))
         clearTexel(session);
     const auto [width, height] = picture;
-    if (asked.pixel && (asked.pixel->x >= width || asked.pixel->y >= height))
-        asked.pixel.reset();
     if ((!asked.pixel && !asked.texel) || width < 1 || height < 1) {
         asked.answer.reset();
         asked.light.reset();

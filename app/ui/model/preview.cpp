@@ -15,10 +15,13 @@ void preview(const Session& session, std::string_view choice, std::string_view t
              const std::function<void(Scene&)>& edit) {
     const std::optional<Preview>& shown = session.look.preview;
     const Scene& scene = presentScene(session);
-    if (shown && shown->choice == choice && shown->madeOf == scene)
-        return act(session, [](Session& changed) {
-            if (changed.look.preview)
-                changed.look.preview->wanted = true;
+    const bool rests = shown && !shown->scene && (shown->choice.empty() || shown->choice == choice);
+    if (rests || (shown && shown->choice == choice && shown->madeOf == scene))
+        return act(session, [name = std::string(choice)](Session& changed) {
+            if (std::optional<Preview>& kept = changed.look.preview) {
+                kept->choice = name;
+                kept->wanted = true;
+            }
         });
     Scene edited = scene;
     edit(edited);
@@ -39,9 +42,18 @@ void endPreview(Session& session) {
         shown.reset();
 }
 
+void restPreview(Session& session) {
+    session.look.preview = Preview{.wanted = true};
+}
+
+const Preview* shownPreview(const Session& session) {
+    const std::optional<Preview>& preview = session.look.preview;
+    return preview && preview->scene ? &*preview : nullptr;
+}
+
 const Scene& shownScene(const Session& session) {
-    if (session.look.preview)
-        return *session.look.preview->scene;
+    if (const Preview* shown = shownPreview(session))
+        return *shown->scene;
     return isKeptShown(session) && session.document.kept.seen ? *session.document.kept.seen
                                                               : session.document.scene;
 }

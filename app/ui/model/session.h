@@ -6,7 +6,6 @@
 #include "app/ui/state/asking.h"
 #include "app/ui/state/document.h"
 #include "app/ui/state/look.h"
-#include "app/ui/state/notes.h"
 #include "app/ui/state/recording_choice.h"
 #include "app/ui/state/settings.h"
 #include "app/ui/state/sheet_choice.h"
@@ -40,7 +39,6 @@ struct Session {
     std::optional<LessonRun> lesson; ///< nothing: none is open
     SheetChoice sheet;
     RecordingChoice recording;
-    ViewNotes notes;
     WindowState window;
     std::shared_ptr<const reference::ProbeWorker::Answer> tableAnswer; ///< see askAboutTable
     mutable Outbox out;                                                ///< of this frame

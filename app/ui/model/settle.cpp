@@ -25,15 +25,20 @@ void followShape(Document& document, double time, float aspect) {
         document.saved.view = document.scene.view;
 }
 
-/// Places a lesson's mark in the picture of any size.
-void placeMark(Session& session, lesson::PictureSize picture) {
+/// Moves the explained pixel with the picture when the picture's size changes.
+void placeProbe(Session& session, lesson::PictureSize picture) {
     std::optional<WantedProbe>& wanted = session.look.wantedProbe;
     std::optional<reference::PixelPlace>& explained = session.look.explaining.pixel;
-    const bool isLeft = wanted && wanted->pixel && explained != wanted->pixel; // for another one, or none
-    if (isLeft || !session.lesson)
-        wanted.reset();
+    if (wanted && wanted->pixel && explained != wanted->pixel)
+        wanted.reset(); // for another one, or none
+    if (picture.width < 1 || picture.height < 1)
+        return;
+    if (explained && !wanted)
+        wanted = WantedProbe{[pixel = *explained, picture](lesson::PictureSize shown) {
+            return lesson::pixelOf(pixel, picture, shown);
+        }};
     if (wanted)
-        explained = wanted->pixel = lesson::pixelOf(wanted->x, wanted->y, picture);
+        explained = wanted->pixel = wanted->in(picture);
 }
 
 } // namespace
@@ -43,7 +48,7 @@ void settle(Session& session, const Layout& layout) {
     showPresent(session);
     bringSelectionBack(session);
     followKept(session);
-    placeMark(session, {layout.picture.width, layout.picture.height});
+    placeProbe(session, {layout.picture.width, layout.picture.height});
 }
 
 } // namespace texplorer::ui

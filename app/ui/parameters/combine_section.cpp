@@ -2,7 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "texplorer/gl/combine_equation.h"
 #include "texplorer/scene/params/keys.h"
 

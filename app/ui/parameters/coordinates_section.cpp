@@ -3,7 +3,7 @@
 
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "texplorer/scene/light_projection.h"
 #include "texplorer/scene/params/keys.h"
 

@@ -2,7 +2,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "texplorer/scene/params/keys.h"
 

@@ -1,7 +1,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preset_edits.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/preset/preset.h"

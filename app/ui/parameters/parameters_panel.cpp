@@ -3,7 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/param_match.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/segments.h"

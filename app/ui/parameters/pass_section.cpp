@@ -1,6 +1,6 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "texplorer/scene/params/keys.h"

@@ -4,7 +4,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"

@@ -1,7 +1,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>

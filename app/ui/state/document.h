@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/ui/language/catalogue.h"
+#include "app/ui/state/history.h"
 #include "app/ui/state/load.h"
 #include "app/ui/state/selection.h"
 #include "texplorer/diagnosis/diagnosis.h"
-#include "texplorer/scene/history.h"
 #include "texplorer/scene/scene.h"
 #include "texplorer/texture/image_source.h"
 

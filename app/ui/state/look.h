@@ -1,24 +1,27 @@
 #pragma once
 
 #include "app/ui/state/inspected_file.h"
+#include "app/ui/state/notes.h"
 #include "app/ui/state/selection.h"
 #include "texplorer/image/image.h"
 #include "texplorer/image/texture_image.h"
+#include "texplorer/lesson/lesson_scene.h"
 #include "texplorer/reference/level_map_worker.h"
 #include "texplorer/reference/probe_worker.h"
 #include "texplorer/scene/picking.h"
 #include "texplorer/scene/scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace texplorer::ui {
 
+/// A pixel to explain, in pictures of any size.
 struct WantedProbe {
-    int x = 0;
-    int y = 0;
+    std::function<reference::PixelPlace(lesson::PictureSize)> in;
     std::optional<reference::PixelPlace> pixel{}; ///< in the shown picture
 };
 
@@ -69,11 +72,11 @@ struct LevelView {
 /// The scene that the view shows instead of the document's while the pointer rests on a choice. It is not
 /// recorded, diagnosed or saved.
 struct Preview {
-    std::string choice; ///< identifies it: "textures[0].wrapS=GL_CLAMP"
-    std::string text;   ///< the text in the view: "Wrap s: Clamp (legacy)"
-    std::shared_ptr<const Scene> scene;
-    Scene madeOf;        ///< the document's scene without the edit
-    bool wanted = false; ///< requested in this frame
+    std::string choice{};                 ///< identifies it: "textures[0].wrapS=GL_CLAMP"
+    std::string text{};                   ///< the text in the view: "Wrap s: Clamp (legacy)"
+    std::shared_ptr<const Scene> scene{}; ///< nullptr: not shown, see restPreview
+    Scene madeOf{};                       ///< the document's scene without the edit
+    bool wanted = false;                  ///< requested in this frame
 };
 
 /// How the current document is shown; reset for another document.
@@ -85,8 +88,8 @@ struct Look {
     Plane plane;
     std::string shownParam;         ///< the parameter that was scrolled to; has a frame until the next click
     std::optional<Preview> preview; ///< shown by the view
-    /// A pixel to explain, in thousandths from the upper left, until the user selects another one.
-    std::optional<WantedProbe> wantedProbe;
+    std::optional<WantedProbe> wantedProbe; ///< a lesson's mark, or the pixel that the user has selected
+    ViewNotes notes;
     Explaining explaining;
     LevelView levels;
     InspectedFile fileView;

@@ -19,7 +19,7 @@ struct ViewNote {
     std::string text{};
 };
 
-/// The notes belong to the window, not to the scene, and are not kept.
+/// The notes over the view of a document. They are not saved.
 struct ViewNotes {
     std::vector<ViewNote> list;
     std::optional<std::size_t> chosen; ///< Delete removes it

@@ -5,7 +5,7 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/texture_space/plane_drawing.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "texplorer/scene/projections.h"

@@ -4,7 +4,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/timeline_edits.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"

@@ -2,7 +2,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/timeline/timeline_tab.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"

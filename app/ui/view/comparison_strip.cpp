@@ -1,6 +1,6 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/view/pane_drawing.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>

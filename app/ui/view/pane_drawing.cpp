@@ -3,7 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/kept.h"
 #include "app/ui/view/renderer_choice.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>

@@ -8,7 +8,7 @@
 #include "app/ui/state/chosen_vertices.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/pane_drawing.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -259,7 +259,7 @@ std::string hintsFor(const Session& session, float available) {
 void hintLine(const Session& session, const Layout& layout) {
     const float em = ImGui::GetFontSize();
     const float available = static_cast<float>(layout.view.width) - em;
-    const std::optional<Preview>& shown = session.look.preview;
+    const Preview* const shown = shownPreview(session);
     const std::string line =
         shown ? fitted(fmt::format("Preview: {}", shown->text), available) : tr(hintsFor(session, available));
     const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());

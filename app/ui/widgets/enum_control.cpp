@@ -1,5 +1,5 @@
 #include "app/ui/model/preview.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_parts.h"

@@ -4,7 +4,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/timeline_edits.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"

@@ -1,5 +1,5 @@
 #include "app/ui/model/findings.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_parts.h"
 
 #include <fmt/core.h>

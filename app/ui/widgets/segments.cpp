@@ -1,6 +1,6 @@
 #include "app/ui/widgets/segments.h"
 
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/wrapped_text.h"
 
 #include <cmath>

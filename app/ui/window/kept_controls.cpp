@@ -1,6 +1,6 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/kept.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/window_parts.h"

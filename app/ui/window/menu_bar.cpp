@@ -145,8 +145,7 @@ void copySceneLink(Session& session) {
 
 /// `hasLessons`: lessons have no menu of their own and are listed here.
 void fileItems(const Session& session, const Layout& layout, bool hasLessons) {
-    if (menuItem("New"))
-        act(session, askNewScene);
+    shortcutItem(session, layout, "New", "new scene");
     menuOf("Examples", [&] { examplesItems(session); });
     if (hasLessons)
         menuOf("Lessons", [&] { lessonsItems(session); });
@@ -231,7 +230,7 @@ void presentingItems(const Session& session, const Layout& layout) {
         act(session, addNoteInTheMiddle);
     helpTip("Adds a text over the view. Drag it, double-click to edit, Delete removes it. The key adds it "
             "at the pointer.");
-    if (menuItem("Clear notes", {}, !session.notes.list.empty()))
+    if (menuItem("Clear notes", {}, !session.look.notes.list.empty()))
         act(session, clearNotes);
     shortcutItem(session, layout, "Spotlight", "spotlight", true, session.window.spotlight);
     helpTip("Dims everything except the surroundings of the pointer, for presentations.");

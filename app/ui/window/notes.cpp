@@ -60,15 +60,15 @@ float fieldWidth(const ViewNote& note, const Rect& canvas, float em) {
 /// Does nothing if an earlier request has removed the note.
 void changeNote(const Session& session, std::size_t index, std::function<void(ViewNotes&)> make) {
     act(session, [index, make = std::move(make)](Session& changed) {
-        if (index < changed.notes.list.size())
-            make(changed.notes);
+        if (index < changed.look.notes.list.size())
+            make(changed.look.notes);
     });
 }
 
 /// The selected note as a text field. Enter and a click elsewhere end the edit, Escape restores the words; an
 /// empty note is then removed.
 void noteField(const Session& session, std::size_t index, float width) {
-    const ViewNotes& notes = session.notes;
+    const ViewNotes& notes = session.look.notes;
     ImGui::SetNextItemWidth(width);
     if (notes.wantsKeyboard) {
         ImGui::SetWindowFocus();
@@ -105,7 +105,7 @@ bool noteButton(const Session& session, std::size_t index, const Rect& canvas, c
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         changeNote(session, index, [index](ViewNotes& notes) { editNote(notes, index); });
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const bool chosen = session.notes.chosen == index;
+    const bool chosen = session.look.notes.chosen == index;
     if (hovered || chosen)
         draw.AddRect(low, high, chosen ? color::accent : color::dim);
     const float pad = ImGui::GetFontSize() * 0.25F;
@@ -120,7 +120,7 @@ bool drawNote(const Session& session, std::size_t index, const Rect& canvas) {
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus;
-    const ViewNotes& notes = session.notes;
+    const ViewNotes& notes = session.look.notes;
     const ViewNote& note = notes.list[index];
     const bool isEdited = notes.isEdited && notes.chosen == index;
     const float em = ImGui::GetFontSize() * noteScale;
@@ -156,35 +156,36 @@ void removeChosenIfEmpty(ViewNotes& notes) {
 void addNoteAtPointer(Session& session, const Layout& layout) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (layout.canvas.contains(mouse.x, mouse.y))
-        addNote(session.notes, shareOfCanvas(mouse, layout.canvas));
+        addNote(session.look.notes, shareOfCanvas(mouse, layout.canvas));
 }
 
 void addNoteInTheMiddle(Session& session) {
-    const auto before = static_cast<float>(session.notes.list.size() % 10);
-    addNote(session.notes, {0.4F, 0.3F + 0.06F * before});
+    const auto before = static_cast<float>(session.look.notes.list.size() % 10);
+    addNote(session.look.notes, {0.4F, 0.3F + 0.06F * before});
 }
 
 void clearNotes(Session& session) {
-    session.notes = {};
+    session.look.notes = {};
 }
 
 void drawNotes(const Session& session, const Layout& layout) {
-    const ViewNotes& notes = session.notes;
+    const ViewNotes& notes = session.look.notes;
     if (notes.list.empty() || layout.canvas.isEmpty())
         return;
     bool any = false;
     for (std::size_t i = 0; i < notes.list.size(); ++i)
         any |= drawNote(session, i, layout.canvas);
     if (!any && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        act(session, [](Session& changed) { changed.notes.chosen.reset(); });
+        act(session, [](Session& changed) { changed.look.notes.chosen.reset(); });
     const bool isFree = !notes.isEdited && session.asking.dialog == Dialog::None && !session.out.keyTaken &&
                         !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
     if (notes.chosen && isFree && isKeyPressed(key::del, false)) {
         session.out.keyTaken = true;
-        act(session, [index = *notes.chosen](Session& changed) { removeNote(changed.notes, index); });
+        changeNote(session, *notes.chosen,
+                   [index = *notes.chosen](ViewNotes& changed) { removeNote(changed, index); });
     }
     if (notes.chosen) // after the other changes, which may end the edit or select another note
-        act(session, [](Session& changed) { removeChosenIfEmpty(changed.notes); });
+        act(session, [](Session& changed) { removeChosenIfEmpty(changed.look.notes); });
 }
 
 } // namespace texplorer::ui

@@ -1,5 +1,5 @@
 #include "app/ui/model/timeline_edits.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/window_parts.h"
 #include "texplorer/scene/animation.h"

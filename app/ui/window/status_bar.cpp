@@ -3,7 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/consequence.h"
 #include "app/ui/model/findings.h"
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"

@@ -1,4 +1,4 @@
-#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_tips.h"

@@ -114,6 +114,17 @@ TEST(Numbers, FindTheMarkInAPictureOfAnyShape) {
     EXPECT_EQ(pixelOf(900, 999, {100, 240}), (reference::PixelPlace{99, 0})) << "at its edge";
 }
 
+TEST(Numbers, APixelShowsTheSameInPicturesOfOtherSizes) {
+    const PictureSize size{320, 240};
+    for (const int x : {0, 7, 160, 319})
+        EXPECT_EQ(pixelOf({x, 5}, size, size), (reference::PixelPlace{x, 5}));
+    EXPECT_EQ(pixelOf({200, 60}, size, {420, 240}), (reference::PixelPlace{250, 60}))
+        << "50 more on each side";
+    EXPECT_EQ(pixelOf({200, 60}, size, {640, 480}), (reference::PixelPlace{401, 121}));
+    EXPECT_EQ(pixelOf({401, 121}, {640, 480}, size), (reference::PixelPlace{200, 60}));
+    EXPECT_EQ(pixelOf({319, 60}, size, {100, 240}), (reference::PixelPlace{99, 60})) << "at its edge";
+}
+
 TEST(Numbers, OfAStepAreThoseOfItsStartAndOfTheRightAnswer) {
     Step step{"S", "{color}", "", {}, lookAt(700, 100), {}};
     step.task = Predict{"Q",

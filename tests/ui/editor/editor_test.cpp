@@ -136,10 +136,39 @@ static_assert(
              &Services::writing, &Services::unsaved, &Services::settings, &Services::captures>);
 static_assert(!std::is_convertible_v<const ServiceRef<LevelsWorker>&, LevelsWorker&>);
 
-/// Any steps, undone and redone, lead to the same scenes.
+TEST_F(Editor, SelectsTheSamePassAfterUndoAndRedo) {
+    make({.name = "Add pass", .edits = {edit::Insert{"passes", 1}}});
+    make({.name = "Move pass", .edits = {edit::Move{"passes", 1, 0}}});
+    EXPECT_EQ(session.look.selection.pass, 0);
+    take(session, Undo{});
+    EXPECT_EQ(session.look.selection.pass, 1);
+    take(session, GoToStep{});
+    EXPECT_EQ(session.look.selection.pass, 0);
+    take(session, GoToStep{1});
+    EXPECT_EQ(session.look.selection.pass, 1);
+    take(session, Redo{});
+    EXPECT_EQ(session.look.selection.pass, 0);
+}
+
+TEST_F(Editor, RemovesTheMessageOfAnUndoneStep) {
+    make({.name = "Blue", .edits = {edit::Set{"view.azimuth", "10"}}, .says = "Blue: less red"});
+    EXPECT_EQ(session.look.notice.text, "Blue: less red");
+    take(session, Undo{});
+    EXPECT_EQ(session.look.notice.text, "");
+}
+
+using Selected = std::array<int, 3>;
+
+/// Any steps, undone and redone, lead to the same scenes and selections.
 TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {
     std::mt19937 random(3);
+    const auto selected = [this] {
+        const Selection& selection = session.look.selection;
+        return Selected{selection.model, selection.pass, selection.unit};
+    };
     std::vector<Scene> scenes{scene()};
+    std::vector<Selected> before; // of each step
+    std::vector<Selected> after;
     const auto number = [&random](std::size_t below) { return random() % below; };
     while (scenes.size() < 120) {
         constexpr std::array lists{"models", "textures", "passes", "passes[0].units[0].matrix",
@@ -149,24 +178,31 @@ TEST_F(Editor, LeadsToTheSameSceneAfterUndoAndRedo) {
                                         edit::Move{list, number(4), number(4)},
                                         edit::Set{"textures[0].wrapS", number(2) ? "GL_CLAMP" : "GL_REPEAT"},
                                         edit::Set{"material.shininess", std::to_string(number(128))}};
-        const Scene before = scene();
+        const Selected present = selected();
         make({.name = "Step", .edits = {edits[number(edits.size())]}});
-        if (scene() != before)
+        if (scene() != scenes.back()) {
             scenes.push_back(scene());
+            before.push_back(present);
+            after.push_back(selected());
+        }
         if (number(4) == 0 && scenes.size() > 2) {
             take(session, Undo{});
             EXPECT_EQ(scene(), scenes[scenes.size() - 2]);
+            EXPECT_EQ(selected(), before.back());
             take(session, Redo{});
             EXPECT_EQ(scene(), scenes.back());
+            EXPECT_EQ(selected(), after.back());
         }
     }
     for (std::size_t i = scenes.size() - 1; i-- > 0;) {
         take(session, Undo{});
         ASSERT_EQ(scene(), scenes[i]) << i;
+        ASSERT_EQ(selected(), before[i]) << i;
     }
     for (std::size_t i = 1; i < scenes.size(); ++i) {
         take(session, Redo{});
         ASSERT_EQ(scene(), scenes[i]) << i;
+        ASSERT_EQ(selected(), after[i - 1]) << i;
     }
 }
 

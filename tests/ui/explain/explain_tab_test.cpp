@@ -103,6 +103,25 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     EXPECT_TRUE(has("explained pixel"));
 }
 
+TEST_F(ExplainTab, TheExplainedPixelShowsTheSameInALargerView) {
+    explainTheCube();
+    const reference::PixelPlace before = *explaining().pixel;
+    const lesson::PictureSize small{layout.picture.width, layout.picture.height};
+    session->settings.workspace.maximised = Maximised::View;
+    frames(2);
+    const lesson::PictureSize large{layout.picture.width, layout.picture.height};
+    ASSERT_GT(large.height, small.height);
+    const auto share = [](int at, int from, lesson::PictureSize size) {
+        return (at + 0.5 - from / 2.0) / size.height;
+    };
+    EXPECT_NEAR(share(explaining().pixel->x, large.width, large), share(before.x, small.width, small), 0.004);
+    EXPECT_NEAR(share(explaining().pixel->y, large.height, large), share(before.y, small.height, small),
+                0.004);
+    session->settings.workspace.maximised = Maximised::None;
+    frames(2);
+    EXPECT_EQ(explaining().pixel, before);
+}
+
 TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
     open();
     const std::shared_ptr<const TextureImage> image =
@@ -696,14 +715,6 @@ TEST_F(ExplainTab, ClearForgetsIt) {
     EXPECT_FALSE(explaining().pixel);
     EXPECT_FALSE(explaining().answer);
     EXPECT_TRUE(has("explain:none"));
-}
-
-// The picture became smaller: there is no such pixel any more.
-TEST_F(ExplainTab, ForgetsAPixelThatIsGone) {
-    open();
-    explaining().pixel = {layout.picture.width, 0};
-    frames(2);
-    EXPECT_FALSE(explaining().pixel);
 }
 
 TEST_F(ExplainTab, DrawsWithoutAnyError) {

@@ -111,7 +111,6 @@ TEST_F(LessonRuns, HaveTheNumbersAndTheMarkOfThePictureThatIsShown) {
     frames(3);
     EXPECT_NE(expectThose(), before);
     session->look.explaining.pixel = {7, 8};
-    session->settings.workspace.maximised = Maximised::None;
     frames(3);
     EXPECT_EQ(session->look.explaining.pixel, (reference::PixelPlace{7, 8})) << "the student's own";
 }

@@ -42,6 +42,27 @@ TEST_F(PreviewTest, IsShownUntilAFrameInWhichNobodyAsks) {
     EXPECT_EQ(&shownScene(session), &session.document.scene);
 }
 
+TEST_F(PreviewTest, RestsAfterUndoUntilThePointerLeavesTheChoice) {
+    restPreview(session);
+    endPreview(session);
+    for (int frame = 0; frame < 3; ++frame) {
+        hover();
+        EXPECT_EQ(shownPreview(session), nullptr);
+        endPreview(session);
+    }
+    EXPECT_EQ(edits, 0);
+    endPreview(session);
+    hover();
+    EXPECT_EQ(shownScene(session).textures[0].wrapS, Wrap::Clamp);
+}
+
+TEST_F(PreviewTest, ShowsAnotherChoiceThanTheOneThatRests) {
+    restPreview(session);
+    hover();
+    hover("filter", "Nearest", [](Scene& scene) { scene.textures[0].magFilter = MagFilter::Nearest; });
+    EXPECT_EQ(shownScene(session).textures[0].magFilter, MagFilter::Nearest);
+}
+
 TEST_F(PreviewTest, FollowsTheDocument) {
     hover();
     session.document.scene.textures[0].wrapT = Wrap::Clamp;

@@ -1,5 +1,6 @@
 // Overlays for presentations: notes and the spotlight.
 
+#include "app/ui/files/replaced_document.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/window/notes.h"
@@ -12,7 +13,7 @@ using namespace ui;
 
 class Notes : public test::Workbench {
 protected:
-    [[nodiscard]] ViewNotes& notes() { return session->notes; }
+    [[nodiscard]] ViewNotes& notes() { return session->look.notes; }
     /// A point of the picture area, as fractions of its size.
     [[nodiscard]] ImVec2 at(float x, float y) const {
         return {static_cast<float>(layout.canvas.x) + x * static_cast<float>(layout.canvas.width),
@@ -35,6 +36,13 @@ TEST_F(Notes, AKeyPutsOneAtThePointer) {
     EXPECT_FALSE(notes().isEdited);
     EXPECT_TRUE(has("note:0"));
     EXPECT_FALSE(session->document.history.canUndo()) << "it is no part of the scene";
+}
+
+TEST_F(Notes, AreRemovedWithTheDocument) {
+    write(at(0.25F, 0.5F), "see the seam");
+    replaceDocument(*session, {defaultScene(), ImageSource{}});
+    frames(2);
+    EXPECT_FALSE(has("note:0"));
 }
 
 TEST_F(Notes, OneWithoutWordsIsNone) {

@@ -1,10 +1,10 @@
-#include "texplorer/scene/history.h"
+#include "app/ui/state/history.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace texplorer {
+namespace texplorer::ui {
 
 namespace {
 
@@ -33,18 +33,23 @@ History::History(Scene initial, std::size_t limit, std::size_t maxBytes)
     steps_.push_back({std::move(initial), {}});
 }
 
-void History::record(const Scene& scene, std::string_view what) {
+void History::record(const Scene& scene, std::string_view what, std::optional<Reselection> reselects) {
     if (scene == current())
         return;
     const auto behind = steps_.begin() + static_cast<std::ptrdiff_t>(position_) + 1;
     std::vector<Step> redone(std::make_move_iterator(behind), std::make_move_iterator(steps_.end()));
     steps_.erase(behind, steps_.end()); // no redo any more
     if (!sealed_ && !what.empty() && steps_[position_].what == what) {
-        steps_[position_].scene = scene;
-        steps_[position_].picture.reset();
+        Step& step = steps_[position_];
+        step.scene = scene;
+        step.picture.reset();
+        if (step.reselects && reselects)
+            step.reselects->after = std::move(reselects->after);
+        else if (reselects)
+            step.reselects = std::move(reselects);
         return forgetOldest();
     }
-    steps_.push_back({scene, std::string(what)});
+    steps_.push_back({scene, std::string(what), std::move(reselects)});
     forgetOldest();
     redone_ = std::move(redone);
     sealed_ = false;
@@ -67,15 +72,16 @@ void History::seal() {
     sealed_ = true;
 }
 
-const Scene& History::takeBack() {
+void History::takeBack(Selection& selection) {
     if (sealed_ || position_ == 0)
-        return current();
+        return;
+    if (std::optional<Reselection>& reselects = steps_.back().reselects)
+        selection = std::move(reselects->before);
     steps_.pop_back();
     --position_;
     steps_.insert(steps_.end(), std::make_move_iterator(redone_.begin()),
                   std::make_move_iterator(redone_.end()));
     seal();
-    return current();
 }
 
 void History::replaceView(const View& from, const View& to) {
@@ -87,24 +93,18 @@ void History::replaceView(const View& from, const View& to) {
     }
 }
 
-const Scene& History::undo() {
-    if (canUndo())
-        --position_;
+void History::goTo(std::size_t step, Selection& selection) {
+    step = std::min(step, steps_.size() - 1);
+    while (position_ != step) {
+        const bool back = step < position_;
+        if (!back)
+            ++position_;
+        if (const std::optional<Reselection>& reselects = steps_[position_].reselects)
+            selection = back ? reselects->before : reselects->after;
+        if (back)
+            --position_;
+    }
     seal();
-    return current();
-}
-
-const Scene& History::redo() {
-    if (canRedo())
-        ++position_;
-    seal();
-    return current();
-}
-
-const Scene& History::goTo(std::size_t step) {
-    position_ = std::min(step, steps_.size() - 1);
-    seal();
-    return current();
 }
 
 std::string_view History::undoName() const {
@@ -115,4 +115,4 @@ std::string_view History::redoName() const {
     return canRedo() ? std::string_view(steps_[position_ + 1].what) : std::string_view();
 }
 
-} // namespace texplorer
+} // namespace texplorer::ui

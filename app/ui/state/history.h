@@ -1,14 +1,23 @@
 #pragma once
 
+#include "app/ui/state/selection.h"
 #include "texplorer/image/image.h"
 #include "texplorer/scene/scene.h"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::ui {
+
+/// What was selected before and after a step that selects something, or gives objects other indices.
+struct Reselection {
+    Selection before{};
+    Selection after{};
+};
 
 /// Undo and redo as a list of Scenes. Call `record` after each edit; consecutive edits with the same
 /// non-empty `what` and no `seal` between them are one step (a drag is one step, not a hundred).
@@ -18,19 +27,20 @@ public:
     explicit History(Scene initial, std::size_t limit = 200, std::size_t maxBytes = std::size_t{512} << 20);
 
     [[nodiscard]] const Scene& current() const { return steps_[position_].scene; }
-    void record(const Scene& scene, std::string_view what);
+    void record(const Scene& scene, std::string_view what, std::optional<Reselection> reselects = {});
     void seal();
-    /// Discards the last edit if it is not sealed: it leaves no step, and redo is as before it. Returns
-    /// current().
-    const Scene& takeBack();
+    /// Discards the last edit if it is not sealed: it leaves no step, and redo is as before it.
+    void takeBack(Selection& selection);
     /// Replaces the camera `from` by `to` in every step. For changes that are not edits: a camera that
     /// follows the shape of its view.
     void replaceView(const View& from, const View& to);
 
     [[nodiscard]] bool canUndo() const { return position_ > 0; }
     [[nodiscard]] bool canRedo() const { return position_ + 1 < steps_.size(); }
-    const Scene& undo(); ///< returns current(); does nothing if there is nothing to undo
-    const Scene& redo();
+    // `selection` becomes what was selected before an undone step, or after a redone one, if the step has a
+    // Reselection. They do nothing if there is nothing to undo or redo.
+    void undo(Selection& selection) { goTo(canUndo() ? position_ - 1 : position_, selection); }
+    void redo(Selection& selection) { goTo(position_ + 1, selection); }
 
     [[nodiscard]] std::string_view undoName() const; ///< the name of the step that undo reverts; empty: none
     [[nodiscard]] std::string_view redoName() const;
@@ -41,7 +51,7 @@ public:
     [[nodiscard]] std::size_t position() const { return position_; } ///< of `current`
     [[nodiscard]] const std::string& nameOf(std::size_t step) const { return steps_[step].what; }
     [[nodiscard]] const Scene& sceneOf(std::size_t step) const { return steps_[step].scene; }
-    const Scene& goTo(std::size_t step); ///< undoes or redoes up to that step; returns current()
+    void goTo(std::size_t step, Selection& selection); ///< undoes or redoes up to that step
 
     /// A small picture of a step; nullptr: none was set. It is dropped when the step changes.
     [[nodiscard]] const std::shared_ptr<const Image>& pictureOf(std::size_t step) const {
@@ -53,6 +63,7 @@ private:
     struct Step {
         Scene scene;
         std::string what; ///< the edit that led to this step
+        std::optional<Reselection> reselects{};
         std::shared_ptr<const Image> picture{};
     };
     void forgetOldest();
@@ -65,4 +76,4 @@ private:
     bool sealed_ = true;
 };
 
-} // namespace texplorer
+} // namespace texplorer::ui
