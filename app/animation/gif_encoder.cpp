@@ -80,7 +80,7 @@ private:
     static tl::unexpected<texplorer::Error> refused(int error) {
         const char* reason = GifErrorString(error);
         return fail(ErrorCode::TooLarge,
-                    fmt::format("GIF: it can't be written: {}", reason ? reason : "giflib gives no reason"));
+                    Sentence("GIF: it can't be written: {0}", reason ? reason : "giflib gives no reason"));
     }
 
     Result<void> put(OpaqueFrame frame, int duration) {
@@ -96,7 +96,7 @@ private:
         last_ = std::move(frame);
         if (file_.size() > maxAnimationBytes)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("GIF: it would be larger than {} bytes", maxAnimationBytes));
+                        Sentence("GIF: it would be larger than {0} bytes", maxAnimationBytes));
         return {};
     }
 

@@ -15,8 +15,8 @@ Result<std::unique_ptr<Encoder>> makeEncoder(Format format, const Settings& sett
     const FormatRow& row = rowOf(format);
     if (std::max(settings.width, settings.height) > row.maxExtent)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("a {} has at most {} × {} pixels, found {} × {}", row.name, row.maxExtent,
-                                row.maxExtent, settings.width, settings.height));
+                    Sentence("a {0} has at most {1} × {2} pixels, found {3} × {4}", row.name, row.maxExtent,
+                             row.maxExtent, settings.width, settings.height));
     try {
         switch (format) {
         case Format::Gif:

@@ -73,7 +73,7 @@ public:
             return refused();
         if (data.size > maxAnimationBytes)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("WebP: it would be larger than {} bytes", maxAnimationBytes));
+                        Sentence("WebP: it would be larger than {0} bytes", maxAnimationBytes));
         const auto* bytes = reinterpret_cast<const std::byte*>(data.bytes);
         try {
             return Bytes(bytes, bytes + data.size);
@@ -86,7 +86,7 @@ private:
     tl::unexpected<Error> refused() {
         const char* reason = WebPAnimEncoderGetError(encoder_.get());
         const std::string words = reason && *reason != 0 ? reason : "libwebp gives no reason";
-        return fail(ErrorCode::TooLarge, fmt::format("WebP: it can't be written: {}", words));
+        return fail(ErrorCode::TooLarge, Sentence("WebP: it can't be written: {0}", words));
     }
 
     Result<void> put(const OpaqueFrame& frame, int duration) {

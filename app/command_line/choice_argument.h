@@ -16,7 +16,7 @@ namespace texplorer {
 /// The names that an option accepts, and what was found instead.
 [[nodiscard]] inline tl::unexpected<Error> refuseChoice(const std::string& names, std::string_view found,
                                                         const char* option) {
-    return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", names, found), option);
+    return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}, found \"{1}\"", names, found), option);
 }
 
 /// In small letters or capitals: "DXT1" is "dxt1".

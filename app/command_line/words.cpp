@@ -13,10 +13,9 @@ namespace {
 Result<std::string> completionFor(const CommandLine& line, const std::string& name) {
     const auto* const row = std::ranges::find(shellRows, name, &ShellRow::name);
     if (row == shellRows.end())
-        return fail(
-            ErrorCode::OutOfRange,
-            fmt::format("expected one of {}, found \"{}\"", fmt::join(namesIn(shellRows), ", "), name),
-            completionOption);
+        return fail(ErrorCode::OutOfRange,
+                    Sentence("expected one of {0}, found \"{1}\"", fmt::join(namesIn(shellRows), ", "), name),
+                    completionOption);
     return completionScript(line, row->shell);
 }
 
@@ -49,7 +48,7 @@ std::optional<Result<std::string>> CommandLine::wordsAskedFor(int argc, const ch
         return fail(ErrorCode::OutOfRange, "expected a value, found none", asked);
     if (argc > wanted)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected no further argument, found \"{}\"", argv[wanted]), asked);
+                    Sentence("expected no further argument, found \"{0}\"", argv[wanted]), asked);
     const std::string value = hasValue ? first.substr(asked.size() + 1) : argv[2];
     return asked == completionOption ? completionFor(*this, value) : manualPage(*this, value);
 }

@@ -64,7 +64,7 @@ Result<explorer::ContextApi> parseContext(const std::string& word) {
         return explorer::ContextApi::Egl;
     return fail(ErrorCode::OutOfRange,
                 word == "osmesa" ? "OSMesa draws into memory without a window: use texshot --context osmesa"
-                                 : fmt::format("expected native or egl, found \"{}\"", word),
+                                 : Sentence("expected native or egl, found \"{0}\"", word),
                 "--context");
 }
 
@@ -79,7 +79,7 @@ Result<double> parseFrameSeconds() {
     const auto [stop, error] = std::from_chars(text, end, seconds);
     if (error == std::errc() && stop == end && seconds >= 0 && seconds <= most)
         return seconds;
-    return fail(ErrorCode::OutOfRange, fmt::format("expected seconds from 0 to {}, found \"{}\"", most, text),
+    return fail(ErrorCode::OutOfRange, Sentence("expected seconds from 0 to {0}, found \"{1}\"", most, text),
                 frameVariable);
 }
 
@@ -129,10 +129,10 @@ int show(explorer::Signals& signals, const Wanted& wanted) {
     const std::string title = ui::windowTitle({defaultScene(), ImageSource{}});
     Result<explorer::Window> window = explorer::Window::open(startSize, title, wanted.context);
     if (!window)
-        return complain(describe(window.error()) + "; " + withoutWindow);
+        return complain(describe(window.error()).english() + "; " + withoutWindow);
     const Result<void> ended = explorer::runLoop({*window, signals, watch, restart}, wanted.beginning);
     if (!ended)
-        return complain(describe(ended.error()) + "; " + withoutWindow);
+        return complain(describe(ended.error()).english() + "; " + withoutWindow);
     return 0;
 }
 

@@ -163,7 +163,7 @@ Result<Window> Window::open(view::Size size, const std::string& title, ContextAp
     static_cast<void>(::unsetenv("EGL_PLATFORM")); // NOLINT(concurrency-mt-unsafe): no other thread runs yet
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
-        return fail(ErrorCode::Driver, fmt::format("no display can be opened ({})", lastGlfwError));
+        return fail(ErrorCode::Driver, Sentence("no display can be opened ({0})", lastGlfwError));
     auto state = std::make_unique<State>();
     state->title = title;
     float scale = 1;
@@ -194,9 +194,8 @@ Result<Window> Window::open(view::Size size, const std::string& title, ContextAp
         create();
     }
     if (!state->window)
-        return fail(ErrorCode::Driver,
-                    fmt::format("no window with OpenGL{} can be opened ({})",
-                                context == ContextApi::Egl ? " by EGL" : "", lastGlfwError));
+        return fail(ErrorCode::Driver, Sentence("no window with OpenGL{0} can be opened ({1})",
+                                                context == ContextApi::Egl ? " by EGL" : "", lastGlfwError));
     glfwSetWindowSizeLimits(state->window, ui::minWindowSize.width, ui::minWindowSize.height, GLFW_DONT_CARE,
                             GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->window, state.get());

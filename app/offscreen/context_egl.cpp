@@ -46,7 +46,7 @@ constexpr std::array configAttributes{EGL_SURFACE_TYPE,
 constexpr view::Size minSize{1, 1};
 
 tl::unexpected<Error> refusal(const char* function) {
-    return fail(ErrorCode::Driver, fmt::format("{} says {}", function, eglError()));
+    return fail(ErrorCode::Driver, Sentence("{0} says {1}", function, eglError()));
 }
 
 } // namespace
@@ -94,8 +94,8 @@ struct Context::State {
         glGetIntegerv(GL_MAX_VIEWPORT_DIMS, limit.data());
         if (size.width < 1 || size.height < 1 || size.width > limit[0] || size.height > limit[1])
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("an off-screen framebuffer has 1 × 1 to {} pixels, not {}",
-                                    asText(view::Size{limit[0], limit[1]}), asText(size)));
+                        Sentence("an off-screen framebuffer has 1 × 1 to {0} pixels, not {1}",
+                                 asText(view::Size{limit[0], limit[1]}), asText(size)));
         if (Result<void> bound = bind(size); !bound)
             return bound;
         glViewport(0, 0, size.width, size.height); // set by the first framebuffer of a context
@@ -131,7 +131,7 @@ std::vector<view::ContextChoice> Context::all() {
 
 Result<Context> Context::create(view::Size size, const view::ContextChoice& choice) {
     if (choice.kind == Kind::Osmesa)
-        return fail(ErrorCode::Unsupported, fmt::format("EGL has no context {}", choice.text()));
+        return fail(ErrorCode::Unsupported, Sentence("EGL has no context {0}", choice.text()));
     const std::vector<view::ContextChoice> places = eglPlaces(choice);
     std::string reasons;
     for (const Profile profile : {Profile::Compatibility, Profile::Core}) {
@@ -149,7 +149,7 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
                                        opened.error().message);
         }
     }
-    return fail(ErrorCode::Driver, fmt::format("EGL made no OpenGL context ({})", reasons));
+    return fail(ErrorCode::Driver, Sentence("EGL made no OpenGL context ({0})", reasons));
 }
 
 AnyFunction findGlFunction(const char* name) {

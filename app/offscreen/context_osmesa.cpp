@@ -27,10 +27,9 @@ Result<void> checkDriverName() {
         return {};
     return fail(
         ErrorCode::Unsupported,
-        fmt::format(
-            "GALLIUM_DRIVER names the driver \"{}\"; without a display, only llvmpipe and softpipe are "
-            "available",
-            name));
+        Sentence("GALLIUM_DRIVER names the driver \"{0}\"; without a display, only llvmpipe and softpipe are "
+                 "available",
+                 name));
 }
 
 } // namespace
@@ -63,15 +62,15 @@ std::vector<view::ContextChoice> Context::all() {
 Result<Context> Context::create(view::Size size, const view::ContextChoice& choice) {
     using Kind = view::ContextChoice::Kind;
     if (choice.kind != Kind::Auto && choice.kind != Kind::Osmesa)
-        return fail(ErrorCode::Unsupported, fmt::format("OSMesa has no context {}", choice.text()));
+        return fail(ErrorCode::Unsupported, Sentence("OSMesa has no context {0}", choice.text()));
     if (const Result<void> known = checkDriverName(); !known)
         return fail(known.error());
     GLint limit = 0;
     OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &limit);
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("an off-screen framebuffer has 1 × 1 to {} pixels, not {}",
-                                asText(view::Size{limit, limit}), asText(size)));
+                    Sentence("an off-screen framebuffer has 1 × 1 to {0} pixels, not {1}",
+                             asText(view::Size{limit, limit}), asText(size)));
 
     const int attributes[] = {
         OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
@@ -84,14 +83,13 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
         state->pixels.resize(std::size_t{4} * static_cast<std::size_t>(size.width) *
                              static_cast<std::size_t>(size.height));
     } catch (const std::bad_alloc&) {
-        return fail(
-            ErrorCode::TooLarge,
-            fmt::format("not enough memory for an off-screen framebuffer of {} pixels", asText(size)));
+        return fail(ErrorCode::TooLarge,
+                    Sentence("not enough memory for an off-screen framebuffer of {0} pixels", asText(size)));
     }
     if (!OSMesaMakeCurrent(state->context.get(), state->pixels.data(), GL_UNSIGNED_BYTE, size.width,
                            size.height))
         return fail(ErrorCode::Driver,
-                    fmt::format("OSMesa refused to draw into a framebuffer of {} pixels", asText(size)));
+                    Sentence("OSMesa refused to draw into a framebuffer of {0} pixels", asText(size)));
     return Context(std::move(state), {Kind::Osmesa, 0});
 }
 

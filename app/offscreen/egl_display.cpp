@@ -59,8 +59,8 @@ Result<EGLDisplay> deviceDisplay(int number) {
     const std::vector<EGLDeviceEXT> devices = eglDevices();
     if (static_cast<std::size_t>(number) >= devices.size())
         return fail(ErrorCode::OutOfRange,
-                    devices.empty() ? std::string("EGL lists no devices")
-                                    : fmt::format("EGL has the devices 0 to {}", devices.size() - 1));
+                    devices.empty() ? "EGL lists no devices"
+                                    : Sentence("EGL has the devices 0 to {0}", devices.size() - 1));
     if (!hasClientExtension("EGL_EXT_platform_device"))
         return fail(ErrorCode::Unsupported, "EGL has no EGL_EXT_platform_device");
     return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(number)], nullptr);
@@ -84,9 +84,9 @@ Result<EGLDisplay> openEglDisplay(const view::ContextChoice& place) {
     if (!display)
         return display;
     if (*display == EGL_NO_DISPLAY)
-        return fail(ErrorCode::Driver, fmt::format("eglGetPlatformDisplay says {}", eglError()));
+        return fail(ErrorCode::Driver, Sentence("eglGetPlatformDisplay says {0}", eglError()));
     if (!eglInitialize(*display, nullptr, nullptr))
-        return fail(ErrorCode::Driver, fmt::format("eglInitialize says {}", eglError()));
+        return fail(ErrorCode::Driver, Sentence("eglInitialize says {0}", eglError()));
     return display;
 }
 

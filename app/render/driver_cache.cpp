@@ -37,7 +37,7 @@ constexpr const char* maxCacheSize = "256M"; // Mesa's default is 1 GB
 
 using SignalHandler = void (*)(int);
 
-tl::unexpected<Error> refuse(const std::string& message, const fs::path& path) {
+tl::unexpected<Error> refuse(const Sentence& message, const fs::path& path) {
     return fail(ErrorCode::Unwritable, message, path.string());
 }
 
@@ -71,11 +71,11 @@ fs::path wantedDirectory() {
 
 Result<void> makePrivate(const fs::path& directory) {
     if (::mkdir(directory.c_str(), S_IRWXU) != 0 && errno != EEXIST)
-        return refuse(fmt::format("can't be made: {}", systemText(errno)), directory);
+        return refuse(Sentence("can't be made: {0}", systemText(errno)), directory);
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     struct stat found {};
     if (!opened.valid() || ::fstat(opened.get(), &found) != 0)
-        return refuse(fmt::format("is not a private directory: {}", systemText(errno)), directory);
+        return refuse(Sentence("is not a private directory: {0}", systemText(errno)), directory);
     if (found.st_uid != ::geteuid())
         return refuse("belongs to another user", directory);
     if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0)
@@ -98,7 +98,7 @@ Result<void> checkDriverCache(const fs::path& directory) {
         ::open(index.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600));
     struct stat found {};
     if (!opened.valid() || ::fstat(opened.get(), &found) != 0)
-        return refuse(fmt::format("can't be opened: {}", systemText(errno)), index);
+        return refuse(Sentence("can't be opened: {0}", systemText(errno)), index);
     if (!S_ISREG(found.st_mode) || found.st_uid != ::geteuid())
         return refuse("is not a private file", index);
     // Also if the file has the right length: a file with holes has no blocks on the disk.
@@ -107,7 +107,7 @@ Result<void> checkDriverCache(const fs::path& directory) {
     const int failed = ::posix_fallocate(opened.get(), 0, indexBytes);
     std::signal(SIGXFSZ, before);
     if (failed != 0)
-        return refuse(fmt::format("it needs {} bytes: {}", indexBytes, systemText(failed)), index);
+        return refuse(Sentence("it needs {0} bytes: {1}", indexBytes, systemText(failed)), index);
     return {};
 }
 

@@ -57,11 +57,11 @@ Result<void> RenderTarget::resize(view::Size size) {
     const std::string what = fmt::format("a picture of {} pixels with 24 bits of depth", asText(size));
     if (!errors.check("glTexImage2D, glRenderbufferStorage"))
         return fail(ErrorCode::Driver,
-                    fmt::format("the driver can't create {}: {}", what, errors.sentences().front()));
+                    Sentence("the driver can't create {0}: {1}", what, errors.sentences().front()));
     if (status != GL_FRAMEBUFFER_COMPLETE)
         return fail(
             ErrorCode::Driver,
-            fmt::format("the driver can't draw into {}: glCheckFramebufferStatus says {}", what, status));
+            Sentence("the driver can't draw into {0}: glCheckFramebufferStatus says {1}", what, status));
     size_ = size;
     return {};
 }

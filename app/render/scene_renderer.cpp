@@ -90,8 +90,8 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     State& state = *state_;
     if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
         size.height > state.limit.height)
-        return fail(ErrorCode::OutOfRange, fmt::format("a picture has 1 × 1 to {} pixels, not {}",
-                                                       asText(state.limit), asText(size)));
+        return fail(ErrorCode::OutOfRange, Sentence("a picture has 1 × 1 to {0} pixels, not {1}",
+                                                    asText(state.limit), asText(size)));
     const auto begin = std::chrono::steady_clock::now();
     state.errors = {};
     state.levels = levels;
@@ -213,7 +213,7 @@ void SceneRenderer::shareTextures(const SceneRenderer& other) {
 Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, Target target) {
     const TextureObject* object = state_->textures->find(index, target);
     if (!object)
-        return fail(ErrorCode::NotFound, fmt::format("it has not been drawn as {}", rowOf(target).name),
+        return fail(ErrorCode::NotFound, Sentence("it has not been drawn as {0}", rowOf(target).name),
                     fmt::format("textures[{}]", index));
     try {
         const StateGuard guard;
@@ -235,7 +235,7 @@ Result<Image> SceneRenderer::read() {
         image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("not enough memory for a picture of {} pixels", asText(size)));
+                    Sentence("not enough memory for a picture of {0} pixels", asText(size)));
     }
     const StateGuard guard;
     static_cast<void>(

@@ -24,7 +24,7 @@ bool ShaderFolder::refresh() {
         return false;
     isRead_ = true;
     Result<glsl::ShaderPieces> pieces = readShaderFolder(folder_);
-    problem_ = pieces ? std::string() : describe(pieces.error());
+    problem_ = pieces ? Sentence() : describe(pieces.error());
     if (pieces)
         pieces_ = std::move(*pieces);
     return pieces.has_value();

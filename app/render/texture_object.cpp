@@ -151,15 +151,15 @@ Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<Texture
         if (!row)
             return fail(
                 ErrorCode::Unsupported,
-                fmt::format(
-                    "the driver holds level {} in a compressed format that Texplorer does not know: {}",
+                Sentence(
+                    "the driver holds level {0} in a compressed format that Texplorer does not know: {1}",
                     level, format));
         BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(format), width, height);
         const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
         if (size != image.blocks.size())
             return fail(ErrorCode::Driver,
-                        fmt::format("level {} should have {} bytes of blocks, the driver says {}", level,
-                                    image.blocks.size(), size));
+                        Sentence("level {0} should have {1} bytes of blocks, the driver says {2}", level,
+                                 image.blocks.size(), size));
         glGetCompressedTexImage(aim, level, image.blocks.data());
         levels.push_back({level, std::move(image), face});
     }

@@ -34,9 +34,9 @@ Result<ContextChoice> ContextChoice::parse(std::string_view text, std::string_vi
             return choice;
     }
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected auto, osmesa, egl, egl:surfaceless or egl:N with the number of a "
-                            "device, found \"{}\"",
-                            text),
+                Sentence("expected auto, osmesa, egl, egl:surfaceless or egl:N with the number of a "
+                         "device, found \"{0}\"",
+                         text),
                 std::string(where));
 }
 

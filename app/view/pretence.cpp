@@ -109,15 +109,15 @@ Result<void> Pretence::add(std::string_view word) {
             continue;
         if (!counts && equals < word.size())
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("{} takes no number, found {}", name, inQuotes(word)), option);
+                        Sentence("{0} takes no number, found {1}", name, inQuotes(word)), option);
         Lack lack{&row, 0};
         if (counts) {
             const char* const last = number.data() + number.size();
             const auto [stop, error] = std::from_chars(number.data(), last, lack.number);
             if (error != std::errc() || stop != last || lack.number < row.low || lack.number > row.high)
                 return fail(ErrorCode::OutOfRange,
-                            fmt::format("expected {} and a whole number from {} to {}, found {}", row.word,
-                                        row.low, row.high, inQuotes(word)),
+                            Sentence("expected {0} and a whole number from {1} to {2}, found {3}", row.word,
+                                     row.low, row.high, inQuotes(word)),
                             option);
         }
         lacks_.push_back(lack);
@@ -125,10 +125,10 @@ Result<void> Pretence::add(std::string_view word) {
     }
     if (nearestName(name, names).empty())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected one of {}, found {}", fmt::join(names, ", "), inQuotes(word)),
+                    Sentence("expected one of {0}, found {1}", fmt::join(names, ", "), inQuotes(word)),
                     option);
     return fail(ErrorCode::OutOfRange,
-                fmt::format("{} cannot be taken away; {}", inQuotes(word), suggestName(name, names)), option);
+                Sentence("{0} cannot be taken away; {1}", inQuotes(word), suggestName(name, names)), option);
 }
 
 std::vector<std::string> pretenceWords() {

@@ -100,8 +100,8 @@ private:
         last_ = std::move(frame);
         if (file_.size() > maxAnimationBytes)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("PNG: with {} pictures it would be larger than {} bytes", frames_,
-                                    maxAnimationBytes));
+                        Sentence("PNG: with {0} pictures it would be larger than {1} bytes", frames_,
+                                 maxAnimationBytes));
         return {};
     }
 

@@ -3,6 +3,8 @@
 // Functions that can fail return Result<T>; programming errors are asserts. No public function throws
 // anything but std::bad_alloc, and not even that if TooLarge is among its documented errors.
 
+#include "texplorer/base/sentence.h"
+
 #include <tl/expected.hpp>
 
 #include <string>
@@ -24,22 +26,22 @@ enum class ErrorCode {
 
 struct Error {
     ErrorCode code;
-    std::string message; ///< what was expected and what was found, as one sentence
-    std::string where;   ///< a file, a JSON pointer, a parameter path or a GL call; may be empty
+    Sentence message;  ///< what was expected and what was found, as one sentence
+    std::string where; ///< a file, a JSON pointer, a parameter path or a GL call; may be empty
 
     bool operator==(const Error&) const = default;
 };
 
 /// Returns "where: message", or the message alone if `where` is empty.
-[[nodiscard]] inline std::string describe(const Error& error) {
-    return error.where.empty() ? error.message : error.where + ": " + error.message;
+[[nodiscard]] inline Sentence describe(const Error& error) {
+    return error.where.empty() ? error.message : Sentence("{0}: {1}", ProperName{error.where}, error.message);
 }
 
 template<class T>
 using Result = tl::expected<T, Error>;
 
-/// `return fail(ErrorCode::Malformed, "expected 54 bytes, found 3", path);`
-[[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, std::string message, std::string where = {}) {
+/// `return fail(ErrorCode::Malformed, Sentence("expected {0} bytes, found {1}", 54, found), path);`
+[[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, Sentence message, std::string where = {}) {
     return tl::unexpected<Error>(Error{code, std::move(message), std::move(where)});
 }
 

@@ -100,9 +100,9 @@ Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits) {
     for (const CodecRow& row : rows)
         known.append(known.empty() ? "" : ", ").append(row.name);
     if (file.empty())
-        return fail(ErrorCode::Malformed, fmt::format("expected an image ({}), the file is empty", known));
+        return fail(ErrorCode::Malformed, Sentence("expected an image ({0}), the file is empty", known));
     return fail(ErrorCode::Unsupported,
-                fmt::format("expected an image ({}), the file begins with {}", known, firstBytes(file)));
+                Sentence("expected an image ({0}), the file begins with {1}", known, firstBytes(file)));
 }
 
 Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy, DecodeLimits limits) {

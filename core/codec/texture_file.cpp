@@ -23,7 +23,7 @@ Result<void> saveTexture(const TextureImage& texture, const std::filesystem::pat
     const CodecRow* format = codecForExtension(path.string());
     if (format == nullptr || !format->encode)
         return fail(ErrorCode::Unsupported,
-                    fmt::format("expected a name that ends with one of {}", writtenExtensions(", ")),
+                    Sentence("expected a name that ends with one of {0}", writtenExtensions(", ")),
                     path.string());
     const Result<Bytes> bytes = format->encode(texture, options);
     return bytes ? writeFileAtomically(path, *bytes)

@@ -32,9 +32,9 @@ Result<void> checkPicture(const Image& image, std::string_view name) {
     if (image.depth == 1 && image.format != PixelFormat::Depth32)
         return {};
     return fail(ErrorCode::Unsupported,
-                fmt::format("expected a picture for {}, found {} of {}", name,
-                            image.depth == 1 ? "one" : fmt::format("{} slices", image.depth),
-                            rowOf(image.format).name));
+                Sentence("expected a picture for {0}, found {1} of {2}", name,
+                         image.depth == 1 ? "one" : fmt::format("{} slices", image.depth),
+                         rowOf(image.format).name));
 }
 
 Result<void> checkMask(const Image& expected, const Image& mask) {
@@ -44,8 +44,8 @@ Result<void> checkMask(const Image& expected, const Image& mask) {
         return {};
     return fail(
         ErrorCode::OutOfRange,
-        fmt::format("the mask must be as large as the pictures: expected {} × {} pixels, found {} × {}",
-                    expected.width, expected.height, mask.width, mask.height));
+        Sentence("the mask must be as large as the pictures: expected {0} × {1} pixels, found {2} × {3}",
+                 expected.width, expected.height, mask.width, mask.height));
 }
 
 /// What 1 of a metric's values is in 255ths.

@@ -21,7 +21,7 @@ Result<void> checkRange(std::string_view name, double number, double low, double
     if (number >= low && number <= high) // not of NaN
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a number from {} to {}, found {}", low, high, number),
+                Sentence("expected a number from {0} to {1}, found {2}", low, high, number),
                 std::string(name));
 }
 
@@ -56,7 +56,7 @@ Result<double> parseShare(std::string_view text) {
     if (share >= 0 && share <= 1)
         return share;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a share of the pixels, 0 to 1 or 0% to 100%, found \"{}\"", text));
+                Sentence("expected a share of the pixels, 0 to 1 or 0% to 100%, found \"{0}\"", text));
 }
 
 Result<double> parseTolerance(std::string_view text, Metric metric) {
@@ -65,8 +65,8 @@ Result<double> parseTolerance(std::string_view text, Metric metric) {
     if (number && *number >= 0 && *number <= max)
         return *number;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a number from 0 to {} for the metric {}, found \"{}\"", max,
-                            rowOf(metric).name, text));
+                Sentence("expected a number from 0 to {0} for the metric {1}, found \"{2}\"", max,
+                         rowOf(metric).name, text));
 }
 
 } // namespace texplorer

@@ -25,8 +25,8 @@ Result<void> checkComparable(const Image& a, const Image& b) {
     if (rgba && a.width == b.width && a.height == b.height && a.depth == 1 && b.depth == 1)
         return {};
     return fail(rgba ? ErrorCode::OutOfRange : ErrorCode::Unsupported,
-                fmt::format("expected two pictures of the same size ({}), found {} and {}",
-                            rowOf(PixelFormat::Rgba8).name, extentsOf(a), extentsOf(b)));
+                Sentence("expected two pictures of the same size ({0}), found {1} and {2}",
+                         rowOf(PixelFormat::Rgba8).name, extentsOf(a), extentsOf(b)));
 }
 
 std::size_t Difference::countOver(int tolerance) const {

@@ -39,7 +39,7 @@ struct FrameStart {
 };
 
 /// Why a flavour can't say a parameter, in one sentence.
-[[nodiscard]] inline tl::unexpected<Error> refuse(std::string sentence, const std::string& path,
+[[nodiscard]] inline tl::unexpected<Error> refuse(Sentence sentence, const std::string& path,
                                                   const std::string& key) {
     return fail(ErrorCode::Unsupported, std::move(sentence), path + '.' + key);
 }

@@ -77,12 +77,12 @@ Result<void> checkShadowMaps(const Scene& scene) {
         const std::string path = elementOf<&Scene::textures>(object.texture);
         if (object.target != Target::Texture2D)
             return fail(ErrorCode::Unsupported,
-                        fmt::format("programs support shadow maps for {}, not for {}",
-                                    rowOf(Target::Texture2D).name, rowOf(object.target).name),
+                        Sentence("programs support shadow maps for {0}, not for {1}",
+                                 rowOf(Target::Texture2D).name, rowOf(object.target).name),
                         path);
         if (!isDepth(texture.internalFormat))
-            return refuse(fmt::format("programs support shadow maps in depth textures, not {}",
-                                      rowOf(texture.internalFormat).name),
+            return refuse(Sentence("programs support shadow maps in depth textures, not {0}",
+                                   rowOf(texture.internalFormat).name),
                           path, keyOf<&Texture::internalFormat>());
     }
     return {};

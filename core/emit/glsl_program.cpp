@@ -117,8 +117,8 @@ Result<void> sayableTexture(const Texture& texture, const TextureCode& code, Tar
         return {};
     for (const auto& [key, wrap] : wrapsOf(texture, target)) {
         if (wrap == Wrap::Clamp)
-            return refuse(fmt::format("OpenGL 3.3's core profile has no {}, only {} and {}", rowOf(wrap).name,
-                                      rowOf(Wrap::ClampToEdge).name, rowOf(Wrap::ClampToBorder).name),
+            return refuse(Sentence("OpenGL 3.3's core profile has no {0}, only {1} and {2}", rowOf(wrap).name,
+                                   rowOf(Wrap::ClampToEdge).name, rowOf(Wrap::ClampToBorder).name),
                           path, *key);
     }
     return {};

@@ -50,8 +50,8 @@ public:
     [[nodiscard]] Result<Lines> ofMoving(const Scene& scene) const {
         const auto refusing = [&](const std::string& path) {
             return fail(ErrorCode::Unsupported,
-                        fmt::format("a program ({}) can't animate this by key frames; texshot animate can",
-                                    rowOf(flavour_).label),
+                        Sentence("a program ({0}) can't animate this by key frames; texshot animate can",
+                                 rowOf(flavour_).label),
                         path);
         };
         if (const std::string path = ofTexels(scene); !path.empty())
@@ -99,8 +99,8 @@ private:
             most = std::max(most, params.back().stances.size());
             if (params.back().stances.size() > maxSwitchedValues)
                 return fail(ErrorCode::Unsupported,
-                            fmt::format("expected at most {} values of its key frames, found {}",
-                                        maxSwitchedValues, params.back().stances.size()),
+                            Sentence("expected at most {0} values of its key frames, found {1}",
+                                     maxSwitchedValues, params.back().stances.size()),
                             path);
         }
         Lines program;

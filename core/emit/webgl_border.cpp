@@ -190,20 +190,19 @@ Result<void> checkBorder(const Texture& texture, const glsl::SampledUnit& sample
     const std::string_view name = rowOf(wrap).name;
     if (texture.maxAnisotropy > 1)
         return refuse(
-            fmt::format("WebGL 2 has no {}, and the page's shader can't replace it with anisotropy", name),
+            Sentence("WebGL 2 has no {0}, and the page's shader can't replace it with anisotropy", name),
             path, key);
     if (averagesMinified(texture) && !averagesMagnified(texture))
         return refuse(
-            fmt::format("WebGL 2 has no {}, and the page's shader can't replace it where only minification "
-                        "averages",
-                        name),
+            Sentence("WebGL 2 has no {0}, and the page's shader can't replace it where only minification "
+                     "averages",
+                     name),
             path, key);
     if (sampled.compares && asksForLambda(texture))
-        return refuse(
-            fmt::format("WebGL 2 has no {}, and the page's shader can't replace it where depths are "
-                        "compared at several levels",
-                        name),
-            path, key);
+        return refuse(Sentence("WebGL 2 has no {0}, and the page's shader can't replace it where depths are "
+                               "compared at several levels",
+                               name),
+                      path, key);
     return {};
 }
 

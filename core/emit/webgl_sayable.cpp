@@ -31,7 +31,7 @@ Result<void> isSayable(const Texture& texture, const TextureCode& code, const Un
         if (!isBorder)
             continue;
         if (wrap == Wrap::Clamp && sampled.hasDepths)
-            return refuse(fmt::format("WebGL 2 has no {}", rowOf(wrap).name), path, *key);
+            return refuse(Sentence("WebGL 2 has no {0}", rowOf(wrap).name), path, *key);
         if (const Result<void> said = checkBorder(texture, sampled, wrap, path, *key); !said)
             return said;
     }

@@ -26,7 +26,7 @@ ErrorCode codeForOpening(int error) {
 
 tl::unexpected<Error> tooLarge(std::uint64_t size, std::size_t maxBytes, const std::string& where) {
     return fail(ErrorCode::TooLarge,
-                fmt::format("at most {} bytes are read, the file has at least {}", maxBytes, size), where);
+                Sentence("at most {0} bytes are read, the file has at least {1}", maxBytes, size), where);
 }
 
 // Fills the buffer as far as the file goes; gives the number of bytes, or nothing after an error.
@@ -54,9 +54,9 @@ int openForReading(const fs::path& path) {
 Result<std::uint64_t> sizeOf(int file, const std::string& where) {
     struct stat info = {};
     if (::fstat(file, &info) != 0)
-        return fail(ErrorCode::Unreadable, fmt::format("can't be examined: {}", systemText(errno)), where);
+        return fail(ErrorCode::Unreadable, Sentence("can't be examined: {0}", systemText(errno)), where);
     if (!S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unreadable, fmt::format("is {}, not a file", kindName(info.st_mode)), where);
+        return fail(ErrorCode::Unreadable, Sentence("is {0}, not a file", kindName(info.st_mode)), where);
     return static_cast<std::uint64_t>(info.st_size);
 }
 
@@ -85,7 +85,7 @@ template<class Buffer>
 Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::size_t maxBytes,
                         const ReadObserver& observer = {}) {
     if (!file.valid())
-        return fail(codeForOpening(errno), fmt::format("can't be opened: {}", systemText(errno)), where);
+        return fail(codeForOpening(errno), Sentence("can't be opened: {0}", systemText(errno)), where);
     const Result<std::uint64_t> stated = sizeOf(file.get(), where);
     if (!stated)
         return fail(stated.error());
@@ -95,7 +95,7 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
 
     Buffer buffer;
     const auto noMemory = [&] {
-        return fail(ErrorCode::TooLarge, fmt::format("not enough memory for its {} bytes", size), where);
+        return fail(ErrorCode::TooLarge, Sentence("not enough memory for its {0} bytes", size), where);
     };
     if (size > buffer.max_size()) // where an address has 32 bits
         return noMemory();
@@ -115,8 +115,7 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
                 return fail(ErrorCode::Cancelled, "reading was cancelled", where);
             const auto more = got ? readFully(file.get(), beyond, block) : std::nullopt;
             if (!more)
-                return fail(ErrorCode::Unreadable, fmt::format("can't be read: {}", systemText(errno)),
-                            where);
+                return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)), where);
             filled += *got;
             buffer.resize(filled);
             if (*more == 0)
@@ -145,7 +144,7 @@ Result<Bytes> readOpened(const Descriptor& file, const std::string& where, std::
 Result<Bytes> readFileStart(const fs::path& path, std::size_t count) {
     const Descriptor file(openForReading(path));
     if (!file.valid())
-        return fail(codeForOpening(errno), fmt::format("can't be opened: {}", systemText(errno)),
+        return fail(codeForOpening(errno), Sentence("can't be opened: {0}", systemText(errno)),
                     path.string());
     if (const Result<std::uint64_t> size = sizeOf(file.get(), path.string()); !size)
         return fail(size.error());
@@ -153,8 +152,7 @@ Result<Bytes> readFileStart(const fs::path& path, std::size_t count) {
     start.resize(count);
     const auto got = readFully(file.get(), start.data(), count);
     if (!got)
-        return fail(ErrorCode::Unreadable, fmt::format("can't be read: {}", systemText(errno)),
-                    path.string());
+        return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)), path.string());
     start.resize(*got);
     return start;
 }

@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> unwritable(const std::string& what, int error, const std::string& where) {
-    return fail(ErrorCode::Unwritable, fmt::format("{}: {}", what, systemText(error)), where);
+tl::unexpected<Error> unwritable(const Sentence& what, int error, const std::string& where) {
+    return fail(ErrorCode::Unwritable, Sentence("{0}: {1}", what, systemText(error)), where);
 }
 
 tl::unexpected<Error> unwritable(int error, const std::string& where) {
@@ -60,7 +60,7 @@ Result<Place> findPlace(const fs::path& path) {
     struct stat info = {};
     const bool exists = ::stat(path.c_str(), &info) == 0;
     if (exists && !S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unwritable, fmt::format("is {}, not a file", kindName(info.st_mode)), where);
+        return fail(ErrorCode::Unwritable, Sentence("is {0}, not a file", kindName(info.st_mode)), where);
     const Result<fs::path> target = followLinks(path);
     if (!target)
         return fail(target.error());
@@ -87,7 +87,7 @@ Result<fs::path> existingFolder(const fs::path& folder) {
     if (fs::is_directory(above, error))
         return above;
     return fail(ErrorCode::Unwritable,
-                fmt::format("can't create the folder: {} is not a folder", above.string()), folder.string());
+                Sentence("can't create the folder: {0} is not a folder", above.string()), folder.string());
 }
 
 } // namespace

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> refuse(const std::string& message, const fs::path& path) {
+tl::unexpected<Error> refuse(const Sentence& message, const fs::path& path) {
     return fail(ErrorCode::Unwritable, message, path.string());
 }
 
@@ -35,28 +35,28 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
     if (!directory.valid()) {
         const int error = errno;
         if (error == ENOENT)
-            return fail(ErrorCode::NotFound, fmt::format("can't be opened: {}", systemText(error)),
+            return fail(ErrorCode::NotFound, Sentence("can't be opened: {0}", systemText(error)),
                         path.string());
         if (::lstat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode))
-            return refuse(fmt::format("is {}, not a directory", kindName(info.st_mode)), path);
-        return refuse(fmt::format("can't be opened: {}", systemText(error)), path);
+            return refuse(Sentence("is {0}, not a directory", kindName(info.st_mode)), path);
+        return refuse(Sentence("can't be opened: {0}", systemText(error)), path);
     }
     if (::fstat(directory.get(), &info) != 0)
-        return refuse(fmt::format("can't be examined: {}", systemText(errno)), path);
+        return refuse(Sentence("can't be examined: {0}", systemText(errno)), path);
     if (info.st_uid != thisUser())
-        return refuse(fmt::format("belongs to user {}, not to this one, {}", info.st_uid, thisUser()), path);
+        return refuse(Sentence("belongs to user {0}, not to this one, {1}", info.st_uid, thisUser()), path);
     if ((info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
         return refuse(
-            fmt::format("is writable by others: expected mode 0700, found {:04o}", info.st_mode & 07777U),
+            Sentence("is writable by others: expected mode 0700, found {0:04o}", info.st_mode & 07777U),
             path);
     if ((info.st_mode & 07777U) != 0700 && !makeOwnersAlone(directory.get()))
-        return refuse(fmt::format("can't be made private: {}", systemText(errno)), path);
+        return refuse(Sentence("can't be made private: {0}", systemText(errno)), path);
     return PrivateDirectory(std::move(directory));
 }
 
 Result<PrivateDirectory> PrivateDirectory::make(const fs::path& path) {
     if (!makeWithParents(path))
-        return refuse(fmt::format("can't be made: {}", systemText(errno)), path);
+        return refuse(Sentence("can't be made: {0}", systemText(errno)), path);
     return open(path);
 }
 

@@ -41,12 +41,11 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
                 bytes.resize(std::min(std::max(startBytes, 2 * filled), maxBytes + 1));
             const ssize_t got = readSome(file, bytes.data() + filled, bytes.size() - filled);
             if (got < 0)
-                return fail(ErrorCode::Unreadable, fmt::format("can't be read: {}", systemText(errno)),
-                            where);
+                return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)), where);
             filled += static_cast<std::size_t>(got);
             if (filled > maxBytes)
                 return fail(ErrorCode::TooLarge,
-                            fmt::format("at most {} bytes are read, but there are more", maxBytes), where);
+                            Sentence("at most {0} bytes are read, but there are more", maxBytes), where);
             const bool isAsked = filled >= asked;
             if (isAsked)
                 asked = 2 * filled;
@@ -56,7 +55,7 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
             }
         }
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, fmt::format("not enough memory for more than {} bytes", filled),
+        return fail(ErrorCode::TooLarge, Sentence("not enough memory for more than {0} bytes", filled),
                     where);
     }
 }

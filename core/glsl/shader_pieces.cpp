@@ -42,7 +42,7 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
         if (file.text.size() > maxFileBytes)
             return fail(
                 ErrorCode::TooLarge,
-                fmt::format("a shader's file has at most {} bytes, not {}", maxFileBytes, file.text.size()),
+                Sentence("a shader's file has at most {0} bytes, not {1}", maxFileBytes, file.text.size()),
                 file.name);
         Names& names = pieces.files_[file.name];
         std::vector<std::string> keys; // of the piece that is being read
@@ -73,7 +73,7 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
             piece.lines.pop_back(); // after the last line's end
         finish();
         if (!twice.empty())
-            return fail(ErrorCode::Malformed, fmt::format("the piece \"{}\" is defined twice", twice),
+            return fail(ErrorCode::Malformed, Sentence("the piece \"{0}\" is defined twice", twice),
                         file.name);
     }
     return pieces;

@@ -28,12 +28,12 @@ struct Leaving {
 Result<void> checkFramebuffer(const Image& image) {
     if (image.width < 1 || image.height < 1 || image.depth != 1)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a framebuffer with pixels, found one of {} × {} × {}", image.width,
-                                image.height, image.depth));
+                    Sentence("expected a framebuffer with pixels, found one of {0} × {1} × {2}", image.width,
+                             image.height, image.depth));
     if (image.pixels.size() != image.byteCount())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("a framebuffer of {} × {} pixels needs {}, found {}", image.width,
-                                image.height, countOf(image.byteCount(), "byte"), image.pixels.size()));
+                    Sentence("a framebuffer of {0} × {1} pixels needs {2}, found {3}", image.width,
+                             image.height, countOf(image.byteCount(), "byte"), image.pixels.size()));
     return {};
 }
 
@@ -44,9 +44,9 @@ Result<Image> loadPicture(const fs::path& path) {
     const Surface& base = file->surface(0, 0);
     if (file->faces > 1 || depthOf(base) > 1)
         return fail(ErrorCode::Unsupported,
-                    fmt::format("expected one picture, found {}", file->faces > 1
-                                                                      ? countOf(file->faces, "face")
-                                                                      : countOf(depthOf(base), "slice")),
+                    Sentence("expected one picture, found {0}", file->faces > 1
+                                                                    ? countOf(file->faces, "face")
+                                                                    : countOf(depthOf(base), "slice")),
                     path.string());
     return uprightImage(*std::move(file));
 }
@@ -148,8 +148,8 @@ Result<GoldenCheck> checkGolden(int width, int height, std::span<const std::byte
     Image framebuffer{PixelFormat::Rgba8, width, height, 1, {}};
     if (width < 1 || height < 1 || rgba.size() != framebuffer.byteCount())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a framebuffer of {} × {} pixels with 4 bytes each, found {}", width,
-                                height, countOf(rgba.size(), "byte")));
+                    Sentence("expected a framebuffer of {0} × {1} pixels with 4 bytes each, found {2}", width,
+                             height, countOf(rgba.size(), "byte")));
     framebuffer.pixels.assign(rgba.begin(), rgba.end());
     if (options.rowsTopFirst)
         flipVertically(framebuffer);

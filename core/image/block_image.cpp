@@ -14,8 +14,8 @@ Result<void> checkBlocks(const BlockImage& image) {
         return {};
     return fail(
         ErrorCode::Malformed,
-        fmt::format("a compressed picture of {} × {} × {} texels needs {} bytes of blocks, there are {}",
-                    image.width, image.height, image.depth, needed, image.blocks.size()));
+        Sentence("a compressed picture of {0} × {1} × {2} texels needs {3} bytes of blocks, there are {4}",
+                 image.width, image.height, image.depth, needed, image.blocks.size()));
 }
 
 } // namespace texplorer

@@ -59,9 +59,9 @@ void readLook(const Json& json, const std::string& where, std::optional<Error>& 
         return;
     if (!probe->is_array() || probe->size() != 2 || !std::ranges::all_of(*probe, isThousandth))
         return members.say(ErrorCode::Malformed, "probe",
-                           fmt::format("expected {}, found {}",
-                                       "two whole numbers from 0 to 999, in thousandths from the top left",
-                                       shortened(probe->dump())));
+                           Sentence("expected {0}, found {1}",
+                                    "two whole numbers from 0 to 999, in thousandths from the top left",
+                                    shortened(probe->dump())));
     look.probeX = (*probe)[0].get<int>();
     look.probeY = (*probe)[1].get<int>();
 }
@@ -163,7 +163,7 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
         members.refuse("key", fmt::format("A to Z, 0 to 9 or one of {}", keyNameList()));
     if (std::ranges::find(keys, key.key, &LessonKey::key) != keys.end())
         members.say(ErrorCode::Malformed, "key",
-                    fmt::format("expected each key once, found {} again", key.key));
+                    Sentence("expected each key once, found {0} again", key.key));
     members.text("label", key.label, true);
     const bool isCycle = members.has("cycle");
     if (isCycle == members.has("path"))

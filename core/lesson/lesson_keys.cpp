@@ -101,7 +101,7 @@ Result<std::vector<float>> numbersAt(const Scene& scene, const Addition& additio
         const auto [stop, error] = std::from_chars(at, end, number);
         if (error != std::errc() || (stop != end && *stop != ','))
             return fail(ErrorCode::Malformed,
-                        fmt::format("expected a parameter of numbers, found {}", inQuotes(*text)),
+                        Sentence("expected a parameter of numbers, found {0}", inQuotes(*text)),
                         addition.path);
         numbers.push_back(number);
         if (stop == end)
@@ -110,8 +110,8 @@ Result<std::vector<float>> numbersAt(const Scene& scene, const Addition& additio
     }
     if (static_cast<std::size_t>(addition.component) >= numbers.size())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected one of {} components, found number {}", numbers.size(),
-                                addition.component + 1),
+                    Sentence("expected one of {0} components, found number {1}", numbers.size(),
+                             addition.component + 1),
                     addition.path);
     return numbers;
 }

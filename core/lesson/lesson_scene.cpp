@@ -22,8 +22,8 @@ Result<Scene> sceneNamed(const LessonFolder& folder, const std::string& name) {
     Result<Scene> example = exampleScene(name + ".json");
     if (!example && example.error().code == ErrorCode::NotFound)
         return fail(ErrorCode::NotFound,
-                    fmt::format("expected a scene in the lesson's folder or the name of an example, found {}",
-                                inQuotes(name)));
+                    Sentence("expected a scene in the lesson's folder or the name of an example, found {0}",
+                             inQuotes(name)));
     return example;
 }
 

@@ -99,8 +99,8 @@ reference::PixelPlace pixelOf(int x, int y, PictureSize picture) {
             std::max(0, picture.height - 1 - y * picture.height / whole)};
 }
 
-reference::PixelPlace pixelOf(reference::PixelPlace pixel, PictureSize from, PictureSize to) {
-    const double scale = static_cast<double>(to.height) / std::max(1, from.height);
+reference::PixelPlace pixelOf(reference::PixelPlace pixel, PictureSize from, PictureSize to, double zoom) {
+    const double scale = zoom * to.height / std::max(1, from.height);
     const auto placed = [scale](int at, int before, int now) { // the middles of pixels, from the centre
         const double moved = now / 2.0 + (at + 0.5 - before / 2.0) * scale;
         return static_cast<int>(std::clamp(std::floor(moved), 0.0, std::max(0.0, now - 1.0)));
@@ -183,8 +183,8 @@ Result<void> checkWords(std::string_view text) {
         std::string names;
         for (const Word& word : words)
             names += fmt::format("{}{{{}}}", names.empty() ? "" : ", ", word.name);
-        return fail(ErrorCode::Malformed, fmt::format("expected one of {}, found {}", names,
-                                                      inQuotes(fmt::format("{{{}}}", name))));
+        return fail(ErrorCode::Malformed,
+                    Sentence("expected one of {0}, found {1}", names, inQuotes(fmt::format("{{{}}}", name))));
     }
     return {};
 }

@@ -21,8 +21,9 @@ inline constexpr PictureSize pageSize{320, 240};
 [[nodiscard]] reference::PixelPlace pixelOf(int x, int y, PictureSize picture);
 
 /// The pixel of a picture of another size that shows the same: the centre and the visible height stay the
-/// same. The nearest one if it is outside.
-[[nodiscard]] reference::PixelPlace pixelOf(reference::PixelPlace pixel, PictureSize from, PictureSize to);
+/// same, enlarged by `zoom`. The nearest one if it is outside.
+[[nodiscard]] reference::PixelPlace pixelOf(reference::PixelPlace pixel, PictureSize from, PictureSize to,
+                                            double zoom = 1);
 
 /// The values of the words. {color} the pixel's bytes, {fragment} the colour of lighting or glColor; of its
 /// first unit: {s} {t} the coordinates, {side} {up} the distances in texels to the next pixel to the side and

@@ -104,7 +104,7 @@ private:
 Result<nlohmann::json> parseStrictJson(std::string_view text, std::size_t maxBytes) {
     if (text.size() > maxBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} bytes, found {}", maxBytes, text.size()));
+                    Sentence("expected at most {0} bytes, found {1}", maxBytes, text.size()));
     if (const Result<void> whole = checkNoNul(text); !whole)
         return fail(whole.error());
     StrictChecker checker(text);
@@ -120,7 +120,7 @@ void readVersion(JsonObject& object, const char* key, int newest) {
     const bool isWhole = version->is_number_integer();
     if (!isWhole || *version < 1 || *version > newest)
         object.say(isWhole && *version > newest ? ErrorCode::Unsupported : ErrorCode::Malformed, key,
-                   fmt::format("expected version {}, found {}", newest, foundText(*version)));
+                   Sentence("expected version {0}, found {1}", newest, foundText(*version)));
 }
 
 } // namespace texplorer

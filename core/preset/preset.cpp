@@ -60,12 +60,12 @@ Result<std::size_t> freeUnit(const PresetTarget& target) {
         if (const std::size_t unit = (target.place.unit + i) % maxUnits; isFree(unit))
             return unit;
     }
-    return fail(ErrorCode::TooLarge, fmt::format("all {} units of the pass are in use", maxUnits));
+    return fail(ErrorCode::TooLarge, Sentence("all {0} units of the pass are in use", maxUnits));
 }
 
 Result<std::size_t> addTexture(Scene& scene, Texture texture) {
     if (scene.textures.size() >= maxTextures)
-        return fail(ErrorCode::TooLarge, fmt::format("the scene already has {} textures", maxTextures));
+        return fail(ErrorCode::TooLarge, Sentence("the scene already has {0} textures", maxTextures));
     scene.textures.push_back(std::move(texture));
     return scene.textures.size() - 1;
 }
@@ -92,7 +92,7 @@ const Preset* findPreset(std::string_view name) {
 Result<void> applyPreset(const Preset& preset, Scene& scene, const PresetPlace& place) {
     if (place.pass >= scene.passes.size() || place.unit >= maxUnits)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("there is no unit {} of pass {}", place.unit, place.pass));
+                    Sentence("there is no unit {0} of pass {1}", place.unit, place.pass));
     Scene edited = scene;
     Pass& pass = edited.passes[place.pass];
     Unit& unit = pass.units[place.unit];

@@ -11,15 +11,15 @@ std::string unitName(int pass, int unit) {
 Result<const UnitState*> askedUnit(std::span<const PassState> passes, int pass, int unit) {
     if (pass < 0 || static_cast<std::size_t>(pass) >= passes.size())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("there is no pass {}, the scene has {}", pass, passes.size()));
+                    Sentence("there is no pass {0}, the scene has {1}", pass, passes.size()));
     if (unit < 0 || unit >= maxUnits)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a unit from 0 to {}, found {}", maxUnits - 1, unit));
+                    Sentence("expected a unit from 0 to {0}, found {1}", maxUnits - 1, unit));
     const UnitState& found = passes[static_cast<std::size_t>(pass)].units[static_cast<std::size_t>(unit)];
     if (!found.texture)
         return fail(
             ErrorCode::Unsupported,
-            fmt::format("{} samples nothing: it is off or its texture can't be drawn", unitName(pass, unit)));
+            Sentence("{0} samples nothing: it is off or its texture can't be drawn", unitName(pass, unit)));
     return &found;
 }
 

@@ -19,21 +19,20 @@ Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& ques
     const Level* level = texture.level(number);
     if (!level)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("{} has a texture without a level {}: it has {}",
-                                unitName(question.pass, question.unit), number, texture.levels.size()));
+                    Sentence("{0} has a texture without a level {1}: it has {2}",
+                             unitName(question.pass, question.unit), number, texture.levels.size()));
     constexpr std::array names{"i", "j", "k"};
     if (const int face = index.z; texture.target == Target::CubeMap && (face < 0 || face > 5))
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected k from 0 to 5 for a face of a cube map, found {}", face));
+                    Sentence("expected k from 0 to 5 for a face of a cube map, found {0}", face));
     for (int axis = 0; axis < (texture.target == Target::CubeMap ? 2 : 3); ++axis) {
         const bool used = axis < axesOf(texture.target);
         const int low = used ? -1 : 0;
         const int high = used ? level->size()[axis] : 0; // the border's
         if (index[axis] < low || index[axis] > high)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected {} from {} to {} in level {}, its border included, found {}",
-                                    names.at(static_cast<std::size_t>(axis)), low, high, number,
-                                    index[axis]));
+                        Sentence("expected {0} from {1} to {2} in level {3}, its border included, found {4}",
+                                 names.at(static_cast<std::size_t>(axis)), low, high, number, index[axis]));
     }
     return {};
 }

@@ -93,14 +93,14 @@ Result<void> checkSize(const DrawRequest& request) {
     if (width >= 1 && height >= 1 && width <= maxPictureExtent && height <= maxPictureExtent)
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("a picture has 1 × 1 to {} pixels, not {}",
-                            extents(maxPictureExtent, maxPictureExtent), extents(width, height)));
+                Sentence("a picture has 1 × 1 to {0} pixels, not {1}",
+                         extents(maxPictureExtent, maxPictureExtent), extents(width, height)));
 }
 
 tl::unexpected<Error> noMemory(const DrawRequest& request) {
     return fail(ErrorCode::TooLarge,
-                fmt::format("not enough memory for the scene's textures and a picture of {} pixels",
-                            extents(request.width, request.height)));
+                Sentence("not enough memory for the scene's textures and a picture of {0} pixels",
+                         extents(request.width, request.height)));
 }
 
 } // namespace
@@ -127,8 +127,8 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
         return fail(size.error());
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= request.width || pixel.y >= request.height)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("a picture of {} has no pixel {}, {}", extents(request.width, request.height),
-                                pixel.x, pixel.y));
+                    Sentence("a picture of {0} has no pixel {1}, {2}", extents(request.width, request.height),
+                             pixel.x, pixel.y));
     try {
         const DrawRequest& standing = state_->standing(request, options);
         state_->textures.keepOnly(standing.scene);

@@ -48,7 +48,7 @@ Result<void> checkFile(std::string_view file) {
         return {};
     return fail(
         ErrorCode::OutOfRange,
-        fmt::format("expected the name of a file within the report's folder, found \"{}\"", printable(file)));
+        Sentence("expected the name of a file within the report's folder, found \"{0}\"", printable(file)));
 }
 
 /// One line of the list for `--accept`, and the same name when it is read back.
@@ -118,8 +118,8 @@ private:
 Result<void> FolderWriter::add(File file) {
     if (!names_.insert(file.name).second)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a name of its own for each file of the report, found \"{}\" twice",
-                                file.name));
+                    Sentence("expected a name of its own for each file of the report, found \"{0}\" twice",
+                             file.name));
     files_.push_back(std::move(file));
     return {};
 }

@@ -259,15 +259,15 @@ Result<BlockBytes> blockOfHex(BlockFormat format, std::string_view text) {
             digits.find(each >= 'A' && each <= 'F' ? static_cast<char>(each - 'A' + 'a') : each);
         if (digit == std::string_view::npos)
             return fail(ErrorCode::Malformed,
-                        fmt::format("expected the digits 0 to 9 and A to F for a block of {}, found \"{}\"",
-                                    rowOf(format).label, each));
+                        Sentence("expected the digits 0 to 9 and A to F for a block of {0}, found \"{1}\"",
+                                 rowOf(format).label, each));
         if (count < expected)
             block[count / 2] |= static_cast<std::byte>(digit << (count % 2 == 0 ? 4 : 0));
         ++count;
     }
     if (count != expected)
-        return fail(ErrorCode::Malformed, fmt::format("a block of {} has {} digits, found {}",
-                                                      rowOf(format).label, expected, count));
+        return fail(ErrorCode::Malformed, Sentence("a block of {0} has {1} digits, found {2}",
+                                                   rowOf(format).label, expected, count));
     return block;
 }
 

@@ -60,19 +60,19 @@ Result<void> check(const Image& image, BlockFormat format) {
     if (image.width <= 0 || image.height <= 0 || image.depth <= 0)
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("a picture to compress needs at least 1 × 1 × 1 pixels, this one has {}", extents));
+            Sentence("a picture to compress needs at least 1 × 1 × 1 pixels, this one has {0}", extents));
     const std::size_t needed =
         image.rowBytes() * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.depth);
     if (image.pixels.size() != needed)
-        return fail(ErrorCode::Malformed, fmt::format("a picture of {} pixels needs {} bytes, but has {}",
-                                                      extents, needed, image.pixels.size()));
+        return fail(ErrorCode::Malformed, Sentence("a picture of {0} pixels needs {1} bytes, but has {2}",
+                                                   extents, needed, image.pixels.size()));
     if (image.depth > 1)
         return fail(ErrorCode::Unsupported,
-                    fmt::format("volumes are not compressed: expected a depth of 1, found {}", image.depth));
+                    Sentence("volumes are not compressed: expected a depth of 1, found {0}", image.depth));
     if (!blockEncoder(format, EncodeQuality::Fast))
-        return fail(ErrorCode::Unsupported,
-                    fmt::format("pictures are not compressed to {}: their values are not signed",
-                                rowOf(format).name));
+        return fail(
+            ErrorCode::Unsupported,
+            Sentence("pictures are not compressed to {0}: their values are not signed", rowOf(format).name));
     return {};
 }
 
@@ -106,7 +106,7 @@ Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQu
     parallelFor(rows, std::min(threads == 0 ? processorThreads() : threads, worthwhile), encodeRow);
     if (done < rows)
         return fail(ErrorCode::Cancelled,
-                    fmt::format("compressing was stopped after {} of {} rows of blocks", done.load(), rows));
+                    Sentence("compressing was stopped after {0} of {1} rows of blocks", done.load(), rows));
     if (progress)
         progress(1);
     return compressed;

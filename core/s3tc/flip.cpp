@@ -13,8 +13,8 @@ Result<void> checkExtent(const char* name, int extent) {
     if (flipsWithoutLoss(extent))
         return {};
     return fail(ErrorCode::Unsupported,
-                fmt::format("a compressed picture of {} {} can't be flipped without loss: expected {}", name,
-                            extent, losslessExtents));
+                Sentence("a compressed picture of {0} {1} can't be flipped without loss: expected {2}", name,
+                         extent, losslessExtents));
 }
 
 /// How many texels of a block are turned around along an axis of this extent.

@@ -15,8 +15,8 @@ namespace {
 
 Result<void> turn(Image& image, FlipAxis axis) {
     if (image.pixels.size() != image.byteCount())
-        return fail(ErrorCode::Malformed, fmt::format("expected {} bytes of pixels, found {}",
-                                                      image.byteCount(), image.pixels.size()));
+        return fail(ErrorCode::Malformed, Sentence("expected {0} bytes of pixels, found {1}",
+                                                   image.byteCount(), image.pixels.size()));
     if (axis != FlipAxis::Horizontal)
         flipVertically(image);
     if (axis != FlipAxis::Vertical)
@@ -69,7 +69,7 @@ Result<void> flip(TextureImage& texture, const FlipOptions& options) try {
             else
                 static_cast<void>(turn(texture.surfaces[i], options.axis));
         }
-        return fail(turned.error().code, fmt::format("level {}: {}", level, turned.error().message));
+        return fail(turned.error().code, Sentence("level {0}: {1}", level, turned.error().message));
     }
     return {};
 } catch (const std::bad_alloc&) { // before anything was turned

@@ -17,9 +17,8 @@ namespace {
 Result<std::vector<Surface>> chainOf(const Surface& base, const MipOptions& options, EncodeQuality quality) {
     const bool compressed = std::holds_alternative<BlockImage>(base);
     if (compressed && depthOf(base) > 1)
-        return fail(
-            ErrorCode::Unsupported,
-            fmt::format("volumes are not compressed: expected a depth of 1, found {}", depthOf(base)));
+        return fail(ErrorCode::Unsupported,
+                    Sentence("volumes are not compressed: expected a depth of 1, found {0}", depthOf(base)));
     MipChain chain = buildMipChain(toImage(base), options);
     std::vector<Surface> levels;
     if (!compressed) {
@@ -43,15 +42,14 @@ Result<std::vector<Surface>> chainOf(const Surface& base, const MipOptions& opti
 Result<void> buildMips(TextureImage& texture, const MipOptions& options, EncodeQuality quality) try {
     const auto held = static_cast<std::size_t>(texture.faces) * static_cast<std::size_t>(texture.levels);
     if (held == 0 || texture.surfaces.size() != held)
-        return fail(ErrorCode::Malformed,
-                    fmt::format("expected {} faces of {} levels, found {} surfaces", texture.faces,
-                                texture.levels, texture.surfaces.size()));
+        return fail(ErrorCode::Malformed, Sentence("expected {0} faces of {1} levels, found {2} surfaces",
+                                                   texture.faces, texture.levels, texture.surfaces.size()));
     std::vector<Surface> surfaces;
     for (int face = 0; face < texture.faces; ++face) {
         const Surface& base = texture.surface(face, 0);
         if (bytesHeld(base) == 0 || bytesHeld(base) != byteCount(base))
-            return fail(ErrorCode::Malformed, fmt::format("face {}: expected {} bytes of pixels, found {}",
-                                                          face, byteCount(base), bytesHeld(base)));
+            return fail(ErrorCode::Malformed, Sentence("face {0}: expected {1} bytes of pixels, found {2}",
+                                                       face, byteCount(base), bytesHeld(base)));
         Result<std::vector<Surface>> levels = chainOf(base, options, quality);
         if (!levels)
             return fail(levels.error());

@@ -60,8 +60,8 @@ Result<void> turnIntoMesh(Model& model) {
         return fail(ErrorCode::OutOfRange, "it already is a mesh");
     const std::string_view shape = rowOf(model.shape).name;
     if (const std::size_t count = vertexCountOf(model); count > maxMeshVertices)
-        return fail(ErrorCode::TooLarge, fmt::format("the {} has {} vertices, a mesh has at most {}", shape,
-                                                     count, maxMeshVertices));
+        return fail(ErrorCode::TooLarge, Sentence("the {0} has {1} vertices, a mesh has at most {2}", shape,
+                                                  count, maxMeshVertices));
     const Mesh mesh = meshOf(model);
     MeshData data{.primitive = Primitive::Quads};
     for (const Vertex& vertex : mesh.vertices) {
@@ -72,8 +72,8 @@ Result<void> turnIntoMesh(Model& model) {
     if (makeMesh(data).triangles != mesh.triangles) {
         if (mesh.triangles.size() > maxMeshIndices)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("the triangles of the {} have {} corners, a mesh has at most {} indices",
-                                    shape, mesh.triangles.size(), maxMeshIndices));
+                        Sentence("the triangles of the {0} have {1} corners, a mesh has at most {2} indices",
+                                 shape, mesh.triangles.size(), maxMeshIndices));
         data.primitive = Primitive::Triangles;
         data.indices.assign(mesh.triangles.begin(), mesh.triangles.end());
     }

@@ -205,9 +205,9 @@ Result<Layout> layoutOf(const Content& content, const Lettering& lettering) {
     const std::int64_t room = std::max<std::int64_t>(wide, header);
     const auto tooLarge = [](std::int64_t width, std::int64_t height) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected a sheet of at most {0} × {0} pixels, this one would have {1} × "
-                                "{2}: use smaller pictures or fewer values",
-                                maxSheetExtent, width, height));
+                    Sentence("expected a sheet of at most {0} × {0} pixels, this one would have {1} × "
+                             "{2}: use smaller pictures or fewer values",
+                             maxSheetExtent, width, height));
     };
     Layout layout;
     int top = margin;

@@ -39,7 +39,7 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
                                                  const std::vector<std::string>& known) {
     if (text.size() > maxAcceptBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} bytes, found {}", maxAcceptBytes, text.size()));
+                    Sentence("expected at most {0} bytes, found {1}", maxAcceptBytes, text.size()));
     if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) // as some editors write it
         text.remove_prefix(mark.size());
     const std::unordered_set<std::string_view> names(known.begin(), known.end());

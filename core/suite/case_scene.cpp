@@ -63,7 +63,7 @@ Result<lesson::LessonScene> sceneOfTask(const SceneLesson& source, const lesson:
         return lesson::withEdits(start, match->edits);
     const std::size_t answers = predict ? predict->answers.size() : 0;
     if (source.answer > answers)
-        return fail(ErrorCode::OutOfRange, fmt::format("this step has {} answers", answers), "answer");
+        return fail(ErrorCode::OutOfRange, Sentence("this step has {0} answers", answers), "answer");
     return source.answer > 0 ? lesson::withEdits(start, predict->answers[source.answer - 1].edits)
                              : Result<lesson::LessonScene>(std::move(start));
 }
@@ -80,8 +80,8 @@ Result<CaseScene> openSource(const Suite& suite, const SceneLesson& source) {
     if (!lesson)
         return fail(lesson.error());
     if (source.step > lesson->steps.size())
-        return fail(ErrorCode::OutOfRange, fmt::format("the lesson has the steps 1 to {}, and no {}",
-                                                       lesson->steps.size(), source.step));
+        return fail(ErrorCode::OutOfRange, Sentence("the lesson has the steps 1 to {0}, and no {1}",
+                                                    lesson->steps.size(), source.step));
     return startOf(*folder, *lesson, source.step - 1)
         .and_then([&](lesson::LessonScene start) {
             return sceneOfTask(source, lesson->steps[source.step - 1], std::move(start));
@@ -170,7 +170,7 @@ struct Fingerprints::Cache {
         if (const auto found = hashes.find(*fingerprint); found != hashes.end())
             return found->second;
         const Result<Bytes> bytes = readFile(file);
-        return hashes[*fingerprint] = bytes ? hashOf(*bytes) : bytes.error().message;
+        return hashes[*fingerprint] = bytes ? hashOf(*bytes) : bytes.error().message.english();
     }
 };
 

@@ -46,7 +46,7 @@ Result<void> checkSame(const std::vector<RunRecord>& records, const std::vector<
         const auto differs = [&](std::string_view what) {
             return fail(
                 ErrorCode::OutOfRange,
-                fmt::format("{} and {} are of different {}", inQuotes(names[0]), inQuotes(names[i]), what),
+                Sentence("{0} and {1} are of different {2}", inQuotes(names[0]), inQuotes(names[i]), what),
                 names[i]);
         };
         if (records[i].suites != records[0].suites)

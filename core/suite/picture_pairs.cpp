@@ -37,7 +37,7 @@ Result<void> forEachPng(const fs::path& folder, const fs::path& leftOut, const A
     for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
         if (++looked > 2 * maxPicturePairs)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("expected at most {} files and folders", 2 * maxPicturePairs),
+                        Sentence("expected at most {0} files and folders", 2 * maxPicturePairs),
                         folder.string());
         std::error_code ignored;
         if (!leftOut.empty() && each->is_directory(ignored) && fs::equivalent(each->path(), leftOut, ignored))
@@ -76,7 +76,7 @@ Result<std::vector<PicturePair>> pairPictures(const fs::path& actual, const fs::
                     actual.string());
     if (pairs.size() > maxPicturePairs)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} pictures, found {}", maxPicturePairs, pairs.size()),
+                    Sentence("expected at most {0} pictures, found {1}", maxPicturePairs, pairs.size()),
                     actual.string());
     std::vector<PicturePair> list;
     list.reserve(pairs.size());

@@ -218,7 +218,7 @@ Result<std::vector<Row>> rowsOf(const std::vector<Suite>& suites, const PlanOpti
     }
     if (count > options.limit)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} cases, found {}", options.limit, count),
+                    Sentence("expected at most {0} cases, found {1}", options.limit, count),
                     suites.size() == 1 ? printable(suites.front().name) : std::string());
     return rows;
 }
@@ -232,9 +232,9 @@ Result<void> checkUnique(const Plan& plan) {
         if (!isNew)
             return fail(
                 ErrorCode::Malformed,
-                fmt::format("two cases are called {}, this one and one of {}; give one of them a \"name\"",
-                            inQuotes(each.name),
-                            placeOfEntry(plan.suiteOf(*found->second), found->second->entry)),
+                Sentence("two cases are called {0}, this one and one of {1}; give one of them a \"name\"",
+                         inQuotes(each.name),
+                         placeOfEntry(plan.suiteOf(*found->second), found->second->entry)),
                 placeOfEntry(plan.suiteOf(each), each.entry));
     }
     return {};
@@ -251,7 +251,7 @@ Result<void> keepWanted(Plan& plan, const std::vector<std::string>& only) {
     std::string globs;
     for (const std::string& glob : only)
         globs += (globs.empty() ? "" : ", ") + inQuotes(glob);
-    return fail(ErrorCode::NotFound, fmt::format("no case is called {}", globs));
+    return fail(ErrorCode::NotFound, Sentence("no case is called {0}", globs));
 }
 
 /// An entry's own were looked at when it was read: the reference against itself always passes.

@@ -60,13 +60,11 @@ Result<Shard> parseShard(std::string_view text) {
     Shard shard;
     if (slash == std::string_view::npos || !parsePositive(text.substr(0, slash), shard.number) ||
         !parsePositive(text.substr(slash + 1), shard.count))
-        return fail(
-            ErrorCode::Malformed,
-            fmt::format("expected a part and how many there are, as in 2/5, found {}", inQuotes(text)));
+        return fail(ErrorCode::Malformed,
+                    Sentence("expected a part and how many there are, as in 2/5, found {0}", inQuotes(text)));
     if (shard.number > shard.count)
-        return fail(
-            ErrorCode::OutOfRange,
-            fmt::format("expected a part from 1 to {0}, as in 1/{0}, found {1}", shard.count, shard.number));
+        return fail(ErrorCode::OutOfRange, Sentence("expected a part from 1 to {0}, as in 1/{0}, found {1}",
+                                                    shard.count, shard.number));
     return shard;
 }
 

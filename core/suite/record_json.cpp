@@ -179,7 +179,7 @@ void readTexts(JsonObject& object, const char* key, std::vector<std::string>& te
             texts.push_back(each.get<std::string>());
         else if (!object.problem())
             object.problem() =
-                Error{ErrorCode::Malformed, "expected a text, found " + foundText(each), where};
+                Error{ErrorCode::Malformed, Sentence("expected a text, found {0}", foundText(each)), where};
     });
 }
 
@@ -313,7 +313,7 @@ Result<CaseRecord> parseCaseRecord(std::string_view text) {
 Result<Journal> parseJournal(std::string_view text) {
     if (text.size() > maxRecordBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} bytes, found {}", maxRecordBytes, text.size()));
+                    Sentence("expected at most {0} bytes, found {1}", maxRecordBytes, text.size()));
     Journal journal;
     std::optional<Cases> cases;
     for (std::size_t line = 1; journal.wholeBytes < text.size(); ++line) {
@@ -391,15 +391,15 @@ Result<void> checkResumable(const RunRecord& journal, const RunRecord& now) {
     for (const Fact& fact : facts) {
         if (fact.then != fact.now)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("the journal has another {}, {}; it is {} now", fact.what,
-                                    quotedWhole(fact.then), quotedWhole(fact.now)));
+                        Sentence("the journal has another {0}, {1}; it is {2} now", fact.what,
+                                 quotedWhole(fact.then), quotedWhole(fact.now)));
     }
     const std::string gone = firstNotIn(journal.names, now.names);
     const std::string added = firstNotIn(now.names, journal.names);
     if (!gone.empty() || !added.empty())
-        return fail(ErrorCode::OutOfRange, fmt::format("the journal has other cases: {} is {}",
-                                                       quotedWhole(gone.empty() ? added : gone),
-                                                       gone.empty() ? "a new one" : "gone"));
+        return fail(ErrorCode::OutOfRange,
+                    Sentence("the journal has other cases: {0} is {1}",
+                             quotedWhole(gone.empty() ? added : gone), gone.empty() ? "a new one" : "gone"));
     if (journal.plan != now.plan || journal.names != now.names)
         return fail(ErrorCode::OutOfRange, "the journal has the same cases in another order or division");
     return {};

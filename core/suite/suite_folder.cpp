@@ -27,8 +27,7 @@ Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
     for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
         if (++looked > maxListedFiles)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("expected at most {} files and folders", maxListedFiles),
-                        folder.string());
+                        Sentence("expected at most {0} files and folders", maxListedFiles), folder.string());
         std::error_code ignored;
         last = each->path();
         if (each->is_regular_file(ignored))
@@ -94,14 +93,14 @@ Result<std::vector<Suite>> suitesBelow(const fs::path& folder) {
     if (suites.back().entries.empty())
         return fail(
             ErrorCode::NotFound,
-            fmt::format("expected a suite, *{}, or scenes X.json with pictures X.png next to them, found "
-                        "neither",
-                        suiteExtension),
+            Sentence("expected a suite, *{0}, or scenes X.json with pictures X.png next to them, found "
+                     "neither",
+                     suiteExtension),
             folder.string());
     if (suites.back().entries.size() > maxEntries)
         return fail(
             ErrorCode::TooLarge,
-            fmt::format("expected at most {} scenes, found {}", maxEntries, suites.back().entries.size()),
+            Sentence("expected at most {0} scenes, found {1}", maxEntries, suites.back().entries.size()),
             folder.string());
     return suites;
 }
@@ -122,7 +121,7 @@ Result<void> checkInside(std::string_view name) {
     const auto refuse = [&](std::string_view what) {
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected a name within the suite's folder, found {}: {}", inQuotes(name), what));
+            Sentence("expected a name within the suite's folder, found {0}: {1}", inQuotes(name), what));
     };
     if (name.empty())
         return refuse("it is empty");

@@ -211,8 +211,8 @@ void readBounds(JsonObject& object, Settings& settings) {
     const auto names = ruleNames();
     if (std::ranges::find(names, std::string_view(name)) == names.end())
         return object.say(ErrorCode::OutOfRange, "rule",
-                          fmt::format("there is no rule {}; {}", foundText(*rule),
-                                      suggestName(name, {names.begin(), names.end()})));
+                          Sentence("there is no rule {0}; {1}", foundText(*rule),
+                                   suggestName(name, {names.begin(), names.end()})));
     reference->rule = name;
 }
 

@@ -55,7 +55,7 @@ Result<NamePattern> NamePattern::parse(std::string_view text) {
         if (end == std::string_view::npos || end == 1)
             return fail(
                 ErrorCode::Malformed,
-                fmt::format("expected a name and }} after each {{, found \"{}\"; {{{{ is a brace", whole));
+                Sentence("expected a name and }} after each {{, found \"{0}\"; {{{{ is a brace", whole));
         if (!plain.empty())
             pattern.pieces_.push_back({std::exchange(plain, {}), false});
         pattern.pieces_.push_back({std::string(text.substr(1, end - 1)), true});

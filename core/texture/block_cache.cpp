@@ -200,12 +200,12 @@ Result<void> BlockCache::keep(const fs::path& file, std::vector<BlockImage> leve
         return fail(bytes.error());
     if (bytes->size() > maxBytes_)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("its {} bytes exceed the cache's limit of {}", bytes->size(), maxBytes_));
+                    Sentence("its {0} bytes exceed the cache's limit of {1}", bytes->size(), maxBytes_));
     const std::string name = file.filename().string();
     std::ranges::copy(checksumOf(name, *bytes), bytes->begin() + checksumAt);
     const Result<PrivateDirectory> directory = PrivateDirectory::make(directory_);
     if (!directory)
-        return fail(directory.error().code, fmt::format("the cache directory {}", directory.error().message),
+        return fail(directory.error().code, Sentence("the cache directory {0}", directory.error().message),
                     directory.error().where);
     makeRoom(*directory, maxBytes_ - bytes->size(), name); // before: the disk may be as small as the bound
     return writeFileAtomically(directory->descriptor(), name, *bytes, file.string());

@@ -194,9 +194,9 @@ Result<void> LevelMaker::checkRoom() const {
     if (bytes <= sceneImageBytes)
         return {};
     return fail(ErrorCode::TooLarge,
-                fmt::format("the images of the levels above the base need {} bytes, but may have at most "
-                            "{} together",
-                            bytes, sceneImageBytesText()));
+                Sentence("the images of the levels above the base need {0} bytes, but may have at most "
+                         "{1} together",
+                         bytes, sceneImageBytesText()));
 }
 
 /// Notes the missing files other than the base's.
@@ -250,7 +250,7 @@ void LevelMaker::roundToBits() {
 Result<TextureLevels> LevelMaker::run() {
     if (isDepth(texture_.internalFormat) && !takesDepths(target_))
         return fail(ErrorCode::Unsupported,
-                    fmt::format("OpenGL has no depth textures for {}", rowOf(target_).name));
+                    Sentence("OpenGL has no depth textures for {0}", rowOf(target_).name));
     if (image_.faces > 1 && !isCube())
         note(fmt::format("the file is a cube map of {} faces; the first, +x, is drawn", image_.faces));
     if (const Result<void> room = checkRoom(); !room)

@@ -24,9 +24,9 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
         return made;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("not enough memory for the levels of an image of {} texels",
-                                fmt::format("{} × {}", widthOf(image.surfaces.front()),
-                                            heightOf(image.surfaces.front()))));
+                    Sentence("not enough memory for the levels of an image of {0} texels",
+                             fmt::format("{} × {}", widthOf(image.surfaces.front()),
+                                         heightOf(image.surfaces.front()))));
     }
 }
 

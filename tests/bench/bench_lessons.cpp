@@ -26,7 +26,7 @@ void lessonOpens(benchmark::State& state, const std::string& name) {
             const auto context = offscreen::Context::create(lessonWindow);
             const auto graphics = opengl::OpenGlGraphics::create();
             if (!graphics)
-                return state.SkipWithError(describe(graphics.error()).c_str());
+                return state.SkipWithError(describe(graphics.error()).english().c_str());
             stage::Stage stage(**graphics, 1);
             ui::ServicesAtOnce atOnce;
             ui::LessonWork beside(When::WhenReady);
@@ -44,7 +44,7 @@ void lessonOpens(benchmark::State& state, const std::string& name) {
             glFinish();
             state.PauseTiming();
             if (!opened)
-                state.SkipWithError(describe(opened.error()).c_str());
+                state.SkipWithError(describe(opened.error()).english().c_str());
         }
         state.ResumeTiming();
     }

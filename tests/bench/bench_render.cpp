@@ -27,7 +27,7 @@ struct Stage {
 
 void drawFrames(benchmark::State& state, const ImageSource& images, auto& renderer) {
     if (!renderer)
-        return state.SkipWithError(describe(renderer.error()).c_str());
+        return state.SkipWithError(describe(renderer.error()).english().c_str());
     const Scene scene = defaultScene();
     const view::Size size = sizeOf(state);
     for (auto _ : state) {
@@ -54,7 +54,7 @@ void frameShader(benchmark::State& state) {
 void frameBare(benchmark::State& state) {
     Stage stage;
     if (!stage.renderer)
-        return state.SkipWithError(describe(stage.renderer.error()).c_str());
+        return state.SkipWithError(describe(stage.renderer.error()).english().c_str());
     const view::Size size = sizeOf(state);
     const BareScene bare(size.width, size.height);
     bare.draw();

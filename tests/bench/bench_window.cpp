@@ -24,7 +24,7 @@ void windowFrame(benchmark::State& state) {
     const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
     if (!graphics)
-        return state.SkipWithError(describe(graphics.error()).c_str());
+        return state.SkipWithError(describe(graphics.error()).english().c_str());
     stage::Stage stage(**graphics, 1);
     ui::ServicesAtOnce services;
     ui::Session session(services.lend());
@@ -40,7 +40,7 @@ void windowDrag(benchmark::State& state) {
     const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
     if (!graphics)
-        return state.SkipWithError(describe(graphics.error()).c_str());
+        return state.SkipWithError(describe(graphics.error()).english().c_str());
     stage::Stage stage(**graphics, 1);
     ui::ServicesAtOnce services;
     ui::Session session(services.lend());
@@ -86,7 +86,7 @@ void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Move
     const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
     if (!graphics)
-        return state.SkipWithError(describe(graphics.error()).c_str());
+        return state.SkipWithError(describe(graphics.error()).english().c_str());
     stage::Stage stage(**graphics, 1);
     ui::ServicesBeside services;
     ui::Session session(services.lend());

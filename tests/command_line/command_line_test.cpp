@@ -237,7 +237,7 @@ TEST(CommandLine, TheCommandThatIsCalledRuns) {
 TEST(CommandLine, WhatIsNoCommandIsToldWithThoseThatThereAre) {
     const auto sentence = [](const std::vector<const char*>& words) {
         const auto parsed = Kitchen().parse(words);
-        return parsed ? std::string("taken") : describe(parsed.error());
+        return parsed ? std::string("taken") : describe(parsed.error()).english();
     };
     EXPECT_EQ(sentence({}), "a command is missing; see kitchen --help");
     EXPECT_EQ(sentence({"--quiet"}), "a command is missing; see kitchen --help");

@@ -116,7 +116,7 @@ struct Trial::State::Run {
         journal.step("json");
         const Result<Scene> read = parseScene(writeScene(scene()));
         if (!read)
-            broken("can't be read as it was written: " + describe(read.error()));
+            broken("can't be read as it was written: " + describe(read.error()).english());
         else if (*read != scene())
             broken("written and read it is another scene");
     }
@@ -138,7 +138,7 @@ struct Trial::State::Run {
                     Scene fixed = scene();
                     if (const Result<void> applied = apply(fix, fixed); !applied)
                         broken("can't be fixed as " + std::string(each.rule) +
-                               " says: " + describe(applied.error()));
+                               " says: " + describe(applied.error()).english());
                 }
             }
         }
@@ -150,7 +150,7 @@ struct Trial::State::Run {
         const Result<view::Frame> frame = renderer.draw(scene(), images, 0, {extent, extent});
         Result<Image> image = frame ? renderer.read() : fail(frame.error());
         if (!image)
-            return broken(nameOf(kind) + ": " + describe(image.error()));
+            return broken(nameOf(kind) + ": " + describe(image.error()).english());
         heed(frame->problems);
         pictures.emplace(kind, std::move(*image));
     }
@@ -166,7 +166,7 @@ struct Trial::State::Run {
         journal.step("reference");
         Result<Frame> drawn = reference::drawReference(request(), {.threads = 1});
         if (!drawn)
-            return broken("reference: " + describe(drawn.error()));
+            return broken("reference: " + describe(drawn.error()).english());
         heed(drawn->problems);
         if (std::ranges::equal(std::span(drawn->image.pixels).subspan(4),
                                std::span(drawn->image.pixels).first(drawn->image.pixels.size() - 4)))
@@ -183,7 +183,7 @@ struct Trial::State::Run {
             const Result<reference::Explanation> explained =
                 reference::probe(request(), place, {.threads = 1});
             if (!explained) {
-                broken("probe: " + describe(explained.error()));
+                broken("probe: " + describe(explained.error()).english());
                 continue;
             }
             const auto isByte = [](std::uint8_t found, std::byte expected) {
@@ -209,7 +209,7 @@ struct Trial::State::Run {
                     {static_cast<int>(p), static_cast<int>(u), {level, {0, 0, 0}}}, {.threads = 1});
                 if (!found && found.error().code != ErrorCode::OutOfRange &&
                     found.error().code != ErrorCode::Unsupported)
-                    broken("texel: " + describe(found.error()));
+                    broken("texel: " + describe(found.error()).english());
                 return; // one is enough
             }
         }
@@ -254,7 +254,7 @@ struct Trial::State::Run {
         const Result<conform::Judgement> judgement =
             conform::judge(rule, scene(), pictures.at(pair.subject), pictures.at(pair.against), *reference);
         if (!judgement)
-            return broken("compare: " + describe(judgement.error()));
+            return broken("compare: " + describe(judgement.error()).english());
         const double wrong =
             static_cast<double>(judgement->unexplained) / static_cast<double>(judgement->difference.pixels);
         const auto allowed =

@@ -88,7 +88,8 @@ TEST_F(DriverCache, RefusesWhatHasNoRoomForTheIndex) {
     const Result<void> fit = checkDriverCache(cache); // the limit's signal would end the process
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
     ASSERT_FALSE(fit);
-    EXPECT_NE(fit.error().message.find("1310728 bytes"), std::string::npos) << describe(fit.error());
+    EXPECT_NE(fit.error().message.english().find("1310728 bytes"), std::string::npos)
+        << describe(fit.error()).english();
 }
 
 TEST_F(DriverCache, RefusesAPlaceWhereNothingCanBeMade) {

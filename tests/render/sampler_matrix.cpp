@@ -175,7 +175,7 @@ std::vector<Case> footprintCases() {
     const auto context = offscreen::Context::create({1, 1});
     const auto capabilities = context ? render::loadCapabilities() : fail(context.error());
     if (!capabilities) {
-        std::fprintf(stderr, "%s\n", texplorer::describe(capabilities.error()).c_str());
+        std::fprintf(stderr, "%s\n", texplorer::describe(capabilities.error()).english().c_str());
         _exit(1);
     }
     auto fixed = render::createRenderer(RendererKind::Fixed, *capabilities);

@@ -103,8 +103,8 @@ std::string brokenByOutline(const TextureImage& texture, const TextureImage& out
 std::string brokenByError(const CodecRow& row, const Error& error) {
     if (!isOneLine(error.message))
         return "the error isn't one line: " + inQuotes(error.message);
-    if (!error.message.starts_with(row.name))
-        return "the error doesn't begin with the format's name: " + error.message;
+    if (!error.message.english().starts_with(row.name))
+        return "the error doesn't begin with the format's name: " + error.message.english();
     if (!error.where.empty())
         return "a decoder can't know a place, its error names " + inQuotes(error.where);
     return {};
@@ -136,7 +136,7 @@ std::string brokenByWriting(const CodecRow& row, const TextureImage& texture, co
         return brokenByError(row, written.error());
     const Result<TextureImage> again = row.decode(*written, {});
     if (!again)
-        return "what was written can't be read: " + again.error().message;
+        return "what was written can't be read: " + again.error().message.english();
     const Image first = uprightImage(texture);
     const Image second = uprightImage(*again);
     if (first.width != second.width || first.height != second.height)
@@ -177,7 +177,7 @@ std::string brokenPromise(const CodecRow& row, ByteView file, const DecodeLimits
     if (!texture)
         return brokenByError(row, texture.error());
     if (!outline)
-        return "the texture is read and its outline isn't: " + outline.error().message;
+        return "the texture is read and its outline isn't: " + outline.error().message.english();
     if (std::string broken = brokenByOutline(*texture, *outline); !broken.empty())
         return broken;
     if (std::string broken = brokenByTexture(row, *texture, limits); !broken.empty())

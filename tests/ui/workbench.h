@@ -29,6 +29,10 @@ protected:
 
     /// Restarts with another scene or another window size.
     void start(Scene scene, int width = 1280, int height = 800, float scale = 1);
+    void resize(int width, int height) {
+        width_ = width;
+        height_ = height;
+    }
 
     /// Restarts with other services than the default ones, which do everything at once.
     void lend(const ui::Services& services);

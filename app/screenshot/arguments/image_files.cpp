@@ -85,7 +85,7 @@ struct ImageJob {
     const CodecRow* format; ///< of a pipe; a file's is that of its extension; nullptr: that of the input
 };
 
-tl::unexpected<Error> wrongImageCall(std::string sentence, std::string where = {}) {
+tl::unexpected<Error> wrongImageCall(Sentence sentence, std::string where = {}) {
     return fail(ErrorCode::OutOfRange, std::move(sentence), std::move(where));
 }
 
@@ -95,13 +95,13 @@ Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageForm
         return wrongImageCall("OUT is missing: expected IN OUT, or IN... -o DIR");
     if (files.files.size() > 2)
         return wrongImageCall(
-            fmt::format("expected IN OUT, or IN... -o DIR, found {}", countOf(files.files.size(), "file")));
+            Sentence("expected IN OUT, or IN... -o DIR, found {0}", countOf(files.files.size(), "file")));
     const std::string& in = files.files[0];
     const std::string& out = files.files[1];
     if (const CodecRow* named = codecForExtension(out);
         format != nullptr && named != nullptr && named != format)
-        return wrongImageCall(fmt::format("expected the format of OUT, whose extension says {}, found {}",
-                                          named->name, format->name),
+        return wrongImageCall(Sentence("expected the format of OUT, whose extension says {0}, found {1}",
+                                       named->name, format->name),
                               "--to");
     if ((files.report || files.json) && isStandardOutput(out))
         return standardOutputIsTaken(files.json ? "--json" : "--report");
@@ -126,10 +126,10 @@ Result<std::vector<ImageJob>> planOfFolder(const ImageFiles& files, const ImageF
     const std::filesystem::path folder = files.folder;
     if (codecForExtension(files.folder) != nullptr && !std::filesystem::is_directory(folder, ignored))
         return wrongImageCall(
-            fmt::format("expected a folder, found \"{}\"; IN OUT writes one file", files.folder), "--out");
+            Sentence("expected a folder, found \"{0}\"; IN OUT writes one file", files.folder), "--out");
     if (format == nullptr && formats.named)
         return wrongImageCall(
-            fmt::format("--to is missing: with -o it says the format, one of {}", formatNames()));
+            Sentence("--to is missing: with -o it says the format, one of {0}", formatNames()));
     std::vector<ImageJob> jobs;
     std::map<std::string, std::string> makers; // of each name
     for (const std::string& in : files.files) {
@@ -137,8 +137,8 @@ Result<std::vector<ImageJob>> planOfFolder(const ImageFiles& files, const ImageF
         if (!name)
             return fail(name.error());
         if (const auto [other, isNew] = makers.emplace(*name, in); !isNew)
-            return wrongImageCall(fmt::format("\"{}\" and \"{}\" would both become {}", other->second, in,
-                                              (folder / *name).string()),
+            return wrongImageCall(Sentence("\"{0}\" and \"{1}\" would both become {2}", other->second, in,
+                                           (folder / *name).string()),
                                   "--out");
         jobs.push_back({in, (folder / *name).string(), codecForExtension(*name)});
     }
@@ -263,7 +263,7 @@ Result<void> settleLosses(const ImageJob& job, const CodecRow& format, bool allo
     if (!lost.empty() && !allowed)
         return fail(
             ErrorCode::Unsupported,
-            fmt::format("as {} it would lose something: {}; --lossy writes it anyway", format.name, lost),
+            Sentence("as {0} it would lose something: {1}; --lossy writes it anyway", format.name, lost),
             inputName(job.in));
     if (!made.losses.empty())
         warn({ErrorCode::Unsupported, fmt::format("lost in {}: {}", format.name, allLost(made.losses)),

@@ -28,8 +28,8 @@ Result<std::vector<std::string>> allChoices(const ParamRow& row, const std::stri
         return std::vector<std::string>{"false", "true"};
     if (row.kind != Kind::Enum)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected values to move between, as in A..B: * is for names, this is {}",
-                                describeAccepted(row)),
+                    Sentence("expected values to move between, as in A..B: * is for names, this is {0}",
+                             describeAccepted(row)),
                     path);
     std::vector<std::string> names;
     for (const EnumRow& each : row.choices)
@@ -74,7 +74,7 @@ Result<void> putMove(Scene& scene, const std::string& assignment, const MoveTime
     std::erase_if(scene.timeline.keys, [&](const KeyFrame& key) { return key.path == path; });
     if (scene.timeline.keys.size() + values->size() > maxKeyFrames)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} in a scene", countOf(maxKeyFrames, "key frame")), path);
+                    Sentence("expected at most {0} in a scene", countOf(maxKeyFrames, "key frame")), path);
     const bool mixes = canMix(**row);
     const auto spans = static_cast<double>(mixes ? values->size() - 1 : values->size());
     for (std::size_t i = 0; i < values->size(); ++i) {

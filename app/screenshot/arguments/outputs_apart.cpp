@@ -56,12 +56,11 @@ bool isWithin(const fs::path& path, const fs::path& folder) {
 }
 
 tl::unexpected<Error> takesThePlaceOf(const NamedOutput& other, const NamedOutput& output) {
-    return fail(
-        ErrorCode::OutOfRange,
-        std::string_view(other.option) == output.option
-            ? fmt::format("expected a file other than {}, which is also written", inQuotes(other.path))
-            : fmt::format("expected a file other than that of {}", other.option),
-        output.option);
+    return fail(ErrorCode::OutOfRange,
+                std::string_view(other.option) == output.option
+                    ? Sentence("expected a file other than {0}, which is also written", inQuotes(other.path))
+                    : Sentence("expected a file other than that of {0}", other.option),
+                output.option);
 }
 
 /// Outputs and inputs that lie in a folder which another output fills.
@@ -71,13 +70,13 @@ Result<void> checkOutside(const NamedOutput& folder, Places& places, std::span<c
     for (const NamedOutput& each : outputs)
         if (&each != &folder && !each.path.empty() && isWithin(places.of(each.path), place))
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected a file outside of {}, which {} fills", inQuotes(folder.path),
-                                    folder.option),
+                        Sentence("expected a file outside of {0}, which {1} fills", inQuotes(folder.path),
+                                 folder.option),
                         each.option);
     for (const std::string& each : inputs)
         if (!each.empty() && isWithin(places.of(each), place))
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected a folder other than that of {}, which is read", inQuotes(each)),
+                        Sentence("expected a folder other than that of {0}, which is read", inQuotes(each)),
                         folder.option);
     return {};
 }
@@ -108,7 +107,7 @@ Result<void> checkNotRead(std::span<const NamedOutput> outputs, std::span<const 
         const auto id = idOf(isStandardOutput(each.path) ? "/dev/stdout" : each.path);
         if (const auto input = id ? read.find(*id) : read.end(); input != read.end())
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected a file other than {}, which is read", inQuotes(input->second)),
+                        Sentence("expected a file other than {0}, which is read", inQuotes(input->second)),
                         each.option);
     }
     return {};

@@ -52,8 +52,8 @@ Result<view::Size> parsePictureSize(std::string_view text, view::Size min) {
             return size;
     }
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected WIDTHxHEIGHT from {} to {}, found \"{}\"", asArgument(min),
-                            asArgument({maxExtent, maxExtent}), text),
+                Sentence("expected WIDTHxHEIGHT from {0} to {1}, found \"{2}\"", asArgument(min),
+                         asArgument({maxExtent, maxExtent}), text),
                 "--size");
 }
 
@@ -63,7 +63,7 @@ Result<double> parseTime(std::string_view text) {
     const auto [stop, error] = std::from_chars(text.data(), end, seconds);
     if (error == std::errc() && stop == end && std::isfinite(seconds))
         return seconds;
-    return fail(ErrorCode::OutOfRange, fmt::format("expected a finite number of seconds, found \"{}\"", text),
+    return fail(ErrorCode::OutOfRange, Sentence("expected a finite number of seconds, found \"{0}\"", text),
                 "--time");
 }
 

@@ -79,8 +79,7 @@ Result<lesson::LessonScene> sceneOfTask(const SceneArgument& argument, const les
     const std::size_t answers = predict ? predict->answers.size() : 0;
     if (argument.answer > answers)
         return fail(ErrorCode::OutOfRange,
-                    answers > 0 ? fmt::format("this step has {} answers", answers)
-                                : std::string("this step has no answers"),
+                    answers > 0 ? Sentence("this step has {0} answers", answers) : "this step has no answers",
                     "--answer");
     return argument.answer > 0 ? lesson::withEdits(start, predict->answers[argument.answer - 1].edits)
                                : Result<lesson::LessonScene>(start);

@@ -29,7 +29,7 @@ Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view na
         if (isSameName(row.name, name))
             return row;
     }
-    return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", namesOf(rows), name),
+    return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}, found \"{1}\"", namesOf(rows), name),
                 option);
 }
 
@@ -79,7 +79,7 @@ Result<float> parseScale(std::string_view text) {
     if (error == std::errc() && stop == end && scale >= minScale && scale <= maxScale)
         return scale;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a number from {} to {}, found \"{}\"", minScale, maxScale, text),
+                Sentence("expected a number from {0} to {1}, found \"{2}\"", minScale, maxScale, text),
                 "--scale");
 }
 
@@ -97,7 +97,7 @@ Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
     std::array<int, 2> place{};
     if (parseNumbers(text, place) && place[0] >= 0 && place[1] >= 0)
         return reference::PixelPlace{place[0], place[1]};
-    return fail(ErrorCode::OutOfRange, fmt::format("expected X,Y, found \"{}\"", text), "--probe");
+    return fail(ErrorCode::OutOfRange, Sentence("expected X,Y, found \"{0}\"", text), "--probe");
 }
 
 /// "fixed,reference"

@@ -63,7 +63,7 @@ Result<double> parseNumber(std::string_view text, double low, double high, const
     if (error == std::errc() && stop == end && number > low && number <= high)
         return number;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected a number above {} and up to {}, found \"{}\"", low, high, text),
+                Sentence("expected a number above {0} and up to {1}, found \"{2}\"", low, high, text),
                 option);
 }
 
@@ -95,8 +95,8 @@ Result<void> countPictures(Motion& motion) {
     const double pictures = std::max(1.0, std::round(motion.seconds * motion.perSecond));
     if (pictures > static_cast<double>(maxPictures))
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} pictures, found {}: {} s with {} a second", maxPictures,
-                                pictures, motion.seconds, motion.perSecond),
+                    Sentence("expected at most {0} pictures, found {1}: {2} s with {3} a second", maxPictures,
+                             pictures, motion.seconds, motion.perSecond),
                     "--seconds");
     motion.pictures = static_cast<std::size_t>(pictures);
     return {};
@@ -182,7 +182,7 @@ Result<std::string> withBracedNumbers(std::string_view name) {
 Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
     const auto wrong = [&] {
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a place for the number as %04d or {{number}}, found \"{}\"", name),
+                    Sentence("expected a place for the number as %04d or {{number}}, found \"{0}\"", name),
                     "--out");
     };
     const Result<std::string> braced = withBracedNumbers(name);
@@ -194,7 +194,7 @@ Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
     const std::vector<std::string> places = pattern->places();
     if (places.size() > 1)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected one place for the number, found two in \"{}\"", name), "--out");
+                    Sentence("expected one place for the number, found two in \"{0}\"", name), "--out");
     FileNames names{*std::move(pattern)};
     for (const std::string_view place : places) {
         if (place == numberPlace)
@@ -214,22 +214,22 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
     if (motion.perSecond > format.maxPerSecond)
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected at most {} a second in {} files, which viewers show slower; found {}",
-                        format.maxPerSecond, format.name, motion.perSecond),
+            Sentence("expected at most {0} a second in {1} files, which viewers show slower; found {2}",
+                     format.maxPerSecond, format.name, motion.perSecond),
             "--fps");
     const double shown = std::min(1 / motion.perSecond, motion.seconds);
     const double longest = static_cast<double>(format.maxShownUnits) / format.unitsPerSecond;
     if (shown > longest)
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected in {} files pictures that are shown for at most {:g} s, found {:g} s",
-                        format.name, longest, shown),
+            Sentence("expected in {0} files pictures that are shown for at most {1:g} s, found {2:g} s",
+                     format.name, longest, shown),
             "--fps");
     const auto [width, height] = motion.request.size;
     if (std::max(width, height) > format.maxExtent)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {0}x{0} for {1} files, found {2}x{3}", format.maxExtent,
-                                format.name, width, height),
+                    Sentence("expected at most {0}x{0} for {1} files, found {2}x{3}", format.maxExtent,
+                             format.name, width, height),
                     "--size");
     if (!options.quality.empty() && format.format != animation::Format::WebP)
         noteUnused("--quality", "it applies to WebP only");

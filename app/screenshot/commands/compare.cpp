@@ -56,8 +56,8 @@ Result<ReadPicture> readPicture(const std::string& path) {
                                       std::pair{depthOf(base), "slice"}})
         if (count > 1)
             return fail(ErrorCode::Unsupported,
-                        fmt::format("expected one picture, found {}; texshot decode extracts one",
-                                    countOf(count, part)),
+                        Sentence("expected one picture, found {0}; texshot decode extracts one",
+                                 countOf(count, part)),
                         path);
     const int bits = file->componentBits;
     Result<Image> image = uprightImage(*std::move(file));

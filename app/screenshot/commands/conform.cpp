@@ -114,13 +114,13 @@ Result<std::vector<conform::Pair>> pairsOf(const ConformOptions& options) {
     if (*subject == *against && (options.renderer.empty() || options.against.empty())) {
         const bool named = !options.against.empty();
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a renderer other than {}, the default of {}", rowOf(*subject).name,
-                                named ? "--renderer" : "--against"),
+                    Sentence("expected a renderer other than {0}, the default of {1}", rowOf(*subject).name,
+                             named ? "--renderer" : "--against"),
                     named ? "--against" : "--renderer");
     }
     if (*subject == *against)
-        return fail(ErrorCode::OutOfRange, fmt::format("expected two different renderers, found \"{}\" twice",
-                                                       rowOf(*subject).name));
+        return fail(ErrorCode::OutOfRange,
+                    Sentence("expected two different renderers, found \"{0}\" twice", rowOf(*subject).name));
     return std::vector{conform::Pair{*subject, *against}};
 }
 
@@ -154,7 +154,7 @@ Result<conform::Selection> selectionOf(const ConformOptions& options) {
             std::string known;
             for (const conform::Feature& each : conform::features())
                 known.append(known.empty() ? "" : ", ").append(each.name);
-            return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}; found \"{}\"", known, name),
+            return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}; found \"{1}\"", known, name),
                         "--feature");
         }
         if (std::ranges::find(selection.features, feature) != selection.features.end())
@@ -177,9 +177,9 @@ Result<void> checkReportFolder(const std::filesystem::path& folder, const std::v
     if (taken == names.end() || (there && conform::isReport(*there)))
         return {};
     return fail(ErrorCode::Unwritable,
-                fmt::format("expected a new folder or one with a report of texshot conform, found \"{}\" of "
-                            "something else",
-                            *taken),
+                Sentence("expected a new folder or one with a report of texshot conform, found \"{0}\" of "
+                         "something else",
+                         *taken),
                 folder.string());
 }
 

@@ -33,8 +33,8 @@ struct DecodeOptions {
 tl::unexpected<Error> outOfRange(const std::string& in, std::string_view what, int asked, int count,
                                  std::string_view owner) {
     return fail(ErrorCode::OutOfRange,
-                fmt::format("there is no {} {}: {} has {}{}", what, asked, owner, what,
-                            count == 1 ? " 0 alone" : fmt::format("s 0 to {}", count - 1)),
+                Sentence("there is no {0} {1}: {2} has {3}{4}", what, asked, owner, what,
+                         count == 1 ? " 0 alone" : fmt::format("s 0 to {}", count - 1)),
                 inputName(in));
 }
 

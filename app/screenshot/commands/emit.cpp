@@ -37,10 +37,9 @@ Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour)
     std::error_code ignored;
     const std::filesystem::file_status there = std::filesystem::status(options.out, ignored);
     if (options.files && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
-        return fail(
-            ErrorCode::OutOfRange,
-            fmt::format("expected a file, to write other files next to it, found \"{}\"", options.out),
-            "--out");
+        return fail(ErrorCode::OutOfRange,
+                    Sentence("expected a file, to write other files next to it, found \"{0}\"", options.out),
+                    "--out");
     return {};
 }
 

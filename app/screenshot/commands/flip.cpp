@@ -48,8 +48,9 @@ Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
     if (!turned) {
         const bool wouldLose = turned.error().code == ErrorCode::Unsupported && !lossy;
         return fail(turned.error().code,
-                    turned.error().message +
-                        (wouldLose ? "; --lossy decompresses it and compresses it again" : ""),
+                    wouldLose ? Sentence("{0}; --lossy decompresses it and compresses it again",
+                                         turned.error().message)
+                              : turned.error().message,
                     inputName(in));
     }
     return MadeImage{*std::move(texture)};

@@ -35,12 +35,12 @@ struct ProbeOptions {
 Result<reference::PixelPlace> parsePlace(std::string_view text, view::Size size) {
     std::array<int, 2> place{};
     if (!parseNumbers(text, place))
-        return fail(ErrorCode::OutOfRange, fmt::format("expected X,Y, found \"{}\"", text), "--at");
+        return fail(ErrorCode::OutOfRange, Sentence("expected X,Y, found \"{0}\"", text), "--at");
     const auto& [x, y] = place;
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a pixel from 0,0 to {},{}, found {}", size.width - 1,
-                                size.height - 1, text),
+                    Sentence("expected a pixel from 0,0 to {0},{1}, found {2}", size.width - 1,
+                             size.height - 1, text),
                     "--at");
     return reference::PixelPlace{x, size.height - 1 - y};
 }
@@ -49,7 +49,7 @@ Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
     std::array<int, 5> numbers{};
     const bool volume = parseNumbers(text, numbers);
     if (!volume && (numbers = {}, !parseNumbers(text, std::span(numbers).first(4))))
-        return fail(ErrorCode::OutOfRange, fmt::format("expected UNIT,LEVEL,I,J, found \"{}\"", text),
+        return fail(ErrorCode::OutOfRange, Sentence("expected UNIT,LEVEL,I,J, found \"{0}\"", text),
                     "--texel");
     return reference::TexelQuestion{
         pass, numbers[0], {numbers[1], {numbers[2], numbers[3], volume ? numbers[4] : 0}}};

@@ -101,7 +101,7 @@ Result<void> checkShown(const ShotOptions& options, const Scene& scene) {
     if (pass == 0 || pass < scene.passes.size())
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("there is no pass {}, the scene has {}", pass, scene.passes.size()), "--pass");
+                Sentence("there is no pass {0}, the scene has {1}", pass, scene.passes.size()), "--pass");
 }
 
 ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,

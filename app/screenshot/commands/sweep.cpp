@@ -102,9 +102,9 @@ Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
     if (sweep.axes.size() > maxSweepAxes)
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected at most {} axes, down, across and pages, found {}; a name with a place "
-                        "for each of them writes single pictures",
-                        maxSweepAxes, sweep.axes.size()),
+            Sentence("expected at most {0} axes, down, across and pages, found {1}; a name with a place "
+                     "for each of them writes single pictures",
+                     maxSweepAxes, sweep.axes.size()),
             "--axis");
     const std::array<std::string_view, 4> fixedPlaces{"scene", "renderer", "time", "size"};
     for (const std::string& place : sweep.pattern.places()) {
@@ -114,17 +114,17 @@ Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
         if (!ofPages && std::ranges::find(fixedPlaces, place) == fixedPlaces.end())
             return fail(
                 ErrorCode::OutOfRange,
-                fmt::format("expected {{page}}, {{scene}}, {{renderer}}, {{time}}, {{size}}{} for sheets, "
-                            "or a place of every axis for single pictures, found {{{}}}",
-                            sweep.hasPages() ? " or " + placeOf(sweep.axes.back()) : std::string(), place),
+                Sentence("expected {{page}}, {{scene}}, {{renderer}}, {{time}}, {{size}}{0} for sheets, "
+                         "or a place of every axis for single pictures, found {{{1}}}",
+                         sweep.hasPages() ? " or " + placeOf(sweep.axes.back()) : std::string(), place),
                 "--out");
     }
     if (sweep.pageCount() > 1 && !sweep.hasPlace(pagePlace) && !sweep.hasPlaceOf(sweep.axes.back()))
         return fail(
             ErrorCode::OutOfRange,
-            fmt::format("expected a name that differs for each of {} pages, as in sheet-{{page}}.png or "
-                        "{}.png, found \"{}\"",
-                        sweep.pageCount(), placeOf(sweep.axes.back()), out),
+            Sentence("expected a name that differs for each of {0} pages, as in sheet-{{page}}.png or "
+                     "{1}.png, found \"{2}\"",
+                     sweep.pageCount(), placeOf(sweep.axes.back()), out),
             "--out");
     return {};
 }

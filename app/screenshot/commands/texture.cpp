@@ -46,8 +46,8 @@ Result<Image> stepOf(const TextureOptions& options, const Texture& texture, cons
     if (asked)
         return *std::move(asked);
     return fail(ErrorCode::OutOfRange,
-                fmt::format("there is no step {}: textures[{}] has {} in its preparation", options.step,
-                            options.texture, countOf(texture.preparation.size(), "step")),
+                Sentence("there is no step {0}: textures[{1}] has {2} in its preparation", options.step,
+                         options.texture, countOf(texture.preparation.size(), "step")),
                 "--step");
 }
 
@@ -61,8 +61,8 @@ Result<Image> levelOf(const TextureOptions& options, Texture texture, const Text
     const auto found = std::ranges::find(made->levels, asked, &TextureLevel::number);
     if (found == made->levels.end())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("there is no level {}: textures[{}] has {}", asked, options.texture,
-                                countOf(made->levels.size(), "level")),
+                    Sentence("there is no level {0}: textures[{1}] has {2}", asked, options.texture,
+                             countOf(made->levels.size(), "level")),
                     "--level");
     return toImage(std::move(found->surface).take());
 }
@@ -70,8 +70,8 @@ Result<Image> levelOf(const TextureOptions& options, Texture texture, const Text
 Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
     if (static_cast<std::size_t>(options.texture) >= opened.scene.textures.size())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("there is no textures[{}]: the scene has {}", options.texture,
-                                countOf(opened.scene.textures.size(), "texture")),
+                    Sentence("there is no textures[{0}]: the scene has {1}", options.texture,
+                             countOf(opened.scene.textures.size(), "texture")),
                     opened.scene.textures.empty() ? "" : "--texture"); // of such a scene no number is right
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());

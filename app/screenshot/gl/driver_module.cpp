@@ -49,7 +49,7 @@ Result<DriverReport> reportOn(const view::ContextChoice& choice) {
                         .s3tc = found.s3tc,
                         .textureBorders = found.textureBorders,
                         .extensions = extensionNames(),
-                        .lack = whole ? std::string() : whole.error().message};
+                        .lack = whole ? Sentence() : whole.error().message};
 }
 
 } // namespace

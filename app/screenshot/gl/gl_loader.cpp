@@ -46,7 +46,7 @@ Result<void*> loadModule(const ModuleRow& row) {
     driverIsLoaded();
     if (void* handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL))
         return handle;
-    return fail(ErrorCode::Driver, fmt::format("can't load the module for {}: {}", row.name, dlerror()));
+    return fail(ErrorCode::Driver, Sentence("can't load the module for {0}: {1}", row.name, dlerror()));
 }
 
 template<class Entry>
@@ -69,14 +69,14 @@ Result<FoundEntry<Entry>> findEntry(const view::ContextChoice& choice, const cha
         }
         if (const auto entry = reinterpret_cast<Entry>(dlsym(*module, name)))
             return FoundEntry<Entry>{entry, row.kind};
-        return fail(ErrorCode::Driver, fmt::format("it has no entry point {}", name), row.file);
+        return fail(ErrorCode::Driver, Sentence("it has no entry point {0}", name), row.file);
     }
     if (!reasons.empty())
         return fail(ErrorCode::Driver, reasons);
-    return fail(ErrorCode::Unsupported,
-                fmt::format("this texshot was built without {}",
-                            choice.kind == ContextKind::Osmesa ? "OSMesa" : "EGL"),
-                "--context");
+    return fail(
+        ErrorCode::Unsupported,
+        Sentence("this texshot was built without {0}", choice.kind == ContextKind::Osmesa ? "OSMesa" : "EGL"),
+        "--context");
 }
 
 /// With which one names a driver other than the usual one.
@@ -103,7 +103,7 @@ Result<Entry> findTriedEntry(const view::ContextChoice& choice, const char* name
         return fail(entry.error());
     if (const std::string named = namedDriver(); entry->kind == ContextKind::Egl && !named.empty()) {
         if (const Result<DriverReport> answer = askDriver(choice); !answer)
-            return fail(answer.error().code, fmt::format("{} ({})", answer.error().message, named));
+            return fail(answer.error().code, Sentence("{0} ({1})", answer.error().message, named));
     }
     return entry->call;
 }

@@ -121,8 +121,8 @@ Result<Shot> drawWindow(const ShotRequest& request) {
         const auto [x, y] = *request.probed;
         if (x >= picture.width || y >= picture.height)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("the picture in this window has {} pixels, and none at {},{}",
-                                    view::asText({picture.width, picture.height}), x, y),
+                        Sentence("the picture in this window has {0} pixels, and none at {1},{2}",
+                                 view::asText({picture.width, picture.height}), x, y),
                         "--probe");
         session.look.explaining.pixel = {x, picture.height - 1 - y};
     }

@@ -114,8 +114,8 @@ Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view 
     if (format != nullptr && format->encode && (only.empty() || format->name == only))
         return format;
     return fail(ErrorCode::Unsupported,
-                fmt::format("expected a name that ends in {}{}, found \"{}\"", only.empty() ? "one of " : "",
-                            writtenExtensions(", ", only), path),
+                Sentence("expected a name that ends in {0}{1}, found \"{2}\"", only.empty() ? "one of " : "",
+                         writtenExtensions(", ", only), path),
                 argument);
 }
 

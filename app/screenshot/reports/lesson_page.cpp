@@ -243,8 +243,7 @@ Result<void> checkPageFolder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::directory_iterator there(folder, error);
     if (error == std::errc::permission_denied)
-        return fail(ErrorCode::Unreadable, fmt::format("can't be read: {}", error.message()),
-                    folder.string());
+        return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", error.message()), folder.string());
     if (error || there == std::filesystem::directory_iterator())
         return {}; // what can't be written is said by who writes
     const Result<Bytes> page = readFileStart(folder / indexName, markedBytes);

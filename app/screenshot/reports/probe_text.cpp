@@ -97,7 +97,7 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
         text += fmt::format("  {}  ", aligned(std::string(rowOf(each.renderer).name), 9));
         text += each.bytes ? fmt::format("{}  {}", aligned(bytesText(*each.bytes), 15),
                                          differenceText(explanation, *each.bytes))
-                           : describe(each.bytes.error());
+                           : describe(each.bytes.error()).english();
         text += "\n";
     }
     const auto fragments = stepsOf(explanation);

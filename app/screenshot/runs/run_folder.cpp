@@ -46,9 +46,9 @@ Result<void> checkOurs(const fs::path& folder) {
         if (isRecordOfOurs(folder))
             return {};
         return fail(ErrorCode::Unwritable,
-                    fmt::format("expected a new folder or one with a report of texshot test, found \"{}\" of "
-                                "something else",
-                                name),
+                    Sentence("expected a new folder or one with a report of texshot test, found \"{0}\" of "
+                             "something else",
+                             name),
                     folder.string());
     }
     return {};

@@ -268,7 +268,7 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
                 finished_.wrote.push_back(answer->wrote);
         } else {
             record = recordWithout(item, State::Error,
-                                   !answer                   ? describe(answer.error())
+                                   !answer                   ? describe(answer.error()).english()
                                    : answer->problem.empty() ? "the worker process answered another question"
                                                              : answer->problem);
         }

@@ -95,7 +95,8 @@ public:
         std::vector<Error> taken;
         for (auto& [first, pictures] : std::exchange(warnings_, {})) {
             if (pictures > 1)
-                first.message += fmt::format(" (and of {})", countOf(pictures - 1, "more picture"));
+                first.message =
+                    Sentence("{0} (and of {1})", first.message, countOf(pictures - 1, "more picture"));
             taken.push_back(std::move(first));
         }
         return taken;

@@ -90,8 +90,8 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
         const bool isFixed = std::ranges::find(fixedPlaces, place) != fixedPlaces.end();
         if (meant.size() > 1)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("{} may be {} or {}: expected one of them as a whole", inBraces(place),
-                                    meant[0], meant[1]),
+                        Sentence("{0} may be {1} or {2}: expected one of them as a whole", inBraces(place),
+                                 meant[0], meant[1]),
                         nameOption);
         if (isFixed || meant.size() == 1)
             continue;
@@ -100,8 +100,8 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
             known.append(known.empty() ? "" : ", ").append(inBraces(each));
         for (const SweepAxis& axis : axes)
             known.append(", ").append(inBraces(keyOfPath(axis.path)));
-        return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected one of {}; found {}", known, inBraces(place)), nameOption);
+        return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}; found {1}", known, inBraces(place)),
+                    nameOption);
     }
     return {};
 }
@@ -109,7 +109,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
 Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) const {
     if (count_ > maxShots)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("one call draws at most {} pictures, expected fewer", maxShots));
+                    Sentence("one call draws at most {0} pictures, expected fewer", maxShots));
     if (const Result<void> known = checkPlaces(pattern); !known)
         return fail(known.error());
     const std::size_t digits = std::to_string(count_).size();
@@ -135,9 +135,9 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) con
         const auto [other, isNew] = numbers.try_emplace(name, i + 1);
         if (!isNew)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected a name for each of {} pictures, found \"{}\" for number {} "
-                                    "and number {}; {{number}} in it makes them different",
-                                    count_, name, other->second, i + 1),
+                        Sentence("expected a name for each of {0} pictures, found \"{1}\" for number {2} "
+                                 "and number {3}; {{number}} in it makes them different",
+                                 count_, name, other->second, i + 1),
                         nameOption);
         names.push_back(std::move(name));
     }

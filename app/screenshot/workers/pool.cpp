@@ -147,8 +147,8 @@ Result<void> Pool::Seats::handOut() {
             return {};
         if (failedStarts_ >= 3 + 3 * setup_.processes) // somebody may have killed all of them at once
             return fail(ErrorCode::Driver,
-                        fmt::format("worker processes end immediately{}{}",
-                                    failedWords_.empty() ? "" : "; the last one printed: ", failedWords_));
+                        Sentence("worker processes end immediately{0}{1}",
+                                 failedWords_.empty() ? "" : "; the last one printed: ", failedWords_));
         const Result<std::size_t> at = seatFor(task->job);
         if (!at)
             return fail(at.error());

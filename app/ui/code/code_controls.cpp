@@ -53,9 +53,9 @@ void codeTip(const Session& session, const ParamPlace& place, const std::string&
     if (place.vertex) {
         constexpr std::array names{"s", "t", "r", "q"};
         helpTip(component >= 0 && component < 4
-                    ? fmt::format("Coordinate {} of vertex {}: drag it, or double-click to type",
-                                  names.at(static_cast<std::size_t>(component)), *place.vertex)
-                    : std::string("A coordinate of this vertex: drag it, or double-click to type"));
+                    ? Sentence("Coordinate {0} of vertex {1}: drag it, or double-click to type",
+                               names.at(static_cast<std::size_t>(component)), *place.vertex)
+                    : "A coordinate of this vertex: drag it, or double-click to type");
     } else {
         const Value value = place.row->read(place.owner.values);
         paramTip(*place.row, value, value, selectedUnit(session).target,

@@ -44,7 +44,7 @@ void toolRow(const Session& session, CommandsTabState& state) {
         const std::string program = emit::textOf(state.lines, all);
         ImGui::SetClipboardText(program.c_str());
         act(session, [lines = std::ranges::count(program, '\n')](Session& s) {
-            tell(s, fmt::format("Copied: {} lines", lines));
+            tell(s, Sentence("Copied: {0} lines", lines));
         });
     }
     ImGui::SameLine(0, inner);
@@ -129,7 +129,7 @@ bool renewLines(Session& session, CommandsTabState& state) {
         return !wasMaking;
     state.changed = changedPaths(document);
     state.rowsAreOld = true;
-    state.refused = *made ? std::string() : describe(made->error());
+    state.refused = *made ? Sentence() : describe(made->error());
     std::vector<emit::Line> lines = made->value_or(std::vector<emit::Line>{});
     const auto haveChanged = [&](const std::vector<emit::Line>& among) {
         return std::ranges::any_of(among,

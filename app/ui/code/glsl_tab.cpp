@@ -166,7 +166,7 @@ void drawSource(GlslTabState& state, const PassShader& shader) {
             if (row.indent == 0)
                 noteItem(fmt::format("glsl:{}", row.line + 1));
             if (row.line < source.lines.size())
-                helpTip(fmt::format("{}:{}", source.lines[row.line].file, source.lines[row.line].line));
+                helpTip(Sentence("{0}:{1}", source.lines[row.line].file, source.lines[row.line].line));
         }
     }
     ImGui::PopStyleVar();
@@ -186,7 +186,7 @@ void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pi
         if (reason.empty())
             reason = presentScene(session).passes[pass].enabled ? "see the status bar"
                                                                 : fmt::format("pass {} is not drawn", pass);
-        dimText(fmt::format("There is no shader: {}.", reason));
+        dimText(Sentence("There is no shader: {0}.", reason));
         ImGui::PopTextWrapPos();
         return;
     }

@@ -32,7 +32,7 @@ void fieldTip(const Field& field) {
         add(tr(field.meaning));
     if (!field.wrong.empty())
         add(tr(field.wrong));
-    add(tr(fmt::format("{} from offset {}", countOf(field.size, "byte"), field.offset)));
+    add(tr(Sentence("{0} from offset {1}", countOf(field.size, "byte"), field.offset)));
     showTip(lines);
 }
 
@@ -206,7 +206,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (file.bytes.size() < file.fileBytes)
-        dimText(fmt::format("The first {} of {} bytes are shown.", file.bytes.size(), file.fileBytes));
+        dimText(Sentence("The first {0} of {1} bytes are shown.", file.bytes.size(), file.fileBytes));
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }

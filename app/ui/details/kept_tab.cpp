@@ -62,7 +62,7 @@ void drawChanges(const Session& session, const std::vector<SceneChange>& changes
         noteItem(fmt::format("change:{}", change.path));
         if (ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        helpTip(fmt::format("{}\nClick: show the setting", change.path));
+        helpTip(Sentence("{0}\nClick: show the setting", change.path));
         if (ImGui::IsItemClicked())
             act(session, [path = change.path](Session& s) { reveal(s, path); });
         changedValues(change);
@@ -70,7 +70,7 @@ void drawChanges(const Session& session, const std::vector<SceneChange>& changes
         if (ImGui::SmallButton(label(take)))
             takeFromKept(session, change);
         item(fmt::format("take:{}", change.path),
-             fmt::format("Sets {} to the value in A: {}", change.label, change.from));
+             Sentence("Sets {0} to the value in A: {1}", change.label, change.from));
         ImGui::PopID();
     }
     ImGui::EndTable();

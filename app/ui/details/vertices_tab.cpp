@@ -341,7 +341,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     const std::string path = part.path(session);
     const Finding* idle = idleReasonOf(session.document.findings, path);
     if (idle) {
-        dimText(fmt::format("No effect now: {}.", idle->sentence));
+        dimText(Sentence("No effect now: {0}.", idle->sentence));
         noteItem("coordinates#inert");
     }
 

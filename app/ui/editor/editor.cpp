@@ -104,6 +104,7 @@ void take(Session& session, const Step& step) {
     if (!keyed)
         return say(session, keyed.error());
     removeGoodNotice(session);
+    restPreview(session);
     if (*keyed)
         holdTime(session);
     else if (!moved && appliesPreset(step) && isAnimated(scene))

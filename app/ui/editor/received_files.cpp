@@ -124,7 +124,7 @@ void giveUp(Session& session, const Load& load, const std::string& file, const E
     if (session.document.damaged.insert(file).second)
         say(session,
             {error.code,
-             fmt::format("has changed and can't be read, so the old image stays: {}", error.message),
+             Sentence("has changed and can't be read, so the old image stays: {0}", error.message),
              path.string()},
             path);
 }

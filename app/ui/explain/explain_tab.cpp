@@ -100,10 +100,10 @@ void pixelButtons(const Session& session) {
 void drawHead(const Session& session, const Pictures& pictures, const Explanation& explanation, bool wide) {
     text(pixelText(explanation), color::probed);
     item("explain:pixel",
-         fmt::format("Counted from the upper left. In OpenGL's window coordinates, from the lower left: "
-                     "{},{}. Click in the picture or press an arrow key for another pixel, with Shift for "
-                     "ten pixels.",
-                     explanation.pixel.x, explanation.pixel.y));
+         Sentence("Counted from the upper left. In OpenGL's window coordinates, from the lower left: "
+                  "{0},{1}. Click in the picture or press an arrow key for another pixel, with Shift for "
+                  "ten pixels.",
+                  explanation.pixel.x, explanation.pixel.y));
     const Comparison comparison = compareRenderers(session, pictures, explanation);
     if (wide) {
         drawInLine(comparison.rows, buttonWidth("Unpin") + buttonWidth("Clear") + ImGui::GetFontSize());
@@ -160,7 +160,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
                     const std::vector<FragmentSteps>& fragments, std::size_t shown) {
     if (fragments.size() < 2)
         return;
-    labelText(fmt::format("{} fragments cover it:", explanation.fragmentCount), color::dim);
+    labelText(Sentence("{0} fragments cover it:", explanation.fragmentCount), color::dim);
     ImGui::SameLine();
     const std::string title = titleOf(fragments[shown]);
     const float arrow = ImGui::GetFrameHeight();
@@ -290,7 +290,7 @@ void drawLists(const Explanation* pinned, const std::vector<FragmentSteps>& pinn
         return;
     ImGui::Separator();
     ImGui::PushID("pinned");
-    text(fmt::format("Pinned: {}", pixelText(*pinned)), color::dim);
+    text(Sentence("Pinned: {0}", pixelText(*pinned)), color::dim);
     noteItem("explain:pinned");
     drawFragmentList(*pinned, pinnedFragments);
     ImGui::PopID();

@@ -156,7 +156,7 @@ void drawHex(BlockMicroscopeState& state, float width) {
     noteItem("block:hex");
     if (typed) {
         const Result<BlockBytes> block = blockOfHex(state.format, state.hex);
-        state.hexProblem = block ? std::string() : block.error().message;
+        state.hexProblem = block ? Sentence() : block.error().message;
         if (block)
             state.block = *block;
     } else if (!ImGui::IsItemActive()) {

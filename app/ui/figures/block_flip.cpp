@@ -247,7 +247,7 @@ void drawFlipBytes(const BlockFlipState& state) {
         const std::array<BlockColor, 16> texels = texelsOf(format, bytes);
         ImVec2 corner = ImGui::GetCursorScreenPos();
         const ImVec2 top = corner;
-        draw.AddText(corner, color::dim, tr(fmt::format("block {}", block)).c_str());
+        draw.AddText(corner, color::dim, tr(Sentence("block {0}", block)).c_str());
         ImGui::PushFont(codeFont());
         const float letter = codeLetter();
         const float line = std::floor(ImGui::GetFontSize() * 1.2F);
@@ -310,7 +310,7 @@ void drawBlockFlip(BlockFlipState& state) {
                                   drawStripes(state, 0, look);
                               }};
     const FigureColumn shown{picture + bracketRoom(), [&] {
-                                 text(fmt::format("Step {}", state.step));
+                                 text(Sentence("Step {0}", state.step));
                                  const ImVec2 corner = ImGui::GetCursorScreenPos();
                                  drawStripes(state, state.step, look);
                                  drawBrackets(now, corner, look);

@@ -53,7 +53,7 @@ void drawChoices(BlockMicroscopeState& state) {
                          indexIn(formatChoices, state.format, &FormatChoice::format), [](std::size_t i) {
                              const EnumRow& row = rowOf(formatChoices.at(i).format);
                              item(fmt::format("block:format {}", formatChoices.at(i).label),
-                                  fmt::format("{}\n{}", row.name, row.help));
+                                  Sentence("{0}\n{1}", row.name, row.help));
                          })) {
         const BlockFormat wanted = formatChoices.at(*pressed).format;
         state.block = inFormat(state.block, state.format, wanted);

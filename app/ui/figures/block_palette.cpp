@@ -79,7 +79,7 @@ void drawColorEnd(BlockMicroscopeState& state, const BlockLook& look, int end) {
             writeField(state.block, field, others | static_cast<unsigned>(value) << componentShift.at(c));
         }
         hoverEnd(state, BlockPart::Color, end);
-        helpTip(fmt::format("{} of {} is {} of 255.", value, max, color.at(c)));
+        helpTip(Sentence("{0} of {1} is {2} of 255.", value, max, color.at(c)));
     }
 }
 
@@ -125,8 +125,8 @@ void modeSentence(const BlockMicroscopeState& state, const BlockLook& look) {
                         : state.format == BlockFormat::Dxt1Alpha
                             ? "c0 = {:04X} is not larger than c1 = {:04X}: three colours and a hole."
                             : "c0 = {:04X} is not larger than c1 = {:04X}: three colours and black.";
-    wrappedText(isDxt1 ? fmt::format(fmt::runtime(words), first, second)
-                       : fmt::format("{} always has four colours.", rowOf(state.format).label));
+    wrappedText(isDxt1 ? Sentence(fmt::format(fmt::runtime(words), first, second))
+                       : Sentence("{0} always has four colours.", rowOf(state.format).label));
     noteItem("block:mode");
 }
 
@@ -178,7 +178,7 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
         if (spot.hovered) {
             state.hovering = BlockMark{BlockMark::Kind::Alpha, i};
             const std::string bits = count == 16 ? fmt::format("{:04b}", i) : fmt::format("{:03b}", i);
-            helpTip(fmt::format("Gives the selected texel the alpha {}, stored as {}.", alpha, bits));
+            helpTip(Sentence("Gives the selected texel the alpha {0}, stored as {1}.", alpha, bits));
         }
         if (spot.pressed)
             setTexel(state, BlockPart::Alpha, i);

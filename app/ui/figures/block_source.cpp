@@ -269,7 +269,7 @@ void drawBlockSource(BlockMicroscopeState& state) {
         return;
     }
     drawPlace(state);
-    text(fmt::format("Block {}, {} of {} × {}", source.x, source.y, source.columns, source.rows));
+    text(Sentence("Block {0}, {1} of {2} × {3}", source.x, source.y, source.columns, source.rows));
     noteItem("block:place");
     if (source.original)
         drawOriginal(state);

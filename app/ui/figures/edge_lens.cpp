@@ -213,18 +213,18 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     item("edge:s", "The coordinate that is read. Drag it, or double-click to type a number.");
     const RowSample sample = reference::sampleRow(wrap, row.linear, state.s, row.size);
     ImGui::SameLine();
-    dimText(fmt::format("s · {} = {:.2f}, wrapped: u = {:.2f}", row.size, sample.texels, sample.u));
+    dimText(Sentence("s · {0} = {1:.2f}, wrapped: u = {2:.2f}", row.size, sample.texels, sample.u));
     noteItem(fmt::format("edge:u {:.2f}", sample.u));
     if (row.linear)
-        dimText(fmt::format("u - 0.5 = {:.2f}: texels {} and {}, weight of the second {:.2f}",
-                            sample.u - 0.5F, sample.taps[0].index, sample.taps[1].index, sample.alpha));
+        dimText(Sentence("u - 0.5 = {0:.2f}: texels {1} and {2}, weight of the second {3:.2f}",
+                         sample.u - 0.5F, sample.taps[0].index, sample.taps[1].index, sample.alpha));
     else
-        dimText(fmt::format("floor(u) = {}: one texel is read", sample.taps[0].index));
+        dimText(Sentence("floor(u) = {0}: one texel is read", sample.taps[0].index));
     for (std::size_t i = 0; i < sample.taps.size(); ++i) {
         const reference::RowTexel& tap = sample.taps[i];
         const std::string words =
-            tr(row.isBorder(tap.index) ? fmt::format("{:.2f} of border", tap.weight)
-                                       : fmt::format("{:.2f} of texel {}", tap.weight, tap.index));
+            tr(row.isBorder(tap.index) ? Sentence("{0:.2f} of border", tap.weight)
+                                       : Sentence("{0:.2f} of texel {1}", tap.weight, tap.index));
         if (i > 0) {
             const float needed = em * 1.5F + ImGui::CalcTextSize(words.c_str()).x + em;
             sameLineFor(needed, em * 0.8F);
@@ -235,8 +235,8 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
         noteItem(fmt::format("edge:tap {} {:.2f}", tap.index, tap.weight));
     }
     const glm::vec3 bytes = glm::round(glm::clamp(row.colorOf(sample), 0.0F, 1.0F) * 255.0F);
-    text(fmt::format("Colour {}; the border's share is {:.0f} %",
-                     fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b), sample.border * 100));
+    text(Sentence("Colour {0}; the border's share is {1:.0f} %",
+                  fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b), sample.border * 100));
     noteItem(fmt::format("edge:border {:.2f}", sample.border));
 }
 

@@ -221,10 +221,10 @@ void sentence(const Axes& axes) {
         return noteItem("sheet:too many");
     }
     constexpr const char* words = "Point at a picture to enlarge it, click to apply its values.";
-    const std::string more =
-        tr("Every pair of values, drawn by the reference at this small size, so it minifies more than the "
-           "view.");
-    helpTip(fittedText(words, color::dim) ? fmt::format("{}\n{}", tr(words), more) : more);
+    const Sentence more =
+        "Every pair of values, drawn by the reference at this small size, so it minifies more "
+        "than the view.";
+    helpTip(fittedText(words, color::dim) ? Sentence("{0}\n{1}", words, more) : more);
 }
 
 SheetPictures::Question questionOf(const Session& session, const Axes& axes, const SheetPlan& plan) {

@@ -145,7 +145,7 @@ void fileControls(const Session& session) {
             });
         } else {
             act(session, [why = describe(command.error())](Session& told) {
-                say(told, fmt::format("No command can draw this sheet: {}.", why));
+                say(told, Sentence("No command can draw this sheet: {0}.", why));
             });
         }
     }
@@ -157,7 +157,7 @@ void fileControls(const Session& session) {
     ImGui::Separator();
     const Result<glm::ivec2> extent = sheetExtent(session);
     if (extent)
-        dimText(fmt::format("The sheet has {} × {} pixels.", extent->x, extent->y));
+        dimText(Sentence("The sheet has {0} × {1} pixels.", extent->x, extent->y));
     else
         sheetProblem(describe(extent.error()));
     ImGui::BeginDisabled(!extent);
@@ -188,7 +188,7 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
     if (ImGui::Button(fmt::format("{}###path", name).c_str(), {width, 0}))
         ImGui::OpenPopup("paths");
     item(fmt::format("sheet:{}", sideNames.at(side)),
-         fmt::format("{}\n{}", axis.path, tr("Select another parameter.")));
+         Sentence("{0}\n{1}", axis.path, tr("Select another parameter.")));
     if (ImGui::BeginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
             choose({*std::move(path), "*"});

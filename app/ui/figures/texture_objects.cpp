@@ -173,7 +173,7 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
         ends.names.at(name) = ImVec2(low.x, low.y + ImGui::GetFrameHeight() / 2);
     const bool isBound = state.names.activeUnit().bound == name;
     ImGui::PushStyleColor(ImGuiCol_Text, isBound ? color::chosen : color::text);
-    callButton(label(fmt::format("{}###bind", tr(fmt::format("Bind {}", name)))).c_str(),
+    callButton(label(fmt::format("{}###bind", tr(Sentence("Bind {0}", name)))).c_str(),
                fmt::format("objects:bind {}", name), objects::BindTexture{name}, wanted,
                ImGui::GetContentRegionAvail().x);
     ImGui::PopStyleColor();
@@ -333,7 +333,7 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
         rowName(words);
     };
     ImGui::AlignTextToFramePadding();
-    text(fmt::format("To object {}:", state.names.activeUnit().bound));
+    text(Sentence("To object {0}:", state.names.activeUnit().bound));
     group("Image", 3 * ImGui::GetFrameHeight());
     for (std::size_t i = 0; i < boards.size(); ++i) {
         if (i > 0)

@@ -78,7 +78,7 @@ void look(Session& session, const lesson::Look& wanted) {
         session.view.shown = static_cast<reference::Shown>(shown->value);
     if (wanted.probeX >= 0)
         session.look.wantedProbe =
-            WantedProbe{[x = wanted.probeX, y = wanted.probeY](lesson::PictureSize picture) {
+            WantedProbe{[x = wanted.probeX, y = wanted.probeY](lesson::PictureSize picture, double /*zoom*/) {
                 return lesson::pixelOf(x, y, picture);
             }};
     if (!wanted.renderer.empty())
@@ -194,7 +194,7 @@ void tellProblem(Session& session, const Error& error) {
     LessonRun& run = *session.lesson;
     say(session,
         {error.code,
-         fmt::format("the lesson has changed and can't be read, so the old one stays: {}", error.message),
+         Sentence("the lesson has changed and can't be read, so the old one stays: {0}", error.message),
          error.where},
         error.where);
     run.problem = session.look.notice.text;

@@ -103,10 +103,10 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
     const Scene scene = rebased(document.scene, document.images, folder);
     const std::string text = writeScene(scene);
     if (text.size() > maxSceneBytes) // the existing file stays
-        return fail(ErrorCode::TooLarge,
-                    fmt::format("the scene takes {} bytes, but only {} can be read again", text.size(),
-                                maxSceneBytes),
-                    file.string());
+        return fail(
+            ErrorCode::TooLarge,
+            Sentence("the scene takes {0} bytes, but only {1} can be read again", text.size(), maxSceneBytes),
+            file.string());
     const bool isOwn = isOwnFile(document, file);
     const auto mayReplace = [&] {
         if (!isOwn)

@@ -78,8 +78,7 @@ Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const 
             firstRefusal = words;
     }
     if (refused == all)
-        return fail(ErrorCode::Unsupported,
-                    fmt::format("none of its pictures can be drawn: {}", firstRefusal));
+        return fail(ErrorCode::Unsupported, Sentence("none of its pictures can be drawn: {0}", firstRefusal));
     Result<Bytes> bytes =
         encodePng(std::move(picture).take(*on.pen), WriteOptions{.texts = textsOfSheet(order)});
     if (!bytes)
@@ -101,8 +100,8 @@ Result<SheetOrder> sheetOrder(const Session& session) {
     const std::size_t rows = axes->front().values.size();
     const std::size_t columns = axes->back().values.size();
     if (rows * columns > sheet::maxPictures) // each has at most maxAxisValues
-        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} pictures on a sheet, found {} × {}",
-                                                     sheet::maxPictures, rows, columns));
+        return fail(ErrorCode::TooLarge, Sentence("expected at most {0} pictures on a sheet, found {1} × {2}",
+                                                  sheet::maxPictures, rows, columns));
     const Document& document = session.document;
     std::vector<sheet::AxisLabels> labels = sheet::labelsOf(document.scene, *axes, choice.labels);
     const std::string name = nameOf(document);

@@ -30,7 +30,7 @@ void followEdits(Session& session) {
     else
         autosave.forget();
     if (const std::optional<Error> problem = autosave.takeProblem())
-        say(session, fmt::format("Unsaved work can't be stored: {}.", describe(*problem)));
+        say(session, Sentence("Unsaved work can't be stored: {0}.", describe(*problem)));
 }
 
 std::optional<double> dueAt(const Session& session) {

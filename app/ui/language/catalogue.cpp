@@ -118,6 +118,10 @@ std::optional<unsigned long> numberIn(std::string_view part) {
     return std::from_chars(part.data(), end, number).ptr == end ? std::optional(number) : std::nullopt;
 }
 
+unsigned long countIn(const Sentence& argument) {
+    return argument.number().value_or(numberIn(argument).value_or(0));
+}
+
 constexpr char32_t caseDistance = 0x20; // in ASCII and in Russian
 
 bool isCapital(char32_t letter) {
@@ -193,14 +197,13 @@ Result<void> Catalogue::add(const Draft& draft, std::string_view file) {
     const std::size_t places = divided(*draft.key).places.size();
     if (places > maxPlaces)
         return fail(ErrorCode::Malformed,
-                    fmt::format("expected a text with at most {} places, found {}", maxPlaces, places),
+                    Sentence("expected a text with at most {0} places, found {1}", maxPlaces, places),
                     fmt::format("{}:{}", file, draft.line));
     for (const std::string& form : draft.forms) {
         if (!hasPlaces(form, places))
-            return fail(
-                ErrorCode::Malformed,
-                fmt::format("expected a translation with {} places, found {}", places, inQuotes(form)),
-                fmt::format("{}:{}", file, draft.line));
+            return fail(ErrorCode::Malformed,
+                        Sentence("expected a translation with {0} places, found {1}", places, inQuotes(form)),
+                        fmt::format("{}:{}", file, draft.line));
         letters_ += form;
     }
     addKey(*draft.key, draft);
@@ -258,6 +261,8 @@ Result<Catalogue> Catalogue::parse(Language language, std::span<const CatalogueF
     }
     // A text was most likely made from its most specific key.
     std::ranges::stable_sort(catalogue.entries_, std::greater<>(), &Entry::says);
+    for (std::size_t i = 0; i < catalogue.entries_.size(); ++i)
+        catalogue.indices_.emplace(fmt::format("{}", fmt::join(catalogue.entries_[i].pieces, "{}")), i);
     return catalogue;
 }
 
@@ -284,6 +289,32 @@ std::set<std::string> Catalogue::keys() const {
     for (const Entry& entry : entries_)
         keys.insert(fmt::format("{}", fmt::join(entry.pieces, "{}")));
     return keys;
+}
+
+std::string Catalogue::translate(const Sentence& sentence,
+                                 const std::function<std::string(std::string_view)>& word,
+                                 const std::function<void(std::string_view)>& gap) const {
+    if (sentence.isName() || sentence.number())
+        return sentence.english();
+    if (sentence.key().empty())
+        return word(sentence.english());
+    const auto [pieces, places] = divided(sentence.key());
+    std::vector<std::string> parts; // in the order of the key's placeholders, as in translations
+    for (const std::size_t place : places)
+        parts.push_back(translate(sentence.arguments()[place], word, gap));
+    const auto found = indices_.find(fmt::format("{}", fmt::join(pieces, "{}")));
+    if (found == indices_.end()) {
+        if (saidBy(pieces).first >= minLetters)
+            gap(sentence.english());
+        std::string text = pieces.front();
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            text += parts[i] + pieces[i + 1];
+        return text;
+    }
+    const Entry& entry = entries_[found->second];
+    const std::size_t form =
+        entry.counts ? rowOf(language_).form(countIn(sentence.arguments()[places.front()])) : 0;
+    return filled(entry.forms[std::min(form, entry.forms.size() - 1)], parts);
 }
 
 std::optional<std::string> Catalogue::translate(std::string_view english, const Names& names) const {

@@ -3,6 +3,7 @@
 #include "app/ui/language/language.h"
 #include "texplorer/base/result.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -46,6 +47,12 @@ public:
     /// sentences, and what " · " or a colon separates. A part that is one of `names` stays unchanged.
     [[nodiscard]] std::optional<std::string> translate(std::string_view english,
                                                        const Names& names = {}) const;
+
+    /// Translates a sentence by its key, and its arguments by `word` unless they are names. Without a
+    /// translation the key itself is used, and `gap` is called if it has words.
+    [[nodiscard]] std::string translate(const Sentence& sentence,
+                                        const std::function<std::string(std::string_view)>& word,
+                                        const std::function<void(std::string_view)>& gap) const;
 
     /// All keys with a translation, with their placeholders as "{}"; and a text as such a key.
     [[nodiscard]] std::set<std::string> keys() const;
@@ -108,6 +115,7 @@ private:
     Language language_ = Language::English;
     std::unordered_map<std::string, std::string> whole_; ///< keys without placeholders
     std::vector<Entry> entries_; ///< keys with placeholders, the one with most letters first
+    std::unordered_map<std::string, std::size_t> indices_; ///< of `entries_`, by the key with "{}"
     std::string letters_;
 };
 

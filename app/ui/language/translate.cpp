@@ -27,12 +27,14 @@ void forget() {
     labelled.clear();
 }
 
-const std::string& remembered(std::string_view english) {
+enum class Gap : bool { Ignored, Recorded };
+
+const std::string& remembered(std::string_view english, Gap gap = Gap::Recorded) {
     const auto found = translated.find(english);
     if (found != translated.end())
         return found->second;
     std::optional<std::string> text = inUse->translate(english, namesInUse);
-    if (!text && gapsFound)
+    if (!text && gapsFound && gap == Gap::Recorded)
         gapsFound->emplace(english);
     return translated.emplace(english, text ? *std::move(text) : std::string(english)).first->second;
 }
@@ -70,6 +72,18 @@ const char* tr(const char* english) {
 
 std::string tr(std::string_view english) {
     return inUse && !english.empty() ? remembered(english) : std::string(english);
+}
+
+std::string tr(const Sentence& english) {
+    if (!inUse)
+        return english;
+    if (english.key().empty())
+        return tr(std::string_view(english));
+    const auto word = [](std::string_view text) { return remembered(text, Gap::Ignored); }; // may be a name
+    return inUse->translate(english, word, [](std::string_view text) {
+        if (gapsFound)
+            gapsFound->emplace(text);
+    });
 }
 
 const char* label(const char* english) {

@@ -22,6 +22,7 @@ void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>
 [[nodiscard]] inline std::string tr(const std::string& english) {
     return tr(std::string_view(english));
 }
+[[nodiscard]] std::string tr(const Sentence& english);
 
 /// The same for texts from which Dear ImGui makes an ID: of a button, a menu, a tab, a dialog. The ID stays
 /// the English one, with the part after "##".

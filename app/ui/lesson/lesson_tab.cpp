@@ -57,7 +57,7 @@ void stepMarks(const Session& session, const LessonRun& run) {
         if (ImGui::InvisibleButton(fmt::format("mark {}", i).c_str(), {width, em}))
             goToStep(session, i);
         item(fmt::format("lesson step:{}", i + 1),
-             fmt::format("{}. {}", i + 1, run.text(run.lesson.steps[i].title)));
+             Sentence("{0}. {1}", i + 1, run.text(run.lesson.steps[i].title)));
         const ImVec2 middle(low.x + width / 2, low.y + em / 2);
         const float radius = width * 0.3F;
         const bool isHere = i == run.step;
@@ -200,7 +200,7 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
         plainWrappedText("● " + tr(std::string("Solved: your picture matches.")), color::accent);
         noteItem("reached");
     } else if (run.grade) {
-        dimWrappedText(fmt::format("{} % of the pixels still differ.", percentWrong(*run.grade)));
+        dimWrappedText(Sentence("{0} % of the pixels still differ.", percentWrong(*run.grade)));
         noteItem("not reached");
     } else {
         dimText("Comparing…");
@@ -223,7 +223,7 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
         return dimText("Searching…");
     if (!run.hint->hint)
         return;
-    wrappedText(fmt::format("Change {}.", tr(run.hint->hint->label)));
+    wrappedText(Sentence("Change {0}.", tr(run.hint->hint->label)));
     if (session.look.shownParam != run.hint->hint->path)
         act(session, [path = run.hint->hint->path](Session& changed) { changed.look.shownParam = path; });
 }

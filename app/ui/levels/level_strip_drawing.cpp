@@ -166,7 +166,7 @@ void StripDrawing::cellTip(const ShownLevel& level) const {
     const int number = level.report.number;
     const std::string extents = levelExtentsText(level.report, target_);
     if (level.missing)
-        return helpTip(fmt::format("Level {} is missing: it would have {} texels.", number, extents));
+        return helpTip(Sentence("Level {0} is missing: it would have {1} texels.", number, extents));
     std::vector<std::string> lines{
         target_ == Target::CubeMap ? fmt::format("Level {}: six faces of {} texels, here {}", number, extents,
                                                  rowOf(cubeFaceAt(state_.face)).label)

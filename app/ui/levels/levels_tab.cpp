@@ -35,7 +35,7 @@ void pixelLine(const Session& session, float room) {
     plainText(shown, levels ? color::probed : color::dim);
     noteItem(levels ? "levels:pixel" : "levels:hint");
     if (levels)
-        helpTip(fmt::format("{}\n{}", words, reference::footprintText(*levels)));
+        helpTip(Sentence("{0}\n{1}", words, reference::footprintText(*levels)));
     else if (shown != tr(words))
         helpTip(words);
 }
@@ -82,7 +82,7 @@ void faceChoice(LevelsTabState& state) {
     const auto pressed = drawSegments(
         faces, ImGui::GetContentRegionAvail().x, static_cast<std::size_t>(state.face), [](std::size_t i) {
             const EnumRow& row = rowOf(cubeFaceAt(static_cast<int>(i)));
-            item(fmt::format("levels:face {}", row.label), fmt::format("{}\n{}", row.name, row.help));
+            item(fmt::format("levels:face {}", row.label), Sentence("{0}\n{1}", row.name, row.help));
         });
     if (pressed)
         state.face = static_cast<int>(*pressed);

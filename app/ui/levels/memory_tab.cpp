@@ -48,7 +48,7 @@ void drawSentences(const std::vector<std::string>& sentences) {
         std::string sentence = sentences[i];
         if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
             sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
-        wrappedText(fmt::format("{}.", sentence), color::problem);
+        wrappedText(Sentence("{0}.", sentence), color::problem);
         noteItem(fmt::format("memory:note {}", i));
     }
 }

@@ -23,11 +23,11 @@ Result<float> numberOf(std::string_view word, std::size_t line) {
     double value = 0;
     if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof() ||
         !std::isfinite(value))
-        return fail(ErrorCode::Malformed, fmt::format("line {}: expected a number, found \"{}\"", line,
-                                                      printable(word.substr(0, maxWordLength))));
+        return fail(ErrorCode::Malformed, Sentence("line {0}: expected a number, found \"{1}\"", line,
+                                                   printable(word.substr(0, maxWordLength))));
     if (value < double{coordRange.min} || value > double{coordRange.max})
-        return fail(ErrorCode::OutOfRange, fmt::format("line {}: expected a number from {} to {}, found {}",
-                                                       line, coordRange.min, coordRange.max, value));
+        return fail(ErrorCode::OutOfRange, Sentence("line {0}: expected a number from {1} to {2}, found {3}",
+                                                    line, coordRange.min, coordRange.max, value));
     return static_cast<float>(value);
 }
 
@@ -53,7 +53,7 @@ Result<std::optional<glm::vec4>> coordOf(std::string_view text, std::size_t line
         return std::nullopt;
     if (count < 2 || count > 4)
         return fail(ErrorCode::Malformed,
-                    fmt::format("line {}: expected 2 to 4 numbers, found {}", line, count));
+                    Sentence("line {0}: expected 2 to 4 numbers, found {1}", line, count));
     return coord;
 }
 
@@ -71,7 +71,7 @@ std::string coordText(std::span<const glm::vec4> coords) {
 Result<TexCoords> parseCoordText(std::string_view text) {
     if (text.size() > maxTextLength)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} letters, found {}", maxTextLength, text.size()));
+                    Sentence("expected at most {0} letters, found {1}", maxTextLength, text.size()));
     TexCoords coords;
     std::size_t line = 0;
     while (!text.empty()) {

@@ -9,11 +9,11 @@ void say(Session& session, const Error& error, const std::filesystem::path& file
     session.look.notice = {describe(error), contentIsWrong ? file : std::filesystem::path{}};
 }
 
-void say(Session& session, std::string sentence) {
+void say(Session& session, Sentence sentence) {
     session.look.notice = {std::move(sentence), {}};
 }
 
-void tell(Session& session, std::string sentence) {
+void tell(Session& session, Sentence sentence) {
     session.look.notice = {.text = std::move(sentence), .file = {}, .isGood = true};
 }
 

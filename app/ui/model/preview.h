@@ -18,7 +18,8 @@ void preview(const Session& session, std::string_view choice, std::string_view t
 /// Call at the end of a frame: ends a preview that was not requested in it.
 void endPreview(Session& session);
 
-/// Call after undo and redo: the choice under the pointer is not previewed until the pointer leaves it.
+/// Call after edits, undo and redo: the choice under the pointer is not previewed until the pointer leaves
+/// it.
 void restPreview(Session& session);
 
 [[nodiscard]] const Preview* shownPreview(const Session& session); ///< nullptr: none is shown

@@ -23,7 +23,7 @@ struct Step {
     std::string path{};      ///< the changed parameter, if it is one
     bool continues = false;  ///< with others of its name, as in a drag, one step of undo until sealEdit
     std::optional<Selection> select{}; ///< what is selected afterwards, as far as it exists
-    std::string says{};                ///< in the status bar afterwards
+    Sentence says{};                   ///< in the status bar afterwards
 };
 
 struct EndStep {};  ///< ends the undo step of a drag: the next edit starts a new one even with the same name

@@ -1,9 +1,12 @@
 #include "app/ui/model/settle.h"
 
+#include "app/ui/model/explaining.h"
 #include "app/ui/model/kept.h"
 #include "app/ui/state/camera.h"
 #include "texplorer/lesson/numbers.h"
+#include "texplorer/scene/animation.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace texplorer::ui {
@@ -25,6 +28,31 @@ void followShape(Document& document, double time, float aspect) {
         document.saved.view = document.scene.view;
 }
 
+/// The distance of the explained pixel's triangle from the eye's plane; of the target if nothing covers the
+/// pixel.
+double distanceOf(const Session& session, const View& view) {
+    const reference::Explanation* explanation = explanationOf(session);
+    const reference::FragmentExplanation* seen = explanation ? explanation->seen() : nullptr;
+    if (!seen || explanation->pixel != session.look.explaining.pixel)
+        return view.distance;
+    const auto [near, far] = clipPlanes(view);
+    return near * far / (far - static_cast<double>(seen->depth) * (far - near));
+}
+
+/// Enlarges the place of the explained pixel as the picture when a fitted camera has moved.
+void followCamera(Session& session, const View& before) {
+    std::optional<WantedProbe>& wanted = session.look.wantedProbe;
+    const View& now = session.document.scene.view;
+    if (!wanted || now.distance == before.distance)
+        return;
+    const bool isPerspective = before.projection == Projection::Perspective;
+    if (!isPerspective || wanted->distance <= 0)
+        wanted->distance = isPerspective ? distanceOf(session, before) : double{before.distance};
+    const double distance = std::max(1e-6, wanted->distance + double{now.distance} - double{before.distance});
+    wanted->zoom *= wanted->distance / distance;
+    wanted->distance = distance;
+}
+
 /// Moves the explained pixel with the picture when the picture's size changes.
 void placeProbe(Session& session, lesson::PictureSize picture) {
     std::optional<WantedProbe>& wanted = session.look.wantedProbe;
@@ -34,17 +62,19 @@ void placeProbe(Session& session, lesson::PictureSize picture) {
     if (picture.width < 1 || picture.height < 1)
         return;
     if (explained && !wanted)
-        wanted = WantedProbe{[pixel = *explained, picture](lesson::PictureSize shown) {
-            return lesson::pixelOf(pixel, picture, shown);
+        wanted = WantedProbe{[pixel = *explained, picture](lesson::PictureSize shown, double zoom) {
+            return lesson::pixelOf(pixel, picture, shown, zoom);
         }};
     if (wanted)
-        explained = wanted->pixel = wanted->in(picture);
+        explained = wanted->pixel = wanted->in(picture, wanted->zoom);
 }
 
 } // namespace
 
 void settle(Session& session, const Layout& layout) {
+    const View before = session.document.scene.view;
     followShape(session.document, session.look.playback.time, aspectOf(layout));
+    followCamera(session, before);
     showPresent(session);
     bringSelectionBack(session);
     followKept(session);

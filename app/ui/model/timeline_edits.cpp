@@ -20,7 +20,7 @@ namespace {
 constexpr double keysPerSecond = 100;
 
 void sayNotAdded(const Session& session, const Error& error) {
-    act(session, [text = fmt::format("A key frame can't be added: {}.", describe(error))](Session& told) {
+    act(session, [text = Sentence("A key frame can't be added: {0}.", describe(error))](Session& told) {
         say(told, text);
     });
 }

@@ -17,9 +17,9 @@ constexpr float minSliderWidth = 2.8F; ///< next to the buttons, in letters' hei
 void offerAnisotropy(const Session& session, const ParamRow& row, const std::string& path, int step,
                      bool isChosen) {
     const std::string assignment = fmt::format("{}={}", path, step);
-    item(assignment,
-         step == 1 ? std::string("One sample a pixel: no anisotropic filter")
-                   : fmt::format("Up to {} samples along the longer side of a pixel's footprint", step));
+    item(assignment, step == 1
+                         ? "One sample a pixel: no anisotropic filter"
+                         : Sentence("Up to {0} samples along the longer side of a pixel's footprint", step));
     if (ImGui::IsItemHovered() && !isChosen)
         preview(session, assignment, fmt::format("{}: {}", row.label, step),
                 [&](Scene& scene) { (void)setParam(scene, path, std::to_string(step)); });

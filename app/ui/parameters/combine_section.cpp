@@ -52,13 +52,13 @@ std::string argumentInWords(const Combine& combine, const Half& half, int number
     const auto operand = std::get<EnumValue>(rowNamed("operand" + tail).read(&combine)).number;
     switch (static_cast<OperandRgb>(operand)) { // same numbers as the operands of alpha
     case OperandRgb::SrcColor:
-        return tr(fmt::format("colour of {}", source));
+        return tr(Sentence("colour of {0}", source));
     case OperandRgb::OneMinusSrcColor:
-        return tr(fmt::format("(1 - colour of {})", source));
+        return tr(Sentence("(1 - colour of {0})", source));
     case OperandRgb::SrcAlpha:
-        return tr(fmt::format("alpha of {}", source));
+        return tr(Sentence("alpha of {0}", source));
     case OperandRgb::OneMinusSrcAlpha:
-        return tr(fmt::format("(1 - alpha of {})", source));
+        return tr(Sentence("(1 - alpha of {0})", source));
     }
     return "?";
 }
@@ -79,9 +79,9 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
 void drawEquation(const Session& session, const Combine& combine, const Half& half) {
     const bool isAlpha = half.suffix == "Alpha";
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
-        wrappedText(fmt::format("= the dot product of the colours: {} overrides the rows below except the "
-                                "scale.",
-                                rowOf(combine.rgb).name));
+        wrappedText(Sentence("= the dot product of the colours: {0} overrides the rows below except the "
+                             "scale.",
+                             rowOf(combine.rgb).name));
         return;
     }
     std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));

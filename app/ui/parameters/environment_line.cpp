@@ -108,7 +108,7 @@ void swatch(const char* name, glm::vec4 value, bool counts, const char* help) {
                            ImGuiColorEditFlags_NoDragDrop,
                        {extent * 1.6F, extent});
     ImGui::PopStyleVar();
-    item(fmt::format("environment:{}", name), fmt::format("{}\n{}", help, numbersOf(value)));
+    item(fmt::format("environment:{}", name), Sentence("{0}\n{1}", help, numbersOf(value)));
 }
 
 bool hasSymbol(const EnvironmentEquations& equations, const char* color, const char* alpha) {
@@ -122,7 +122,8 @@ bool hasSymbol(const EnvironmentEquations& equations, const char* color, const c
 } // namespace
 
 void environmentLine(const Session& session) {
-    const Scene& scene = shownScene(session);
+    const Scene& shown = shownScene(session);
+    const Scene& scene = &shown == &session.document.scene ? presentScene(session) : shown;
     const auto number = static_cast<std::size_t>(session.look.selection.pass);
     if (number >= scene.passes.size())
         return;

@@ -69,8 +69,8 @@ void vertexLine(const Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     labelText("Vertex", vertex ? color::chosen : color::text);
     if (model && count > 0)
-        helpTip(fmt::format("Vertex 0 to {} of model {} ({})", count - 1, session.look.selection.model,
-                            nameOf(*model)));
+        helpTip(Sentence("Vertex 0 to {0} of model {1} ({2})", count - 1, session.look.selection.model,
+                         nameOf(*model)));
     ImGui::SameLine(0, gap);
     if (squareButton("◀", "previous vertex", "The previous vertex", count > 0))
         stepVertex(session, false);
@@ -123,8 +123,8 @@ void captionWithColor(const Session& session, const char* words, const Owner& ow
     }
     const Finding* idle = idleReasonOf(session.document.findings, owner.pathOf(row));
     text(name, idle ? color::dim : color::text);
-    helpTip(idle ? fmt::format("{}\n{}", row.help, fmt::format("No effect now: {}.", idle->sentence))
-                 : std::string(row.help));
+    helpTip(idle ? Sentence("{0}\n{1}", row.help, Sentence("No effect now: {0}.", idle->sentence))
+                 : Sentence(row.help));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     paramControl(session, owner, row, ImGui::GetContentRegionAvail().x);
 }

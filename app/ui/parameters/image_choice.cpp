@@ -34,7 +34,7 @@ void drawChoice(const Session& session, const Pictures& pictures, const Choice& 
     const bool pressed = ImGui::InvisibleButton("image", {extent, extent});
     noteItem(choice.name);
     const bool hovered = ImGui::IsItemHovered();
-    helpTip(fmt::format("{}\n{}", choice.label, choice.help));
+    helpTip(Sentence("{0}\n{1}", choice.label, choice.help));
     ImGui::PopID();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(low, high, color::ground);

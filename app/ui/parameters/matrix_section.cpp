@@ -46,7 +46,7 @@ void offerMotion(const Session& session, const Motion& motion) {
     const Preset* preset = findPreset(motion.preset);
     if (!preset)
         return;
-    helpTip(fmt::format("{}\n{}\n{}", preset->label, preset->help, preset->look));
+    helpTip(Sentence("{0}\n{1}\n{2}", preset->label, preset->help, preset->look));
     if (ImGui::IsItemHovered())
         previewPreset(session, *preset);
 }
@@ -110,7 +110,7 @@ void matrixSection(const Session& session) {
         wrappedText("The identity: coordinates are unchanged. Each step moves, turns or scales them.");
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        labelText(fmt::format("Step {}", i + 1), color::dim);
+        labelText(Sentence("Step {0}", i + 1), color::dim);
         constexpr ListWords words{"matrix step",      "", "Move this step up",    "Move this step down",
                                   "Remove this step", "", "Reorder matrix steps", "Remove matrix step"};
         if (const std::optional<ListEdit> pressed =

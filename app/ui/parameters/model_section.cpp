@@ -49,7 +49,7 @@ void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) 
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
     const std::size_t vertices = mesh.positions.size();
     const std::size_t indices = mesh.indices.size();
-    std::string lists = vertices == 1 ? tr("1 vertex") : tr(fmt::format("{} vertices", vertices));
+    std::string lists = vertices == 1 ? tr("1 vertex") : tr(Sentence("{0} vertices", vertices));
     const auto add = [&](bool there, const std::string& what) {
         if (there)
             lists += ", " + what;
@@ -57,7 +57,7 @@ void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) 
     add(!mesh.normals.empty(), tr("normals"));
     add(!mesh.colors.empty(), tr("colours"));
     add(!mesh.texCoords.empty(), tr("coordinates"));
-    add(indices > 0, indices == 1 ? tr("1 index") : tr(fmt::format("{} indices", indices)));
+    add(indices > 0, indices == 1 ? tr("1 index") : tr(Sentence("{0} indices", indices)));
     dimText(lists);
     helpTip("The Vertices tab edits them one by one. Texture space moves their coordinates.");
 }
@@ -89,7 +89,7 @@ void modelSection(const Session& session) {
     if (count == 0)
         dimText("No model");
     else
-        dimText(fmt::format("Model {}", session.look.selection.model));
+        dimText(Sentence("Model {0}", session.look.selection.model));
     editModels(session, count);
     if (presentScene(session).models.empty())
         return;

@@ -118,7 +118,7 @@ bool passButton(const Pass& pass, int number, float width, bool isChosen) {
     if (pass.enabled)
         drawDot();
     const char* state = pass.enabled ? "This pass is drawn." : "This pass is not drawn.";
-    helpTip(pass.name.empty() ? state : fmt::format("{}\n{}", pass.name, state));
+    helpTip(pass.name.empty() ? state : Sentence("{0}\n{1}", pass.name, state));
     return pressed;
 }
 
@@ -152,7 +152,7 @@ void passChoice(const Session& session) {
 }
 
 void passSection(const Session& session) {
-    labelText(fmt::format("Pass {}", session.look.selection.pass), color::dim);
+    labelText(Sentence("Pass {0}", session.look.selection.pass), color::dim);
     editPasses(session);
     const std::vector<ShownStruct> places = shownStructs(session, Section::Pass); // the pass and its fog
     const Owner& owner = places.front().owner;

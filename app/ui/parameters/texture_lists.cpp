@@ -106,7 +106,7 @@ void levelExtents(const LevelPlan& plan, int number, Target target) {
     const bool fits = *found == fit;
     plainText(
         (fits ? extentsText(*found, target)
-              : tr(fmt::format("{} instead of {}", extentsText(*found, target), extentsText(fit, target)))),
+              : tr(Sentence("{0} instead of {1}", extentsText(*found, target), extentsText(fit, target)))),
         fits ? color::dim : color::problem);
     noteItem(fmt::format("level extents:{}", number));
     if (!fits)
@@ -172,7 +172,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
         const std::string path = owner + elementOf<&Texture::preparation>(i);
         ImGui::PushID(path.c_str());
         const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
-        labelText(fmt::format("Step {}", i + 1), color::dim);
+        labelText(Sentence("Step {0}", i + 1), color::dim);
         editElement(session, i, steps.size(), path, stepWords);
         elementRows(session, steps[i], path, imageStepTable());
         ImGui::PopID();
@@ -215,7 +215,7 @@ void levelList(const Session& session, std::size_t index, const LevelsSummary* s
         const int number = static_cast<int>(i) + 1;
         ImGui::PushID(path.c_str());
         const PictureLines lines(pictures, pictureOf(summary, number), "picture:" + path);
-        labelText(fmt::format("Level {}", number), color::dim);
+        labelText(Sentence("Level {0}", number), color::dim);
         ImGui::SameLine();
         if (const Finding* problem = problemOf(session.document.findings, path)) {
             problemSign(session, path, *problem);

@@ -48,7 +48,7 @@ void textureChoice(const Session& session) {
     noteItem("texture choice");
     const std::string cut = shown != current ? current + "\n" : std::string();
     if (row)
-        helpTip(fmt::format("{}{}\n{}", cut, formatCall(*row, Value(unit.texture)), row->help));
+        helpTip(Sentence("{0}{1}\n{2}", cut, formatCall(*row, Value(unit.texture)), row->help));
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",

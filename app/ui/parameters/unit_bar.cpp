@@ -102,8 +102,8 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
     if (ImGui::Checkbox("##on", &on))
         switchUnit(session, number, on);
     item(fmt::format("unit:{} on", number),
-         on ? fmt::format("Switches texture unit {} off: its texture has no effect", number)
-            : fmt::format("Switches texture unit {} on", number));
+         on ? Sentence("Switches texture unit {0} off: its texture has no effect", number)
+            : Sentence("Switches texture unit {0} on", number));
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PopID();
@@ -115,9 +115,8 @@ void reachLine(const Session& session) {
     const Unit& unit = selectedUnit(session);
     if (sharers.empty() || unit == Unit{}) // a unit that was never enabled gets its own
         return;
-    dimWrappedText(unit.enabled
-                       ? fmt::format("Texture {}: this unit and {}", unit.texture, sharers)
-                       : fmt::format("Texture {}: {}, and this unit when on", unit.texture, sharers));
+    dimWrappedText(unit.enabled ? Sentence("Texture {0}: this unit and {1}", unit.texture, sharers)
+                                : Sentence("Texture {0}: {1}, and this unit when on", unit.texture, sharers));
     item("shares texture",
          "They share the texture's settings: image, filters, wrap modes and levels belong to the "
          "texture object. Environment, matrix and generated coordinates belong to each unit.");
@@ -182,7 +181,7 @@ std::string sharersText(const Session& session, int unit) {
             if (!other.enabled || other.texture != texture || (p == selected && u == asked))
                 continue;
             names += names.empty() ? "" : ", ";
-            names += tr(p == selected ? fmt::format("unit {}", u) : fmt::format("unit {} of pass {}", u, p));
+            names += tr(p == selected ? Sentence("unit {0}", u) : Sentence("unit {0} of pass {1}", u, p));
         }
     }
     return textureOf(scene, scene.passes[selected].units[asked]) ? names : "";

@@ -79,8 +79,8 @@ void FileWriting::write(FileOrder order) {
 Result<void> FileWriting::writeAs(FileOrder order, std::string_view extension,
                                   const std::optional<FileFingerprint>& replaces) {
     if (order.file.extension() != extension)
-        return fail(ErrorCode::Unsupported, fmt::format("expected a name that ends with {}, found \"{}\"",
-                                                        extension, order.file.filename().string()));
+        return fail(ErrorCode::Unsupported, Sentence("expected a name that ends with {0}, found \"{1}\"",
+                                                     extension, order.file.filename().string()));
     order.replaces = replaces;
     write(std::move(order));
     return {};

@@ -134,7 +134,7 @@ Result<SettingsJson> parseText(std::string_view json) {
         },
         false);
     if (isTooDeep)
-        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxDepth));
+        return fail(ErrorCode::TooLarge, Sentence("expected at most {0} levels of brackets", maxDepth));
     if (value.is_discarded())
         return fail(ErrorCode::Malformed, "expected JSON");
     return value;

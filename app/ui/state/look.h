@@ -21,8 +21,10 @@ namespace texplorer::ui {
 
 /// A pixel to explain, in pictures of any size.
 struct WantedProbe {
-    std::function<reference::PixelPlace(lesson::PictureSize)> in;
+    std::function<reference::PixelPlace(lesson::PictureSize, double zoom)> in;
     std::optional<reference::PixelPlace> pixel{}; ///< in the shown picture
+    double zoom = 1;                              ///< of a fitted camera that moved, at this pixel
+    double distance = 0; ///< of what the pixel shows from the eye's plane; 0: not known yet
 };
 
 struct Playback {
@@ -41,7 +43,7 @@ struct Plane {
 
 /// A message in the status bar until it is dismissed.
 struct Notice {
-    std::string text;           ///< empty: no message
+    Sentence text;              ///< empty: no message
     std::filesystem::path file; ///< a file related to it; empty: none
     bool isGood = false;        ///< reports success; else a problem
 };

@@ -87,8 +87,8 @@ Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) con
     for (std::size_t i = 0; i < generation.size(); ++i) {
         if (generation[i]->enabled)
             return fail(ErrorCode::Unsupported,
-                        fmt::format("{} is generated ({}): the given coordinate has no effect", names[i],
-                                    rowOf(generation[i]->mode).name));
+                        Sentence("{0} is generated ({1}): the given coordinate has no effect", names[i],
+                                 rowOf(generation[i]->mode).name));
     }
     // (x - place.x w, y - place.y w) = 0, which is linear in s and t.
     const auto coefficient = [&](int column) {

@@ -120,7 +120,7 @@ void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move
     if (!move.refusal.empty()) {
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(em * 20);
-        text(fmt::format("It can't be moved here: {}.", move.refusal));
+        text(Sentence("It can't be moved here: {0}.", move.refusal));
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
         noteDrawn("refusal:" + move.refusal, canvas.low, canvas.high);

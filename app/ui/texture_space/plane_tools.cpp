@@ -259,7 +259,7 @@ void vertexMenu(const Session& session, TextureSpaceState& state) {
     ImGui::Checkbox(label("Legend"), &state.legend);
     item("legend on", "Describes the picture at the upper edge");
     ImGui::AlignTextToFramePadding();
-    dimText(fmt::format("Of {} vertices:", count));
+    dimText(Sentence("Of {0} vertices:", count));
     helpTip("The selected vertices if two or more, else all");
     for (const auto& [words, name, help, axis] :
          {std::tuple{"Mirror s", "menu mirror s", vertexTools[2].help, 0},

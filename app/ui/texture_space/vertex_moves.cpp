@@ -154,7 +154,7 @@ void followMouse(const Session& session, const PlaneCoords& coords, VertexMove& 
         motionOf(move, mouse, snapping.on ? std::optional(snapping.to) : std::nullopt, texels, magnet);
     Result<TexCoords> list =
         placed(coords, move.results, move.vertices, [&](std::size_t i) { return motion(move.places[i]); });
-    move.refusal = list ? std::string() : list.error().message;
+    move.refusal = list ? Sentence() : list.error().message;
     if (!list || *list == coords.given())
         return;
     dragTexCoords(session, nameOfMove(move.kind, move.vertices), std::move(*list));

@@ -66,7 +66,7 @@ void timeControls(const Session& session, TimelineTabState& state) {
     if (squareButton("▶", "timeline:next", "Go to the next key frame (.)", !timeline.keys.empty()))
         act(session, [](Session& s) { goToKey(s, 1); });
     ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
-    labelText(fmt::format("{:.2f} of {:.2f} s", session.look.playback.time, lengthOf(timeline)));
+    labelText(Sentence("{0:.2f} of {1:.2f} s", session.look.playback.time, lengthOf(timeline)));
     item("timeline:time", "The scene's time and the time of the last key frame");
     besideOrBelow(ImGui::GetFontSize() * 4);
     bool loops = session.look.playback.loops;
@@ -97,7 +97,7 @@ void easingChoice(const Session& session, const TimelineTabState::ChosenKey& cho
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
     const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
     item("key:easing",
-         fmt::format("{}\n{}", tr("How the value changes from this key to the next one."), tr(now.help)));
+         Sentence("{0}\n{1}", tr("How the value changes from this key to the next one."), tr(now.help)));
     if (!open)
         return;
     for (const EnumRow& row : EnumTable<Easing>::rows) {

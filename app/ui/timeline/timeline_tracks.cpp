@@ -88,7 +88,7 @@ void drawDiamond(ImDrawList& draw, ImVec2 at, float radius, ImU32 ink) {
 void keyMenu(const Session& session, std::size_t number, const KeyFrame& key) {
     if (!ImGui::BeginPopup("keymenu"))
         return;
-    dimText(fmt::format("{:.2f} s", key.time));
+    dimText(Sentence("{0:.2f} s", key.time));
     ImGui::Separator();
     for (const EnumRow& row : EnumTable<Easing>::rows) {
         const auto easing = static_cast<Easing>(row.value);
@@ -114,8 +114,8 @@ void drawKey(const Session& session, TimelineTabState& state, const TrackPlan& p
     const bool isFocused = ImGui::IsItemFocused() && !ImGui::GetCurrentContext()->NavDisableHighlight;
     const bool isHovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
     const std::string words = wordsOfValue(session.settings, row, key.value);
-    helpTip(fmt::format("{:.2f} s: {}, {}. Drag: move it. Right click: more.", key.time, words,
-                        rowOf(key.easing).label));
+    helpTip(Sentence("{0:.2f} s: {1}, {2}. Drag: move it. Right click: more.", key.time, words,
+                     rowOf(key.easing).label));
     if (isHovered)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const bool asksMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked();
@@ -187,7 +187,7 @@ void trackName(const Session& session, const TrackPlan& plan, const std::string&
     const bool isHovered = ImGui::IsItemHovered();
     if (isHovered)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(fmt::format("{}\nClick: show the setting", path));
+    helpTip(Sentence("{0}\nClick: show the setting", path));
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
         ImGui::OpenPopup("trackmenu");
     if (ImGui::BeginPopup("trackmenu")) {

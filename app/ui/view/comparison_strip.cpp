@@ -100,7 +100,7 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
     const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
     const bool hasShare = difference && difference->max > 0;
     const std::string words =
-        tr(hasShare ? fmt::format("{} % over", rounded(100 * difference->shareOver(), 2)) : "Tolerance");
+        tr(hasShare ? Sentence("{0} % over", rounded(100 * difference->shareOver(), 2)) : "Tolerance");
     flow.put(ImGui::CalcTextSize(words.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow, gap);
     ImGui::AlignTextToFramePadding();
     plainText(words, hasShare ? color::text : color::dim);
@@ -133,12 +133,12 @@ void worstButton(const Session& session, Flow& flow, const Difference& differenc
         showPixel(session, difference.worst, picture);
     noteItem("worst");
     const int fromTop = picture.height - 1 - difference.worst.y;
-    helpTip(ringed ? fmt::format("The largest difference, at pixel {},{} from the upper left (ringed). "
-                                 "Click to enlarge it; Ctrl + wheel zooms out.",
-                                 difference.worst.x, fromTop)
-                   : fmt::format("The largest difference, at pixel {},{} from the upper left, is within "
-                                 "the tolerance. Click to enlarge it; Ctrl + wheel zooms out.",
-                                 difference.worst.x, fromTop));
+    helpTip(ringed ? Sentence("The largest difference, at pixel {0},{1} from the upper left (ringed). "
+                              "Click to enlarge it; Ctrl + wheel zooms out.",
+                              difference.worst.x, fromTop)
+                   : Sentence("The largest difference, at pixel {0},{1} from the upper left, is within "
+                              "the tolerance. Click to enlarge it; Ctrl + wheel zooms out.",
+                              difference.worst.x, fromTop));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     draw.AddText({low.x + padding.x + sign, low.y + padding.y}, color::text, tr(words).c_str());
@@ -156,7 +156,7 @@ void numbers(const Session& session, Flow& flow, const Difference& difference, v
         noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
-    flow.text(fmt::format("mean {}/255", rounded(difference.mean, 3)), color::text, gap);
+    flow.text(Sentence("mean {0}/255", rounded(difference.mean, 3)), color::text, gap);
     item("mean difference", "The mean over all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
 }

@@ -124,9 +124,8 @@ void drawMagnifier(const Session& session, const Panes& panes, const Pictures& p
     for (const Lens& lens : lenses)
         widest = std::max(widest, ImGui::CalcTextSize(tr(lens.name).c_str()).x);
     const ImVec2 size(widest, cell * across + 2.6F * em);
-    const std::string where =
-        tr(fmt::format("Pixel {},{} from the upper left", pixel->x,
-                       picture.height - 1 - pixel->y)); // counted like texshot probe --at
+    const std::string where = tr(Sentence("Pixel {0},{1} from the upper left", pixel->x,
+                                          picture.height - 1 - pixel->y)); // counted like texshot probe --at
     const Rect& window = layout.window;
     const int maxColumns =
         std::max(1, static_cast<int>((static_cast<float>(window.width) - pad) / (size.x + pad)));

@@ -69,7 +69,7 @@ void drawButtons(const Session& session, RendererForm form) {
         if (flatButton(label(each.words).c_str(), each.chosen))
             choose(session, each);
         ImGui::EndDisabled();
-        item("renderer:" + each.name, fmt::format("{}\n{}", each.help, fmt::format("Key {}", ++key)));
+        item("renderer:" + each.name, Sentence("{0}\n{1}", each.help, fmt::format("Key {}", ++key)));
         ImGui::SameLine(0, gap);
     }
 }

@@ -261,7 +261,7 @@ void hintLine(const Session& session, const Layout& layout) {
     const float available = static_cast<float>(layout.view.width) - em;
     const Preview* const shown = shownPreview(session);
     const std::string line =
-        shown ? fitted(fmt::format("Preview: {}", shown->text), available) : tr(hintsFor(session, available));
+        shown ? fitted(Sentence("Preview: {0}", shown->text), available) : tr(hintsFor(session, available));
     const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
     const auto height = static_cast<float>(layout.view.bottom() - top);
     ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
@@ -279,8 +279,8 @@ void stepLine(const Session& session, const Layout& layout) {
     const std::size_t shown = shownPasses(session);
     if (shown == count)
         return;
-    const std::string line = tr(shown == 1 ? fmt::format("Pass 0 of {}", count)
-                                           : fmt::format("Passes 0 to {} of {}", shown - 1, count));
+    const std::string line = tr(shown == 1 ? Sentence("Pass 0 of {0}", count)
+                                           : Sentence("Passes 0 to {0} of {1}", shown - 1, count));
     const float em = ImGui::GetFontSize();
     const ImVec2 size = ImGui::CalcTextSize(line.c_str());
     const ImVec2 low(static_cast<float>(layout.picture.x) + em * 0.6F,

@@ -38,7 +38,7 @@ bool beginChangeTable(const ChangeColumns& columns, ImVec2 size) {
 void changedParam(const SceneChange& change) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    fittedText(fmt::format("{}   {}", tr(change.label), change.path), color::text);
+    fittedText(Sentence("{0}   {1}", tr(change.label), change.path), color::text);
 }
 
 void changedValues(const SceneChange& change) {

@@ -48,11 +48,11 @@ std::size_t sensibleEnd(std::string_view text, std::size_t fits) {
     return space != std::string_view::npos && 2 * space >= fits ? space : fits;
 }
 
-std::string fitted(std::string_view words, float room) {
+std::string fitted(const Sentence& words, float room) {
     return cutToFit(tr(words), room);
 }
 
-bool fittedText(std::string_view words, ImU32 ink) {
+bool fittedText(const Sentence& words, ImU32 ink) {
     const std::string whole = printable(tr(words));
     const std::string shown = cutToFit(whole, ImGui::GetContentRegionAvail().x);
     plainText(shown, ink);

@@ -40,7 +40,7 @@ void modelChoice(const Session& session, float minWidth, float maxWidth) {
     noteItem("model choice");
     noteItem("model choice:" + shown);
     const char* help = "The model whose values and vertices are shown";
-    helpTip(shown == chosen ? std::string(help) : fmt::format("{}\n{}", chosen, help));
+    helpTip(shown == chosen ? Sentence(help) : Sentence("{0}\n{1}", chosen, help));
 }
 
 } // namespace texplorer::ui

@@ -113,11 +113,10 @@ void keySign(const Session& session, const std::string& path) {
         draw.AddQuadFilled(top, right, bottom, left, color::accent);
     else
         draw.AddQuad(top, right, bottom, left, color::accent, std::max(1.0F, em / 12));
-    helpTip(
-        here ? fmt::format("It has a key frame at {:.2f} s. Click to remove it.", time)
-             : fmt::format("It has key frames, and an edit adds one at {:.2f} s. Click to add one with the "
-                           "present value.",
-                           time));
+    helpTip(here ? Sentence("It has a key frame at {0:.2f} s. Click to remove it.", time)
+                 : Sentence("It has key frames, and an edit adds one at {0:.2f} s. Click to add one with the "
+                            "present value.",
+                            time));
     if (pressed && here)
         removeKey(session, *here);
     else if (pressed)

@@ -105,7 +105,7 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
     if (problem)
         add(tr(sentenceOf(*problem)), problem->severity <= Severity::Warning ? color::problem : color::text);
     if (idle)
-        add(tr(fmt::format("No effect now: {}.", idle->sentence)), color::problem);
+        add(tr(Sentence("No effect now: {0}.", idle->sentence)), color::problem);
     if (value != initial)
         add(tr(howToReset(row, initial, hasSign)), color::changed);
     showTip(lines);

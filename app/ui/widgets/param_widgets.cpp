@@ -239,7 +239,7 @@ void drawFolded(const Session& session, const Owner& owner, const std::vector<co
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
     const bool open =
         ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
-                          "%s", tr(fmt::format("No effect here ({})", rows.size())).c_str());
+                          "%s", tr(Sentence("No effect here ({0})", rows.size())).c_str());
     ImGui::PopStyleColor();
     item(owner.path + "#no effect", "Settings that the present choices don't use");
     ImGui::PopID();

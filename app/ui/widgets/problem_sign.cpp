@@ -58,8 +58,8 @@ void problemSign(const Session& session, const std::string& path, const Finding&
     if (ImGui::InvisibleButton("sign", size))
         ImGui::OpenPopup("problem");
     item(path + "#problem", problem.fixes.empty()
-                                ? sentenceOf(problem)
-                                : fmt::format("{}\n{}", sentenceOf(problem), "Click: show fixes"));
+                                ? Sentence(sentenceOf(problem))
+                                : Sentence("{0}\n{1}", sentenceOf(problem), "Click: show fixes"));
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
     if (!ImGui::BeginPopup("problem"))

@@ -87,12 +87,12 @@ Hint endHints() {
     return std::exchange(hintSaid, {});
 }
 
-bool fitsBelow(std::string_view words) {
-    return roomForHints > 0 && words.find('\n') == std::string_view::npos &&
+bool fitsBelow(const Sentence& words) {
+    return roomForHints > 0 && words.english().find('\n') == std::string_view::npos &&
            ImGui::CalcTextSize(tr(words).c_str()).x <= roomForHints;
 }
 
-void hint(std::string words, bool isProblem) {
+void hint(Sentence words, bool isProblem) {
     noteItem(fmt::format("hint:{}", words));
     hintSaid = {std::move(words), isProblem};
 }
@@ -139,18 +139,18 @@ bool hasJustClicked() {
     return io.MouseClickedTime[0] > 0 && way.x * way.x + way.y * way.y < near * near;
 }
 
-void helpTip(std::string_view words) {
+void helpTip(const Sentence& words) {
     if (!wantsHelp())
         return;
     if (fitsBelow(words))
-        return hint(std::string(words));
+        return hint(words);
     if (ImGui::IsItemHovered() && hasJustClicked())
         return;
     const TipLine line{printable(tr(words), LineBreaks::Keep)};
     showTip({&line, 1});
 }
 
-void item(std::string_view name, std::string_view help) {
+void item(std::string_view name, const Sentence& help) {
     noteItem(name);
     helpTip(help);
 }

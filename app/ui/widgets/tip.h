@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/widgets/palette.h"
+#include "texplorer/base/sentence.h"
 
 #include <span>
 #include <string>
@@ -10,7 +11,7 @@ namespace texplorer::ui {
 
 /// One line of help for the item under the pointer, in English: the status bar translates it.
 struct Hint {
-    std::string words; ///< empty: the item has no help
+    Sentence words; ///< empty: the item has no help
     bool isProblem = false;
 };
 
@@ -22,10 +23,10 @@ void beginHints(float room);
 Hint endHints();
 
 /// Whether these words fit into one line of the status bar.
-[[nodiscard]] bool fitsBelow(std::string_view words);
+[[nodiscard]] bool fitsBelow(const Sentence& words);
 
 /// Shows the words there. The last hint of a frame is used.
-void hint(std::string words, bool isProblem = false);
+void hint(Sentence words, bool isProblem = false);
 
 struct TipLine {
     std::string words; ///< in the window's language; wrapped
@@ -45,9 +46,9 @@ void showTip(std::span<const TipLine> lines);
 
 /// Help for the last item while it wants it, in English: in the status bar, or as a tooltip if it does not
 /// fit there.
-void helpTip(std::string_view text);
+void helpTip(const Sentence& text);
 
 /// Names the last item for tests, see noteItem, and shows its help.
-void item(std::string_view name, std::string_view help);
+void item(std::string_view name, const Sentence& help);
 
 } // namespace texplorer::ui

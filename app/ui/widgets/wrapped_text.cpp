@@ -149,32 +149,32 @@ void plainWrappedText(std::string_view words, ImU32 ink) {
     ImGui::PopStyleColor();
 }
 
-void text(std::string_view words) {
+void text(const Sentence& words) {
     plainText(tr(words));
 }
 
-void text(std::string_view words, ImU32 ink) {
+void text(const Sentence& words, ImU32 ink) {
     plainText(tr(words), ink);
 }
 
-void dimText(std::string_view words) {
+void dimText(const Sentence& words) {
     text(words, color::dim);
 }
 
-void labelText(std::string_view words, ImU32 ink) {
+void labelText(const Sentence& words, ImU32 ink) {
     ImGui::AlignTextToFramePadding();
     text(words, ink);
 }
 
-void wrappedText(std::string_view words) {
+void wrappedText(const Sentence& words) {
     plainWrappedText(tr(words));
 }
 
-void wrappedText(std::string_view words, ImU32 ink) {
+void wrappedText(const Sentence& words, ImU32 ink) {
     plainWrappedText(tr(words), ink);
 }
 
-void dimWrappedText(std::string_view words) {
+void dimWrappedText(const Sentence& words) {
     wrappedText(words, color::dim);
 }
 

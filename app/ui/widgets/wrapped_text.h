@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/widgets/palette.h"
+#include "texplorer/base/sentence.h"
 
 #include <imgui.h>
 
@@ -20,15 +21,15 @@ void plainWrappedText(std::string_view words);
 void plainWrappedText(std::string_view words, ImU32 ink);
 
 /// Texts in English, which are translated.
-void text(std::string_view words);
-void text(std::string_view words, ImU32 ink);
-void dimText(std::string_view words);
+void text(const Sentence& words);
+void text(const Sentence& words, ImU32 ink);
+void dimText(const Sentence& words);
 /// A label next to a control, and as high.
-void labelText(std::string_view words, ImU32 ink = color::text);
+void labelText(const Sentence& words, ImU32 ink = color::text);
 /// Wraps at the available width.
-void wrappedText(std::string_view words);
-void wrappedText(std::string_view words, ImU32 ink);
-void dimWrappedText(std::string_view words);
+void wrappedText(const Sentence& words);
+void wrappedText(const Sentence& words, ImU32 ink);
+void dimWrappedText(const Sentence& words);
 
 /// A small caption above a group, with a line to its right.
 void caption(std::string_view words);

@@ -65,14 +65,14 @@ void drawChangedFile(const Session& session) {
     const float width = std::min(em * 46, ImGui::GetIO().DisplaySize.x * 0.9F);
     ImGui::Dummy({width, 0});
     wrappedText(
-        fmt::format("Another program has changed {} since it was read. Saving overwrites those changes.",
-                    printable(session.document.file.filename().string())));
+        Sentence("Another program has changed {0} since it was read. Saving overwrites those changes.",
+                 printable(session.document.file.filename().string())));
     ImGui::Dummy({0, em * 0.3F});
     if (changed->theirs) {
         drawDifferences(changed->changes, width);
     } else {
         wrappedText(
-            fmt::format("The file contains no scene now: {}.", printable(describe(changed->theirs.error()))),
+            Sentence("The file contains no scene now: {0}.", printable(describe(changed->theirs.error()))),
             color::problem);
         noteItem("changed:problem");
     }

@@ -39,7 +39,7 @@ Result<void> chooseImage(Session& session, const std::filesystem::path& chosen,
 Result<void> writeAnswers(Session& session, const std::filesystem::path& chosen,
                           const std::optional<FileFingerprint>& replaces) {
     return saveAnswers(session.settings, chosen, replaces).map([&](const std::filesystem::path& file) {
-        tell(session, fmt::format("Written: {}", file.string()));
+        tell(session, Sentence("Written: {0}", file.string()));
     });
 }
 
@@ -127,7 +127,7 @@ void drawPictureQuestion(const Session& session) {
     if (!beginModal("A picture with its scene"))
         return;
     const std::string name = session.asking.picture.file.filename().string();
-    text(fmt::format("{} contains the scene that it was drawn from.", printable(name)));
+    text(Sentence("{0} contains the scene that it was drawn from.", printable(name)));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     endWithAnswers(session,
                    {{"Open its scene", "picture:scene", askPictureScene, key::enter},
@@ -141,8 +141,8 @@ void drawRefused(const Session& session) {
         return;
     const float em = ImGui::GetFontSize();
     const std::size_t count = session.asking.refused.size();
-    text(count == 1 ? std::string("One file could not be opened. The others were opened.")
-                    : fmt::format("{} files could not be opened.", count));
+    text(count == 1 ? "One file could not be opened. The others were opened."
+                    : Sentence("{0} files could not be opened.", count));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(em * 46, display.x * 0.9F);
     const float height = std::min(display.y * 0.6F, em * 2.9F * static_cast<float>(count) + em);

@@ -128,7 +128,7 @@ void copyTexshotCommand(Session& session, const Layout& layout) {
     const Result<std::string> command =
         texshotCommand(session, {std::max(1, layout.picture.width), std::max(1, layout.picture.height)});
     if (!command)
-        return say(session, fmt::format("No command can draw this scene: {}.", command.error().message));
+        return say(session, Sentence("No command can draw this scene: {0}.", command.error().message));
     ImGui::SetClipboardText(command->c_str());
     tell(session, "Copied a command that draws this view without a window.");
 }
@@ -138,9 +138,9 @@ void copySceneLink(Session& session) {
     if (!link)
         return say(session, link.error());
     ImGui::SetClipboardText(link->c_str());
-    tell(session, fmt::format("Copied the scene as a text of {} letters. Paste it into Texplorer to open "
-                              "the scene.",
-                              link->size()));
+    tell(session, Sentence("Copied the scene as a text of {0} letters. Paste it into Texplorer to open "
+                           "the scene.",
+                           link->size()));
 }
 
 /// `hasLessons`: lessons have no menu of their own and are listed here.
@@ -185,8 +185,8 @@ void resetItem(const Session& session) {
     if (menuItem(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
         resetToSaved(session);
     helpTip(count == 0
-                ? std::string("The scene has not changed.")
-                : fmt::format("Reverts the changes of {}. Undo restores them.", countOf(count, "setting")));
+                ? "The scene has not changed."
+                : Sentence("Reverts the changes of {0}. Undo restores them.", countOf(count, "setting")));
 }
 
 void editItems(const Session& session, const Layout& layout) {
@@ -331,7 +331,7 @@ void presetsItems(const Session& session) {
         noteItem(fmt::format("preset:{}", preset.name));
         if (ImGui::IsItemHovered())
             previewPreset(session, preset);
-        helpTip(fmt::format("{}\n{}", preset.help, preset.look));
+        helpTip(Sentence("{0}\n{1}", preset.help, preset.look));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/widgets/wrapped_text.h"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace texplorer::ui {
@@ -93,6 +95,7 @@ bool noteButton(const Session& session, std::size_t index, const Rect& canvas, c
     ImGui::InvisibleButton("note", size);
     noteItem(fmt::format("note:{}", index));
     const bool hovered = ImGui::IsItemHovered();
+    helpTip("Drag: move. Double click: edit. Delete: remove.");
     if (hovered || ImGui::IsItemActive())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActivated())
@@ -172,17 +175,19 @@ void drawNotes(const Session& session, const Layout& layout) {
     const ViewNotes& notes = session.look.notes;
     if (notes.list.empty() || layout.canvas.isEmpty())
         return;
-    bool any = false;
-    for (std::size_t i = 0; i < notes.list.size(); ++i)
-        any |= drawNote(session, i, layout.canvas);
-    if (!any && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+    std::optional<std::size_t> pointed;
+    for (std::size_t i = 0; i < notes.list.size(); ++i) {
+        if (drawNote(session, i, layout.canvas))
+            pointed = i;
+    }
+    if (!pointed && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         act(session, [](Session& changed) { changed.look.notes.chosen.reset(); });
     const bool isFree = !notes.isEdited && session.asking.dialog == Dialog::None && !session.out.keyTaken &&
                         !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
-    if (notes.chosen && isFree && isKeyPressed(key::del, false)) {
+    const std::optional<std::size_t> removed = pointed ? pointed : notes.chosen;
+    if (removed && isFree && isKeyPressed(key::del, false)) {
         session.out.keyTaken = true;
-        changeNote(session, *notes.chosen,
-                   [index = *notes.chosen](ViewNotes& changed) { removeNote(changed, index); });
+        changeNote(session, *removed, [index = *removed](ViewNotes& changed) { removeNote(changed, index); });
     }
     if (notes.chosen) // after the other changes, which may end the edit or select another note
         act(session, [](Session& changed) { removeChosenIfEmpty(changed.look.notes); });

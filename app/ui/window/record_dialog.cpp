@@ -96,8 +96,8 @@ void summary(const Session& session, const Result<Recording>& recording) {
         wrappedText("Nothing moves in this scene. All pictures will be the same.");
         noteItem("record:still");
     } else {
-        dimText(fmt::format("{}, drawn by the reference. The window stays usable meanwhile.",
-                            countOf(recording->pictures(), "picture")));
+        dimText(Sentence("{0}, drawn by the reference. The window stays usable meanwhile.",
+                         countOf(recording->pictures(), "picture")));
     }
     // The height does not depend on the text, so that the buttons stay in place.
     ImGui::SetCursorPos({from.x, from.y + ImGui::GetTextLineHeightWithSpacing() * 2.2F});
@@ -106,8 +106,7 @@ void summary(const Session& session, const Result<Recording>& recording) {
 void copyCommand(Session& session) {
     const Result<std::string> command = animateCommand(session);
     if (!command)
-        return say(session,
-                   fmt::format("No command can draw this animation: {}.", describe(command.error())));
+        return say(session, Sentence("No command can draw this animation: {0}.", describe(command.error())));
     ImGui::SetClipboardText(command->c_str());
     tell(session, "Copied a command that draws this animation without a window.");
 }

@@ -53,9 +53,9 @@ void drawRestore(const Session& session, const Pictures& pictures) {
     ImGui::PushTextWrapPos(em * 22);
     if (readable) {
         const std::filesystem::path& file = offer.draft->file;
-        text(file.empty() ? std::string("A scene had unsaved changes when its window closed unexpectedly.")
-                          : fmt::format("{} had unsaved changes when its window closed unexpectedly.",
-                                        printable(file.filename().string())));
+        text(file.empty() ? "A scene had unsaved changes when its window closed unexpectedly."
+                          : Sentence("{0} had unsaved changes when its window closed unexpectedly.",
+                                     printable(file.filename().string())));
         noteItem("restore:name");
         if (!file.empty())
             ImGui::TextDisabled("%s", printable(file.string()).c_str());
@@ -67,7 +67,7 @@ void drawRestore(const Session& session, const Pictures& pictures) {
     ImGui::PopTextWrapPos();
     const std::size_t more = recovery.offers().size() - 1;
     const std::string written = timeText(offer.written);
-    dimText(more == 0 ? written : fmt::format("{} · {} more after this", written, more));
+    dimText(more == 0 ? Sentence(written) : Sentence("{0} · {1} more after this", written, more));
     if (readable)
         drawPicture(session, pictures);
     ImGui::Dummy({0, em * 0.3F});

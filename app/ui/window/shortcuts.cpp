@@ -51,7 +51,7 @@ void pasteScene(Session& session) {
     if (!text || !isSceneLink(text))
         return say(session, "The clipboard has no link to a scene.");
     if (const Result<void> opened = openSceneLink(session, text); !opened)
-        say(session, fmt::format("The scene can't be pasted: {}.", describe(opened.error())));
+        say(session, Sentence("The scene can't be pasted: {0}.", describe(opened.error())));
 }
 
 /// For actions that need no layout.

@@ -32,11 +32,11 @@ void drawProgress(const Session& session, const ImageLoader::Progress& progress)
     cancelButton(session, "cancel:load", [ticket = progress.ticket](Session& s) { cancelLoad(s, ticket); });
     const std::string name = printable(progress.path.filename().string());
     if (progress.step == Step::Decoding)
-        text(fmt::format("Decoding {}", name));
+        text(Sentence("Decoding {0}", name));
     else if (progress.fileBytes == 0)
-        text(fmt::format("Reading {}", name));
+        text(Sentence("Reading {0}", name));
     else
-        text(fmt::format("Reading {} · {} %", name, progress.bytesRead * 100 / progress.fileBytes));
+        text(Sentence("Reading {0} · {1} %", name, progress.bytesRead * 100 / progress.fileBytes));
     item("loading", progress.path.string());
 }
 
@@ -46,8 +46,8 @@ void drawProgress(const Session& session, const LevelsWorker::Progress& progress
                  [ticket = progress.ticket](Session& s) { workers(s).levels->cancel(ticket); });
     const std::string what = printable(progress.what);
     text(progress.done > 0
-             ? fmt::format("Making the levels of {} · {} %", what, static_cast<int>(100 * progress.done))
-             : fmt::format("Making the levels of {}", what));
+             ? Sentence("Making the levels of {0} · {1} %", what, static_cast<int>(100 * progress.done))
+             : Sentence("Making the levels of {0}", what));
     item("making levels", "The previous picture stays until they are ready.");
 }
 
@@ -57,12 +57,12 @@ void drawProgress(const Session& session, const FileProgress& progress) {
     const std::string name = printable(progress.file.filename().string());
     const auto percent = static_cast<int>(100 * progress.share);
     if (progress.pictures > 0)
-        text(fmt::format("Drawing {} · {} of {}", name, progress.picturesDrawn(),
-                         countOf(progress.pictures, "picture")));
+        text(Sentence("Drawing {0} · {1} of {2}", name, progress.picturesDrawn(),
+                      countOf(progress.pictures, "picture")));
     else if (percent > 0)
-        text(fmt::format("Writing {} · {} %", name, percent));
+        text(Sentence("Writing {0} · {1} %", name, percent));
     else
-        text(fmt::format("Writing {}", name));
+        text(Sentence("Writing {0}", name));
     item("writing file", printable(progress.file.string()));
 }
 
@@ -99,11 +99,11 @@ void drawFinding(const Session& session, const Finding& finding, std::size_t cou
         ImGui::SameLine();
     }
     const std::string sentence = sentenceOf(finding);
-    fittedText(count > 1 ? fmt::format("1 of {}: {}", count, sentence) : sentence, color::problem);
+    fittedText(count > 1 ? Sentence("1 of {0}: {1}", count, sentence) : Sentence(sentence), color::problem);
     noteItem("finding");
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(fmt::format("{}\n{}\n{}", finding.path, sentence, "Click: show the setting"));
+    helpTip(Sentence("{0}\n{1}\n{2}", finding.path, sentence, "Click: show the setting"));
     if (ImGui::IsItemClicked())
         act(session, [path = finding.path](Session& s) { reveal(s, path); });
 }
@@ -149,10 +149,10 @@ std::string hostText(const view::Capabilities& capabilities, const view::Offered
 /// The problems of the renderers.
 void drawProblems(std::span<const std::string> problems) {
     const std::string& first = problems.front();
-    fittedText(problems.size() > 1 ? fmt::format("1 of {}: {}", problems.size(), first) : first,
+    fittedText(problems.size() > 1 ? Sentence("1 of {0}: {1}", problems.size(), first) : Sentence(first),
                color::problem);
     noteItem("problem");
-    helpTip(fmt::format("{}", fmt::join(problems, "\n")));
+    helpTip(Sentence("{0}", fmt::join(problems, "\n")));
 }
 
 /// The most important message: problems go before the result of a probed pixel.

@@ -70,7 +70,7 @@ std::optional<int> drawCard(int step, const TourRow& row) {
     const float em = ImGui::GetFontSize();
     std::optional<int> wanted;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + em * tourWidth);
-    dimText(fmt::format("{} of {}", step + 1, tourSteps));
+    dimText(Sentence("{0} of {1}", step + 1, tourSteps));
     text(row.title);
     ImGui::Dummy({em * tourWidth, em * 0.2F});
     text(row.text);

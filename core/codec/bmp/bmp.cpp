@@ -30,8 +30,8 @@ Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLim
                                 static_cast<std::uint64_t>(header.height) *
                                 static_cast<std::uint64_t>(bytesPerPixel(format));
     if (bytes > limits.maxBytes)
-        return bmp::tooLarge(fmt::format("at most {} of pixels are read, the picture has {}",
-                                         countOf(limits.maxBytes, "byte"), bytes));
+        return bmp::tooLarge(Sentence("at most {0} of pixels are read, the picture has {1}",
+                                      countOf(limits.maxBytes, "byte"), bytes));
     Image image{format, static_cast<int>(header.width), static_cast<int>(header.height), 1, {}};
     if (limits.pixels)
         image.pixels.resize(image.byteCount());
@@ -112,8 +112,8 @@ Result<void> checkRleClaim(ByteView codes, const Header& header) {
     const std::uint64_t maxPixels = std::max(alwaysAdmitted, std::uint64_t{codes.size()} * 255);
     if (pixels <= maxPixels)
         return {};
-    return bmp::malformed(fmt::format("{} of run-length codes make at most {} pixels, the file has {}",
-                                      countOf(codes.size(), "byte"), maxPixels, pixels));
+    return bmp::malformed(Sentence("{0} of run-length codes make at most {1} pixels, the file has {2}",
+                                   countOf(codes.size(), "byte"), maxPixels, pixels));
 }
 
 Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Image& image) {
@@ -122,8 +122,8 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
         bmp::decodeRle(codes, static_cast<int>(header.bitsPerPixel), image.width, image.height, painter);
     painter.fillTo(image.height);
     if (!report.ended)
-        return bmp::malformed(fmt::format(
-            "the run-length codes end at offset {} within row {} of {}, without an end-of-picture code",
+        return bmp::malformed(Sentence(
+            "the run-length codes end at offset {0} within row {1} of {2}, without an end-of-picture code",
             header.dataPos + report.consumed, report.row + 1, image.height));
     if (report.clipped > 0)
         header.notes.push_back(fmt::format("{} continued beyond the end of a row and ended there",
@@ -247,7 +247,7 @@ Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
         return texture;
     } catch (const std::bad_alloc&) {
         return bmp::tooLarge(
-            fmt::format("not enough memory for {} × {} pixels", header->width, header->height));
+            Sentence("not enough memory for {0} × {1} pixels", header->width, header->height));
     }
 }
 

@@ -117,8 +117,8 @@ void writeRow(PixelFormat format, const std::byte* from, std::byte* to, std::siz
 
 Result<Bytes> encode(const Image& image, bool topFirst) {
     if (image.width < 1 || image.height < 1)
-        return bmp::malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {} × {}",
-                                          image.width, image.height));
+        return bmp::malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0} × {1}",
+                                       image.width, image.height));
     const Layout layout = layoutOf(image.format);
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
@@ -128,7 +128,7 @@ Result<Bytes> encode(const Image& image, bool topFirst) {
     const std::size_t stride = (rowBytes + 3) / 4 * 4;
     const std::size_t size = dataPos + stride * height;
     if (size > std::numeric_limits<std::uint32_t>::max())
-        return bmp::tooLarge(fmt::format("a file has at most 4294967295 bytes, this picture needs {}", size));
+        return bmp::tooLarge(Sentence("a file has at most 4294967295 bytes, this picture needs {0}", size));
     Bytes file(size);
     writeHeaders(file, image, layout, static_cast<std::uint32_t>(dataPos));
     for (std::size_t y = 0; y < height; ++y) {

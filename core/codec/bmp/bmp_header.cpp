@@ -100,18 +100,18 @@ void placePalette(ByteView file, Header& header) {
 Result<void> checkCompression(const Header& header) {
     const unsigned bits = header.bitsPerPixel;
     const auto needs = [&](const std::string& which) {
-        return malformed(fmt::format("{} needs {} bits a pixel, the file has {}",
-                                     compressionName(header.compression, header.headerSize), which, bits));
+        return malformed(Sentence("{0} needs {1} bits a pixel, the file has {2}",
+                                  compressionName(header.compression, header.headerSize), which, bits));
     };
     const std::string name = compressionName(header.compression, header.headerSize);
     if (headerKind(header.headerSize) == HeaderKind::Os22 && header.compression > 2)
-        return unsupported(fmt::format(
-            "only uncompressed and RLE pixels of OS/2 files are read, this file's compression is {}", name));
+        return unsupported(Sentence(
+            "only uncompressed and RLE pixels of OS/2 files are read, this file's compression is {0}", name));
     switch (static_cast<Compression>(header.compression)) {
     case Compression::None:
         if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 24 && bits != 32)
             return unsupported(
-                fmt::format("1, 2, 4, 8, 16, 24 or 32 bits a pixel are read, the file has {}", bits));
+                Sentence("1, 2, 4, 8, 16, 24 or 32 bits a pixel are read, the file has {0}", bits));
         return {};
     case Compression::Rle8:
         return bits == 8 ? Result<void>() : needs("8");
@@ -123,58 +123,58 @@ Result<void> checkCompression(const Header& header) {
     case Compression::Jpeg:
     case Compression::Png:
         return unsupported(
-            fmt::format("the file contains a whole {} file for printers, at offset {}; extract it first",
-                        name, header.dataPos));
+            Sentence("the file contains a whole {0} file for printers, at offset {1}; extract it first", name,
+                     header.dataPos));
     default:
-        return unsupported(fmt::format(
-            "only uncompressed, RLE and bit-field pixels are read, this file's compression is {}", name));
+        return unsupported(Sentence(
+            "only uncompressed, RLE and bit-field pixels are read, this file's compression is {0}", name));
     }
 }
 
 Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
     const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
-        return malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {}", extents));
+        return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
-            fmt::format("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
+            Sentence("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     const auto pixels = static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
     if (pixels > limits.maxPixels)
         return tooLarge(
-            fmt::format("at most {} are read, the file has {}", countOf(limits.maxPixels, "pixel"), extents));
+            Sentence("at most {0} are read, the file has {1}", countOf(limits.maxPixels, "pixel"), extents));
     return {};
 }
 
 Result<void> checkPlaces(const Header& header, ByteView file) {
     if (header.dataPos < header.palettePos)
-        return malformed(fmt::format("pixel data begins at offset {}, within the headers, which end at {}",
-                                     header.dataPos, header.palettePos));
+        return malformed(Sentence("pixel data begins at offset {0}, within the headers, which end at {1}",
+                                  header.dataPos, header.palettePos));
     if (header.dataPos > file.size())
-        return malformed(fmt::format("pixel data begins at offset {}, the file has {}", header.dataPos,
-                                     countOf(file.size(), "byte")));
+        return malformed(Sentence("pixel data begins at offset {0}, the file has {1}", header.dataPos,
+                                  countOf(file.size(), "byte")));
     if (!header.runLengthCoded() && header.pixelBytes() > file.size() - header.dataPos)
-        return malformed(fmt::format("pixel data needs {} from offset {}, the file has {}",
-                                     countOf(header.pixelBytes(), "byte"), header.dataPos, file.size()));
+        return malformed(Sentence("pixel data needs {0} from offset {1}, the file has {2}",
+                                  countOf(header.pixelBytes(), "byte"), header.dataPos, file.size()));
     if (header.bitsPerPixel <= 8 && header.paletteEntries == 0)
         return malformed(
-            fmt::format("{} a pixel need a palette, but there is none between offset {} and the pixels at "
-                        "{}",
-                        countOf(header.bitsPerPixel, "bit"), header.palettePos, header.dataPos));
+            Sentence("{0} a pixel need a palette, but there is none between offset {1} and the pixels at "
+                     "{2}",
+                     countOf(header.bitsPerPixel, "bit"), header.palettePos, header.dataPos));
     return {};
 }
 
 } // namespace
 
-tl::unexpected<Error> malformed(const std::string& message) {
-    return fail(ErrorCode::Malformed, "BMP: " + message);
+tl::unexpected<Error> malformed(const Sentence& message) {
+    return fail(ErrorCode::Malformed, Sentence("BMP: {0}", message));
 }
 
-tl::unexpected<Error> unsupported(const std::string& message) {
-    return fail(ErrorCode::Unsupported, "BMP: " + message);
+tl::unexpected<Error> unsupported(const Sentence& message) {
+    return fail(ErrorCode::Unsupported, Sentence("BMP: {0}", message));
 }
 
-tl::unexpected<Error> tooLarge(const std::string& message) {
-    return fail(ErrorCode::TooLarge, "BMP: " + message);
+tl::unexpected<Error> tooLarge(const Sentence& message) {
+    return fail(ErrorCode::TooLarge, Sentence("BMP: {0}", message));
 }
 
 HeaderKind headerKind(std::uint32_t headerSize) {
@@ -298,15 +298,15 @@ Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {
         return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
     constexpr std::size_t minBytes = fileHeaderSize + 12;
     const auto headersNeed = [&](std::uint64_t size) {
-        return malformed(fmt::format("the headers need {} bytes, the file has {}", size, file.size()));
+        return malformed(Sentence("the headers need {0} bytes, the file has {1}", size, file.size()));
     };
     if (file.size() < minBytes)
         return headersNeed(minBytes);
     Header header = parseHeader(file);
     if (headerKind(header.headerSize) == HeaderKind::Unknown)
         return unsupported(
-            fmt::format("headers of 12, 16 to 64, 108 and 124 bytes are read, the file has one of {}",
-                        header.headerSize));
+            Sentence("headers of 12, 16 to 64, 108 and 124 bytes are read, the file has one of {0}",
+                     header.headerSize));
     if (file.size() < header.palettePos)
         return headersNeed(header.palettePos);
     if (const Result<void> checked = checkCompression(header); !checked)

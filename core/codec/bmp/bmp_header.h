@@ -91,8 +91,8 @@ struct Header {
 /// Whether a V4 or V5 header defines a colour space, by a profile or by primaries.
 [[nodiscard]] bool hasColorSpace(ByteView file, const Header& header);
 
-[[nodiscard]] tl::unexpected<Error> malformed(const std::string& message);
-[[nodiscard]] tl::unexpected<Error> unsupported(const std::string& message);
-[[nodiscard]] tl::unexpected<Error> tooLarge(const std::string& message);
+[[nodiscard]] tl::unexpected<Error> malformed(const Sentence& message);
+[[nodiscard]] tl::unexpected<Error> unsupported(const Sentence& message);
+[[nodiscard]] tl::unexpected<Error> tooLarge(const Sentence& message);
 
 } // namespace texplorer::bmp

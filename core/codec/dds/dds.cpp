@@ -22,8 +22,8 @@ Result<void> checkBytes(const Layout& layout, int faces, int levels, const Decod
                  layout.format.decodedBytes(level.width, level.height, level.depth);
     }
     if (bytes > limits.maxBytes)
-        return fail(ErrorCode::TooLarge, fmt::format("DDS: at most {} bytes are decoded, the file has {}",
-                                                     limits.maxBytes, bytes));
+        return fail(ErrorCode::TooLarge,
+                    Sentence("DDS: at most {0} bytes are decoded, the file has {1}", limits.maxBytes, bytes));
     return {};
 }
 
@@ -82,10 +82,9 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
         return fail(levels.error());
     if (std::holds_alternative<UnreadPixels>(layout->format.pixels))
         return fail(ErrorCode::Unsupported,
-                    "DDS: " +
-                        fmt::format("{} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a "
-                                    "pixel are",
-                                    layout->format.name));
+                    Sentence("DDS: {0} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a "
+                             "pixel are",
+                             layout->format.name));
     const int layers = limits.everything ? static_cast<int>(layout->elements) : 1;
     const int faces = layers * layout->faces; // of all layers
     if (const Result<void> checked = checkBytes(*layout, faces, *levels, limits); !checked)
@@ -116,7 +115,7 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
         return texture;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    fmt::format("DDS: not enough memory for what the file's {} bytes hold", file.size()));
+                    Sentence("DDS: not enough memory for what the file's {0} bytes hold", file.size()));
     }
 }
 

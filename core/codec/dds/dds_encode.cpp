@@ -24,8 +24,8 @@ constexpr MaskedPixels luminance{8, {0xFF, 0, 0, 0}, PixelFormat::Luminance8};
 constexpr MaskedPixels luminanceAlpha{16, {0xFF, 0, 0, 0xFF00}, PixelFormat::LuminanceAlpha8};
 constexpr MaskedPixels alphaAlone{8, {0, 0, 0, 0xFF}, PixelFormat::Alpha8};
 
-tl::unexpected<Error> refuse(const std::string& message) {
-    return fail(ErrorCode::OutOfRange, "DDS: " + message);
+tl::unexpected<Error> refuse(const Sentence& message) {
+    return fail(ErrorCode::OutOfRange, Sentence("DDS: {0}", message));
 }
 
 std::string extentsOf(const Surface& surface) {
@@ -43,41 +43,40 @@ bool sameFormat(const Surface& a, const Surface& b) {
 /// The format says nothing about any surface but the first, so that all the others must follow from it.
 Result<void> check(const TextureImage& texture) {
     if (texture.faces != 1 && texture.faces != 6)
-        return refuse(fmt::format("a texture has 1 or 6 faces, this one has {}", texture.faces));
+        return refuse(Sentence("a texture has 1 or 6 faces, this one has {0}", texture.faces));
     if (texture.layers < 1 || texture.levels < 1 ||
         texture.surfaces.size() != static_cast<std::size_t>(texture.layers) *
                                        static_cast<std::size_t>(texture.faces) *
                                        static_cast<std::size_t>(texture.levels))
-        return refuse(fmt::format("{} of {} faces with {} levels are expected, there are {} surfaces",
-                                  countOf(texture.layers, "layer"), texture.faces, texture.levels,
-                                  texture.surfaces.size()));
+        return refuse(Sentence("{0} of {1} faces with {2} levels are expected, there are {3} surfaces",
+                               countOf(texture.layers, "layer"), texture.faces, texture.levels,
+                               texture.surfaces.size()));
     const Surface& base = texture.surfaces.front();
     const int width = widthOf(base);
     const int height = heightOf(base);
     const int depth = depthOf(base);
     if (width < 1 || height < 1 || depth < 1)
-        return refuse(
-            fmt::format("a texture has at least 1 × 1 × 1 texels, this one has {}", extentsOf(base)));
+        return refuse(Sentence("a texture has at least 1 × 1 × 1 texels, this one has {0}", extentsOf(base)));
     if (texture.faces == 6 && (width != height || depth != 1))
-        return refuse(fmt::format("the faces of a cube map are square, these are {}", extentsOf(base)));
+        return refuse(Sentence("the faces of a cube map are square, these are {0}", extentsOf(base)));
     if (texture.layers > 1 && depth != 1)
-        return refuse(fmt::format("the layers of an array are no volumes, these are {}", extentsOf(base)));
+        return refuse(Sentence("the layers of an array are no volumes, these are {0}", extentsOf(base)));
     if (texture.levels > mipLevelCount(width, height, depth))
-        return refuse(fmt::format("a mip chain of {} texels has at most {} levels, this one has {}",
-                                  extentsOf(base), mipLevelCount(width, height, depth), texture.levels));
+        return refuse(Sentence("a mip chain of {0} texels has at most {1} levels, this one has {2}",
+                               extentsOf(base), mipLevelCount(width, height, depth), texture.levels));
     for (int face = 0; face < texture.layers * texture.faces; ++face)
         for (int level = 0; level < texture.levels; ++level) {
             const Surface& surface = texture.surface(face, level);
             const auto expected = [&](int extent) { return std::max(1, extent >> level); };
             if (widthOf(surface) != expected(width) || heightOf(surface) != expected(height) ||
                 depthOf(surface) != expected(depth))
-                return refuse(fmt::format("level {} of {} texels is no mip level of {}", level,
-                                          extentsOf(surface), extentsOf(base)));
+                return refuse(Sentence("level {0} of {1} texels is no mip level of {2}", level,
+                                       extentsOf(surface), extentsOf(base)));
             if (!sameFormat(surface, base))
-                return refuse(fmt::format("level {} has another format than level 0", level));
+                return refuse(Sentence("level {0} has another format than level 0", level));
             if (bytesHeld(surface) != byteCount(surface))
-                return refuse(fmt::format("level {} needs {} bytes, it has {}", level, byteCount(surface),
-                                          bytesHeld(surface)));
+                return refuse(Sentence("level {0} needs {1} bytes, it has {2}", level, byteCount(surface),
+                                       bytesHeld(surface)));
         }
     return {};
 }
@@ -250,9 +249,9 @@ Result<void> turn(Surface& surface, int level) {
         return {};
     return fail(
         ErrorCode::Unsupported,
-        fmt::format(
-            "DDS: the top row comes first in a file; level {} has {} rows, bottom row first, and blocks are "
-            "turned without loss where there are {}",
+        Sentence(
+            "DDS: the top row comes first in a file; level {0} has {1} rows, bottom row first, and blocks are "
+            "turned without loss where there are {2}",
             level, heightOf(surface), losslessExtents));
 }
 

@@ -102,8 +102,8 @@ constexpr std::array dxgiTable{
 
 static_assert(std::ranges::is_sorted(dxgiTable, {}, &DxgiRow::number));
 
-tl::unexpected<Error> unsupported(const std::string& message) {
-    return fail(ErrorCode::Unsupported, "DDS: " + message);
+tl::unexpected<Error> unsupported(const Sentence& message) {
+    return fail(ErrorCode::Unsupported, Sentence("DDS: {0}", message));
 }
 
 bool mayHaveAlpha(const Format& format) {
@@ -138,11 +138,11 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
     const DxgiRow* row = findDxgi(header.dxgiFormat);
     constexpr std::uint32_t maxDxgi = 191; // 0 is DXGI_FORMAT_UNKNOWN
     if (header.dxgiFormat == 0 || header.dxgiFormat > maxDxgi)
-        return fail(ErrorCode::Malformed, fmt::format("DDS: DXGI formats are 1 to {}, dxgiFormat is {}",
-                                                      maxDxgi, header.dxgiFormat));
+        return fail(ErrorCode::Malformed, Sentence("DDS: DXGI formats are 1 to {0}, dxgiFormat is {1}",
+                                                   maxDxgi, header.dxgiFormat));
     if (row == nullptr)
-        return unsupported(fmt::format(
-            "DXGI format {} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
+        return unsupported(Sentence(
+            "DXGI format {0} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
             header.dxgiFormat));
     if (row->name.ends_with("_TYPELESS"))
         findings.push_back(
@@ -166,7 +166,7 @@ Result<Format> fromFourCC(const Header& header, Findings& findings) {
         std::string known;
         for (const FourCCRow& each : fourCCTable)
             known.append(each.name).append(", ");
-        return unsupported(fmt::format("dwFourCC is {}; {}DX10 are read", spellFourCC(header.fourCC), known));
+        return unsupported(Sentence("dwFourCC is {0}; {1}DX10 are read", spellFourCC(header.fourCC), known));
     }
     if (row->alpha == AlphaMeaning::Premultiplied)
         findings.push_back(
@@ -203,7 +203,7 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
     const std::uint32_t flags = header.formatFlags;
     if (header.bitCount != 8 && header.bitCount != 16 && header.bitCount != 24 && header.bitCount != 32)
         return unsupported(
-            fmt::format("8, 16, 24 or 32 bits a pixel are read, dwRGBBitCount is {}", header.bitCount));
+            Sentence("8, 16, 24 or 32 bits a pixel are read, dwRGBBitCount is {0}", header.bitCount));
     const std::uint32_t all = 0xFFFFFFFFU >> (32 - header.bitCount);
     MaskedPixels pixels{static_cast<int>(header.bitCount), header.masks, PixelFormat::Rgba8};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -307,8 +307,8 @@ Result<Format> formatOf(const Header& header, Findings& findings) {
         return fromFourCC(header, findings);
     if ((header.formatFlags & formatUnread) != 0)
         return unsupported(
-            fmt::format("pixels with {} are not read; RGB, luminance, alpha, depth and compressed ones are",
-                        spellBits(header.formatFlags & formatUnread, formatFlagRows)));
+            Sentence("pixels with {0} are not read; RGB, luminance, alpha, depth and compressed ones are",
+                     spellBits(header.formatFlags & formatUnread, formatFlagRows)));
     if ((header.formatFlags & formatFourCC) != 0)
         findings.push_back(
             {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are used instead"});

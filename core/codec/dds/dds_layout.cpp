@@ -12,8 +12,8 @@
 namespace texplorer::dds {
 namespace {
 
-tl::unexpected<Error> malformed(const std::string& message) {
-    return fail(ErrorCode::Malformed, "DDS: " + message);
+tl::unexpected<Error> malformed(const Sentence& message) {
+    return fail(ErrorCode::Malformed, Sentence("DDS: {0}", message));
 }
 
 Result<void> checkHeaders(ByteView file, const Header& header) {
@@ -23,12 +23,12 @@ Result<void> checkHeaders(ByteView file, const Header& header) {
     if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic))
         return malformed("the file does not begin with \"DDS \"");
     if (file.size() < legacyEnd)
-        return malformed(fmt::format("the headers need 128 bytes, the file has {}", file.size()));
+        return malformed(Sentence("the headers need 128 bytes, the file has {0}", file.size()));
     if (header.size != headerSize)
-        return malformed(fmt::format("a header has 124 bytes, dwSize is {}", header.size));
+        return malformed(Sentence("a header has 124 bytes, dwSize is {0}", header.size));
     if (file.size() < header.end())
         return malformed(
-            fmt::format("the headers need 148 bytes with the DX10 one, the file has {}", file.size()));
+            Sentence("the headers need 148 bytes with the DX10 one, the file has {0}", file.size()));
     return {};
 }
 
@@ -107,8 +107,8 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
         findings.push_back({at::caps2, "DDSCAPS2_CUBEMAP is set, but no face; it is read as all six"});
     else if (faces != caps2AllFaces)
         return fail(ErrorCode::Unsupported,
-                    fmt::format("DDS: cube maps with all six faces are read, this one has {}: {}",
-                                std::popcount(faces), spellBits(faces, caps2Rows)));
+                    Sentence("DDS: cube maps with all six faces are read, this one has {0}: {1}",
+                             std::popcount(faces), spellBits(faces, caps2Rows)));
     layout.faces = 6;
     return {};
 }
@@ -118,16 +118,16 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
     if (layout.depth != 1)
         extents += fmt::format(" × {}", header.depth);
     if (header.width == 0 || layout.height == 0)
-        return malformed(fmt::format("a picture has at least 1 × 1 texels, this one says {}", extents));
+        return malformed(Sentence("a picture has at least 1 × 1 texels, this one says {0}", extents));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
     // Read as unsigned: what became negative is too large as well.
     const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > maxExtent; };
     if (tooLarge(layout.width) || tooLarge(layout.height) || tooLarge(layout.depth))
         return fail(ErrorCode::TooLarge,
-                    fmt::format("DDS: at most {} texels along each axis are read, the file has {}", maxExtent,
-                                extents));
+                    Sentence("DDS: at most {0} texels along each axis are read, the file has {1}", maxExtent,
+                             extents));
     if (layout.faces == 6 && layout.width != layout.height)
-        return malformed(fmt::format("the faces of a cube map are square, these are {}", extents));
+        return malformed(Sentence("the faces of a cube map are square, these are {0}", extents));
 
     // So many that no product of them overflows, for any limits.
     const std::uint64_t maxPixels = std::min<std::uint64_t>(limits.maxPixels, std::uint64_t{1} << 40);
@@ -135,7 +135,7 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
         static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
     if (slice > maxPixels / static_cast<std::uint64_t>(layout.depth))
         return fail(ErrorCode::TooLarge,
-                    fmt::format("DDS: at most {} texels are read, the file has {}", maxPixels, extents));
+                    Sentence("DDS: at most {0} texels are read, the file has {1}", maxPixels, extents));
     return {};
 }
 
@@ -236,8 +236,8 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
         return fail(extents.error());
     if (limits.everything && layout.elements > maxElements)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("DDS: arrays of at most {} elements are read, this one has {}", maxElements,
-                                layout.elements));
+                    Sentence("DDS: arrays of at most {0} elements are read, this one has {1}", maxElements,
+                             layout.elements));
     readLevels(header, layout, findings);
     checkPitch(header, layout, findings);
 
@@ -258,10 +258,10 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
 Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings) {
     if (layout.elements > 1 && fileSize < layout.arrayEnd()) {
         const std::string needed = countOf(layout.arrayEnd(), "byte");
-        return malformed(layout.faces > 1 ? fmt::format("an array of {} cube maps needs {}, the file has {}",
-                                                        layout.elements, needed, fileSize)
-                                          : fmt::format("an array of {} textures needs {}, the file has {}",
-                                                        layout.elements, needed, fileSize));
+        return malformed(layout.faces > 1 ? Sentence("an array of {0} cube maps needs {1}, the file has {2}",
+                                                     layout.elements, needed, fileSize)
+                                          : Sentence("an array of {0} textures needs {1}, the file has {2}",
+                                                     layout.elements, needed, fileSize));
     }
     if (fileSize >= layout.end()) {
         if (fileSize > layout.arrayEnd())
@@ -279,8 +279,8 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
             const Level base = layout.at(face, 0);
             const std::string surface =
                 layout.faces > 1 ? fmt::format("level 0 of face {}", faceName(face)) : "level 0";
-            return malformed(fmt::format("{} needs {} from offset {}, the file has {}", surface,
-                                         countOf(base.size, "byte"), base.offset, fileSize));
+            return malformed(Sentence("{0} needs {1} from offset {2}, the file has {3}", surface,
+                                      countOf(base.size, "byte"), base.offset, fileSize));
         }
     int levels = 1;
     while (isWhole(layout.faces - 1, levels))

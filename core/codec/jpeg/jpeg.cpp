@@ -14,8 +14,8 @@ namespace texplorer {
 
 namespace {
 
-tl::unexpected<Error> malformed(const std::string& message) {
-    return fail(ErrorCode::Malformed, "JPEG: " + message);
+tl::unexpected<Error> malformed(const Sentence& message) {
+    return fail(ErrorCode::Malformed, Sentence("JPEG: {0}", message));
 }
 
 bool beginsWith(ByteView bytes, std::string_view text) {
@@ -65,21 +65,20 @@ std::string samplingOf(const JpegFrame& frame) {
 }
 
 Error inJpeg(const Error& error) {
-    return {error.code, "JPEG: " + error.message, error.where};
+    return {error.code, Sentence("JPEG: {0}", error.message), error.where};
 }
 
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
     const std::string extents = fmt::format("{} × {} pixels", frame.width, frame.height);
     if (frame.width < 1 || frame.height < 1)
-        return malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {}", extents));
+        return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
-        return fail(ErrorCode::TooLarge,
-                    fmt::format("JPEG: at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent,
-                                extents));
+        return fail(ErrorCode::TooLarge, Sentence("JPEG: at most {0} × {0} pixels are read, the file has {1}",
+                                                  limits.maxExtent, extents));
     const std::uint64_t pixels = std::uint64_t{frame.width} * frame.height;
     if (pixels > limits.maxPixels)
-        return fail(ErrorCode::TooLarge, fmt::format("JPEG: at most {} pixels are read, the file has {}",
-                                                     limits.maxPixels, pixels));
+        return fail(ErrorCode::TooLarge, Sentence("JPEG: at most {0} pixels are read, the file has {1}",
+                                                  limits.maxPixels, pixels));
     if (const std::size_t count = frame.components.size(); count != 1 && count != 3 && count != 4)
         return fail(inJpeg(unreadableComponents(count)));
     const auto divides = [&](std::uint8_t JpegComponent::*factor) {
@@ -92,11 +91,11 @@ Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimit
     };
     if (!divides(&JpegComponent::horizontal) || !divides(&JpegComponent::vertical))
         return fail(ErrorCode::Unsupported,
-                    fmt::format("JPEG: sampling factors must divide the largest, the components have {}",
-                                samplingOf(frame)));
+                    Sentence("JPEG: sampling factors must divide the largest, the components have {0}",
+                             samplingOf(frame)));
     if (!frame.arithmetic() && frame.blocks() / 8 > file.size())
-        return malformed(fmt::format("{} need {} coded blocks of at least 1 bit each, the file has {} bytes",
-                                     extents, frame.blocks(), file.size()));
+        return malformed(Sentence("{0} need {1} coded blocks of at least 1 bit each, the file has {2} bytes",
+                                  extents, frame.blocks(), file.size()));
     return {};
 }
 
@@ -123,14 +122,14 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     // The second opinion counts: only extents that were checked may be allocated.
     if (header->width != static_cast<int>(found.frame->width) ||
         header->height != static_cast<int>(found.frame->height))
-        return malformed(fmt::format("its first frame has {} × {} pixels, another {} × {}",
-                                     found.frame->width, found.frame->height, header->width, header->height));
+        return malformed(Sentence("its first frame has {0} × {1} pixels, another {2} × {3}",
+                                  found.frame->width, found.frame->height, header->width, header->height));
     const std::uint64_t needed = std::uint64_t{found.frame->width} * found.frame->height *
                                  static_cast<std::uint64_t>(bytesPerPixel(header->format));
     if (needed > limits.maxBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("JPEG: at most {} bytes of pixels are read, the file has {}", limits.maxBytes,
-                                needed));
+                    Sentence("JPEG: at most {0} bytes of pixels are read, the file has {1}", limits.maxBytes,
+                             needed));
     Image image{header->inks ? PixelFormat::Rgb8 : header->format, header->width, header->height, 1, {}};
     if (limits.pixels) {
         image = Image::uninitialised(header->format, header->width, header->height);
@@ -172,7 +171,7 @@ Result<TextureImage> decodeJpeg(ByteView file, const DecodeLimits& limits) {
         const Survey found = survey(file);
         if (!found.frame)
             return malformed(
-                fmt::format("there is no frame header (SOF) in the {} bytes of the file", file.size()));
+                Sentence("there is no frame header (SOF) in the {0} bytes of the file", file.size()));
         if (const Result<void> checked = checkFrame(*found.frame, file, limits); !checked)
             return fail(checked.error());
         return decode(file, found, limits);

@@ -18,8 +18,8 @@ namespace texplorer {
 
 namespace {
 
-tl::unexpected<Error> malformed(const std::string& message) {
-    return fail(ErrorCode::Malformed, "PNG: " + message);
+tl::unexpected<Error> malformed(const Sentence& message) {
+    return fail(ErrorCode::Malformed, Sentence("PNG: {0}", message));
 }
 
 // What is known before libpng allocates anything.
@@ -74,16 +74,15 @@ Survey survey(ByteView file, bool everything) {
 Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
     const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
-        return malformed(fmt::format("a picture has at least 1 × 1 pixels, this one has {}", extents));
+        return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
     if (header.width > maxExtent || header.height > maxExtent)
-        return fail(
-            ErrorCode::TooLarge,
-            fmt::format("PNG: at most {0} × {0} pixels are read, the file has {1}", maxExtent, extents));
+        return fail(ErrorCode::TooLarge,
+                    Sentence("PNG: at most {0} × {0} pixels are read, the file has {1}", maxExtent, extents));
     const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
     if (pixels > limits.maxPixels)
-        return fail(ErrorCode::TooLarge, fmt::format("PNG: at most {} pixels are read, the file has {}",
-                                                     limits.maxPixels, pixels));
+        return fail(ErrorCode::TooLarge,
+                    Sentence("PNG: at most {0} pixels are read, the file has {1}", limits.maxPixels, pixels));
     return {};
 }
 
@@ -96,8 +95,8 @@ Result<void> checkColors(const PngHeader& header) {
         (depth & (depth - 1)) == 0)
         return {};
     return malformed(
-        fmt::format("colour type {} with {} bits a sample is not one of the format's 15 combinations",
-                    header.colorType, depth));
+        Sentence("colour type {0} with {1} bits a sample is not one of the format's 15 combinations",
+                 header.colorType, depth));
 }
 
 Result<void> checkSurvey(const Survey& found, ByteView file, const DecodeLimits& limits) {
@@ -106,14 +105,13 @@ Result<void> checkSurvey(const Survey& found, ByteView file, const DecodeLimits&
     if (Result<void> checked = checkColors(found.header); !checked)
         return checked;
     if (found.compressed == 0)
-        return malformed(
-            fmt::format("there is no pixel data (IDAT) in the {} bytes of the file", file.size()));
+        return malformed(Sentence("there is no pixel data (IDAT) in the {0} bytes of the file", file.size()));
     // Deflate's longest match is 258 bytes and takes at least two bits.
     constexpr std::uint64_t bestRatio = 1032;
     const std::uint64_t needed = found.header.filteredBytes();
     if (needed / bestRatio > found.compressed)
-        return malformed(fmt::format(
-            "{} × {} pixels need {} bytes, the file's {} bytes of pixel data can hold at most {}",
+        return malformed(Sentence(
+            "{0} × {1} pixels need {2} bytes, the file's {3} bytes of pixel data can hold at most {4}",
             found.header.width, found.header.height, needed, found.compressed, found.compressed * bestRatio));
     return {};
 }
@@ -253,13 +251,13 @@ Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& lim
     const std::uint64_t needed = std::uint64_t{found.header.width} * found.header.height *
                                  static_cast<std::uint64_t>(bytesPerPixel(format));
     if (needed > limits.maxBytes)
-        return fail(ErrorCode::TooLarge,
-                    fmt::format("PNG: at most {} bytes of pixels are read, the file has {}", limits.maxBytes,
-                                needed));
+        return fail(
+            ErrorCode::TooLarge,
+            Sentence("PNG: at most {0} bytes of pixels are read, the file has {1}", limits.maxBytes, needed));
     Image image{format, static_cast<int>(found.header.width), static_cast<int>(found.header.height), 1, {}};
     if (png_get_rowbytes(decoder.png, decoder.info) != image.rowBytes())
-        return malformed(fmt::format("libpng's rows have {} bytes, expected {}",
-                                     png_get_rowbytes(decoder.png, decoder.info), image.rowBytes()));
+        return malformed(Sentence("libpng's rows have {0} bytes, expected {1}",
+                                  png_get_rowbytes(decoder.png, decoder.info), image.rowBytes()));
     if (limits.pixels) {
         image.pixels.resize(image.byteCount());
         if (!decoder.readPixels(image, limits))
@@ -296,7 +294,7 @@ Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits) {
             return malformed("the file does not begin with PNG's signature of 8 bytes");
         if (file.size() < pngHeaderEnd)
             return malformed(
-                fmt::format("the header needs {} bytes, the file has {}", pngHeaderEnd, file.size()));
+                Sentence("the header needs {0} bytes, the file has {1}", pngHeaderEnd, file.size()));
         if (!beginsWithPngHeader(file))
             return malformed("the first chunk is not an IHDR of 13 bytes");
         Survey found = survey(file, limits.everything);

@@ -185,7 +185,7 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const O
     if (bound > maxBytes)
         return fail(
             ErrorCode::TooLarge,
-            fmt::format("PNG: a chunk holds at most {} bytes, this picture may need {}", maxBytes, bound));
+            Sentence("PNG: a chunk holds at most {0} bytes, this picture may need {1}", maxBytes, bound));
     std::size_t otherBytes = 0;
     for (const auto& [type, data] : others)
         otherBytes += chunkFrame + data.size();
@@ -226,16 +226,16 @@ Result<Bytes> checkAndEncode(const Image& image, bool small, const Result<OtherC
         return fail(others.error());
     if (image.width < 1 || image.height < 1 || image.empty())
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("PNG: a picture has at least 1 × 1 pixels, this one has {} × {}", image.width,
-                                image.height));
+                    Sentence("PNG: a picture has at least 1 × 1 pixels, this one has {0} × {1}", image.width,
+                             image.height));
     const std::size_t slice = image.rowBytes() * static_cast<std::size_t>(image.height);
     if (image.pixels.size() < slice)
         return fail(ErrorCode::Malformed,
-                    fmt::format("PNG: the picture needs {} bytes, it has {}", slice, image.pixels.size()));
+                    Sentence("PNG: the picture needs {0} bytes, it has {1}", slice, image.pixels.size()));
     try {
         return encode(image, small, *others);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, fmt::format("PNG: not enough memory for {} bytes of pixels", slice));
+        return fail(ErrorCode::TooLarge, Sentence("PNG: not enough memory for {0} bytes of pixels", slice));
     }
 }
 

@@ -94,8 +94,8 @@ Result<void> checkKeyword(std::string_view keyword) {
     if (!keyword.empty() && keyword.size() <= maxKeywordBytes && isAscii(keyword) && !spaced)
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("PNG: a text's keyword has 1 to {} letters and single spaces, found \"{}\"",
-                            maxKeywordBytes, keyword));
+                Sentence("PNG: a text's keyword has 1 to {0} letters and single spaces, found \"{1}\"",
+                         maxKeywordBytes, keyword));
 }
 
 void append(Bytes& bytes, std::string_view text) {
@@ -205,13 +205,13 @@ Result<std::optional<std::string>> findPngText(ByteView file, std::string_view k
             continue;
         if (text.tooLong)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("PNG: its text \"{}\" holds more than {} bytes", keyword, maxBytes));
+                        Sentence("PNG: its text \"{0}\" holds more than {1} bytes", keyword, maxBytes));
         if (!text.wrong.empty())
             return fail(ErrorCode::Malformed,
-                        fmt::format("PNG: its text \"{}\" can't be read: {}", keyword, text.wrong));
+                        Sentence("PNG: its text \"{0}\" can't be read: {1}", keyword, text.wrong));
         if (!chunk->complete() || libdeflate_crc32(0, file.data() + chunk->offset + 4,
                                                    4 + std::size_t{chunk->length}) != *chunk->crc)
-            return fail(ErrorCode::Malformed, fmt::format("PNG: its text \"{}\" is damaged", keyword));
+            return fail(ErrorCode::Malformed, Sentence("PNG: its text \"{0}\" is damaged", keyword));
         return std::move(text.text);
     }
     return std::optional<std::string>();

@@ -18,12 +18,12 @@ namespace {
 
 using namespace tga;
 
-tl::unexpected<Error> malformed(const std::string& message) {
-    return fail(ErrorCode::Malformed, "TGA: " + message);
+tl::unexpected<Error> malformed(const Sentence& message) {
+    return fail(ErrorCode::Malformed, Sentence("TGA: {0}", message));
 }
 
-tl::unexpected<Error> tooLarge(const std::string& message) {
-    return fail(ErrorCode::TooLarge, "TGA: " + message);
+tl::unexpected<Error> tooLarge(const Sentence& message) {
+    return fail(ErrorCode::TooLarge, Sentence("TGA: {0}", message));
 }
 
 // The first complaint that matters; what is merely odd goes into the notes.
@@ -46,14 +46,12 @@ Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, cons
     const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
-            fmt::format("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
+            Sentence("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     if (header.pixelCount() > limits.maxPixels)
-        return tooLarge(
-            fmt::format("at most {} pixels are read, the file has {}", limits.maxPixels, extents));
+        return tooLarge(Sentence("at most {0} pixels are read, the file has {1}", limits.maxPixels, extents));
     if (header.pixelCount() * decodedPixelBytes > limits.maxBytes)
-        return tooLarge(fmt::format("at most {} of pixels are decoded, the file has {}",
-                                    countOf(limits.maxBytes, "byte"),
-                                    header.pixelCount() * decodedPixelBytes));
+        return tooLarge(Sentence("at most {0} of pixels are decoded, the file has {1}",
+                                 countOf(limits.maxBytes, "byte"), header.pixelCount() * decodedPixelBytes));
     return {};
 }
 
@@ -67,8 +65,8 @@ std::string shortage(const Header& header, std::uint64_t needed, std::size_t fou
 // No file is long enough for more pixels than this before anything is allocated for them.
 Result<void> checkData(const Header& header, ByteView file, ByteView data) {
     if (header.pixelOffset() > file.size())
-        return malformed(fmt::format("the image ID and the colour map end at offset {}, the file has {}",
-                                     header.pixelOffset(), countOf(file.size(), "byte")));
+        return malformed(Sentence("the image ID and the colour map end at offset {0}, the file has {1}",
+                                  header.pixelOffset(), countOf(file.size(), "byte")));
     const std::uint64_t needed = minDataBytes(header);
     if (data.size() < needed)
         return malformed(shortage(header, needed, data.size()));
@@ -126,7 +124,7 @@ bool isTga(ByteView file) {
 
 Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
     if (file.size() < Header::headerBytes)
-        return malformed(fmt::format("the header needs 18 bytes, the file has {}", file.size()));
+        return malformed(Sentence("the header needs 18 bytes, the file has {0}", file.size()));
     const Header header = readHeader(file);
     const std::optional<Footer> footer = readFooter(file);
     const ByteView data = pixelData(file, header, footer);
@@ -154,14 +152,14 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
         Image image = Image::uninitialised(format, header.width, header.height);
         if (!fillRows(reader, header, image))
             return malformed(
-                fmt::format("the packets end after {} from offset {}, before the picture's {} pixels",
-                            countOf(data.size(), "byte"), header.pixelOffset(), header.pixelCount()));
+                Sentence("the packets end after {0} from offset {1}, before the picture's {2} pixels",
+                         countOf(data.size(), "byte"), header.pixelOffset(), header.pixelCount()));
         reader.describeStrays(texture.notes);
         texture.alpha = applyAlpha(alpha, image, texture.notes);
         texture.surfaces.emplace_back(std::move(image));
         return texture;
     } catch (const std::bad_alloc&) {
-        return tooLarge(fmt::format("not enough memory for {} pixels", header.pixelCount()));
+        return tooLarge(Sentence("not enough memory for {0} pixels", header.pixelCount()));
     }
 }
 

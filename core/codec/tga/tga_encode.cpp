@@ -174,19 +174,18 @@ Result<Bytes> encodeTga(const TextureImage& texture, const WriteOptions& options
     if (widthOf(surface) < 1 || heightOf(surface) < 1 || widthOf(surface) > maxExtent ||
         heightOf(surface) > maxExtent)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("TGA: a picture has 1 to 65535 pixels along each axis, this one has {} × {}",
-                                widthOf(surface), heightOf(surface)));
+                    Sentence("TGA: a picture has 1 to 65535 pixels along each axis, this one has {0} × {1}",
+                             widthOf(surface), heightOf(surface)));
     try {
         std::optional<Image> converted; // most pictures are written from where they are
         const Image* image = std::get_if<Image>(&surface);
         if (!image)
             image = &converted.emplace(toImage(surface));
         if (image->pixels.size() < image->rowBytes() * static_cast<std::size_t>(image->height))
-            return fail(
-                ErrorCode::Malformed,
-                fmt::format("TGA: the picture needs {}, it has {}",
-                            countOf(image->rowBytes() * static_cast<std::size_t>(image->height), "byte"),
-                            image->pixels.size()));
+            return fail(ErrorCode::Malformed,
+                        Sentence("TGA: the picture needs {0}, it has {1}",
+                                 countOf(image->rowBytes() * static_cast<std::size_t>(image->height), "byte"),
+                                 image->pixels.size()));
         if (texture.alpha == AlphaMeaning::None && hasAlpha(image->format))
             image = &converted.emplace(withoutMeaninglessAlpha(*image));
         return write(*image, texture.alpha, texture.topFirst, options.runLengthCoded);

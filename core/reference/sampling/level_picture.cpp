@@ -52,7 +52,7 @@ Result<Image> levelPicture(const TextureLevels& levels, int number, Target targe
     };
     const auto first = find(0);
     if (first == levels.levels.end())
-        return fail(ErrorCode::NotFound, fmt::format("there is no level {}", number));
+        return fail(ErrorCode::NotFound, Sentence("there is no level {0}", number));
     if (target != Target::CubeMap) {
         Image picture = sourcePicture(first->surface, levels, target);
         if (levels.lateFlip != LateFlip::None)
@@ -64,7 +64,7 @@ Result<Image> levelPicture(const TextureLevels& levels, int number, Target targe
         const auto found = find(face);
         if (found == levels.levels.end())
             return fail(ErrorCode::NotFound,
-                        fmt::format("there is no level {} of {}", number, rowOf(cubeFaceAt(face)).name));
+                        Sentence("there is no level {0} of {1}", number, rowOf(cubeFaceAt(face)).name));
         faces[static_cast<std::size_t>(face)] = sourcePicture(found->surface, levels, target);
     }
     const Image& plusX = faces.front();

@@ -20,7 +20,7 @@ constexpr std::string_view presetWord = "preset:";
 tl::unexpected<Error> noElement(const ListAt& list, std::string_view path, std::size_t found) {
     return fail(
         ErrorCode::OutOfRange,
-        fmt::format("expected the index of one of {} elements, counted from 0, found {}", list.size(), found),
+        Sentence("expected the index of one of {0} elements, counted from 0, found {1}", list.size(), found),
         std::string(path));
 }
 
@@ -30,7 +30,7 @@ Result<ListAt> variableListAt(Scene& scene, const std::string& path,
     Result<ListAt> list = listAt(scene, path);
     if (list && !list->row->insert)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("it always has {} elements, in this order", list->size()), path);
+                    Sentence("it always has {0} elements, in this order", list->size()), path);
     for (const std::size_t index : indices) {
         if (list && index >= list->size())
             return noElement(*list, path, index);
@@ -48,8 +48,7 @@ Result<void> make(Scene& scene, const edit::Insert& insert, Scene* shown = nullp
     if (!list)
         return fail(list.error());
     if (list->size() >= list->row->maxCount)
-        return fail(ErrorCode::TooLarge, fmt::format("it already has {} elements", list->size()),
-                    insert.list);
+        return fail(ErrorCode::TooLarge, Sentence("it already has {0} elements", list->size()), insert.list);
     if (insert.index > list->size())
         return noElement(*list, insert.list, insert.index);
     if (insert.copyOf && *insert.copyOf >= list->size())
@@ -66,8 +65,7 @@ Result<void> make(Scene& scene, const edit::Remove& remove) {
     if (!list)
         return fail(list.error());
     if (list->size() <= list->row->minCount)
-        return fail(ErrorCode::TooLarge, fmt::format("it needs {} elements", list->row->minCount),
-                    remove.list);
+        return fail(ErrorCode::TooLarge, Sentence("it needs {0} elements", list->row->minCount), remove.list);
     list->row->erase(list->owner, remove.index);
     renumber(scene, remove.list, afterRemove(remove.index));
     return {};
@@ -159,7 +157,7 @@ Result<bool> makeOneAt(Scene& scene, const Edit& edit, EditTime time) {
         shown.timeline = edited.timeline; // without the keys of removed elements
     const Result<bool> set = keyEdits(edited, shown, time.key);
     if (!set)
-        return fail(set.error().code, fmt::format("a key frame can't be added: {}", describe(set.error())));
+        return fail(set.error().code, Sentence("a key frame can't be added: {0}", describe(set.error())));
     putUnkeyed(edited, scene);
     scene = std::move(edited);
     return set;

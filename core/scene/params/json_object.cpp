@@ -9,14 +9,14 @@
 
 namespace texplorer {
 
-std::string foundText(const nlohmann::json& json) {
+Sentence foundText(const nlohmann::json& json) {
     if (json.is_string())
-        return inQuotes(json.get_ref<const std::string&>());
+        return ProperName{inQuotes(json.get_ref<const std::string&>())};
     if (json.is_array())
         return "a list";
     if (json.is_object())
         return "an object";
-    return json.dump();
+    return ProperName{json.dump()};
 }
 
 JsonObject::JsonObject(const nlohmann::json& json, std::string where, std::optional<Error>& problem)
@@ -24,7 +24,7 @@ JsonObject::JsonObject(const nlohmann::json& json, std::string where, std::optio
     , where_(std::move(where))
     , problem_(problem) {
     if (!json.is_object())
-        say(ErrorCode::Malformed, "", fmt::format("expected {}, found {}", "an object", foundText(json)));
+        say(ErrorCode::Malformed, "", Sentence("expected {0}, found {1}", "an object", foundText(json)));
 }
 
 JsonObject::~JsonObject() {
@@ -32,8 +32,7 @@ JsonObject::~JsonObject() {
         return;
     for (const auto& [key, value] : json_.items()) {
         if (std::ranges::find(taken_, key) == taken_.end())
-            say(ErrorCode::Malformed, shortened(key),
-                fmt::format("unknown key; {}", suggestName(key, taken_)));
+            say(ErrorCode::Malformed, shortened(key), Sentence("unknown key; {0}", suggestName(key, taken_)));
     }
 }
 
@@ -47,7 +46,7 @@ const nlohmann::json* JsonObject::find(const char* key) {
 const nlohmann::json* JsonObject::need(const char* key) {
     const nlohmann::json* found = find(key);
     if (!found)
-        say(ErrorCode::Malformed, "", fmt::format("expected the key \"{}\"", key));
+        say(ErrorCode::Malformed, "", Sentence("expected the key \"{0}\"", key));
     return found;
 }
 
@@ -60,7 +59,7 @@ void JsonObject::text(const char* key, std::string& target, std::size_t maxBytes
     target = value->get<std::string>();
     if (target.size() > maxBytes)
         say(ErrorCode::TooLarge, key,
-            fmt::format("expected at most {} bytes, found {}", maxBytes, target.size()));
+            Sentence("expected at most {0} bytes, found {1}", maxBytes, target.size()));
 }
 
 void JsonObject::flag(const char* key, bool& target) {
@@ -105,16 +104,16 @@ void JsonObject::whole(const char* key, int& target, int min, int max) {
 void JsonObject::refuse(const std::string& key, const std::string& expected) {
     const auto found = json_.is_object() ? json_.find(key) : json_.end();
     say(ErrorCode::Malformed, key,
-        found == json_.end() ? fmt::format("expected {}", expected)
-                             : fmt::format("expected {}, found {}", expected, foundText(*found)));
+        found == json_.end() ? Sentence("expected {0}", expected)
+                             : Sentence("expected {0}, found {1}", expected, foundText(*found)));
 }
 
 void JsonObject::refuseCount(const char* key, std::size_t min, std::size_t max, std::size_t found) {
     say(found > max ? ErrorCode::TooLarge : ErrorCode::Malformed, key,
-        fmt::format("expected a list of {} to {}, found {}", min, max, found));
+        Sentence("expected a list of {0} to {1}, found {2}", min, max, found));
 }
 
-void JsonObject::say(ErrorCode code, const std::string& key, std::string message) {
+void JsonObject::say(ErrorCode code, const std::string& key, Sentence message) {
     if (!problem_)
         problem_ = Error{code, std::move(message), key.empty() ? where_ : placeOf(key)};
 }

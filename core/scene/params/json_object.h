@@ -55,7 +55,7 @@ public:
     }
 
     void refuse(const std::string& key, const std::string& expected);
-    void say(ErrorCode code, const std::string& key, std::string message);
+    void say(ErrorCode code, const std::string& key, Sentence message);
     [[nodiscard]] std::string placeOf(std::string_view key) const;
     [[nodiscard]] std::optional<Error>& problem() { return problem_; }
 
@@ -77,6 +77,6 @@ private:
 };
 
 /// "text", "12", "a list", for a message about what was found.
-[[nodiscard]] std::string foundText(const nlohmann::json& json);
+[[nodiscard]] Sentence foundText(const nlohmann::json& json);
 
 } // namespace texplorer

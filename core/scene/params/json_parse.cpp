@@ -122,15 +122,15 @@ private:
     std::string expected() const;
     std::string pointer() const;
 
-    bool stop(ErrorCode code, std::string message) {
+    bool stop(ErrorCode code, Sentence message) {
         error_ = Error{code, std::move(message), pointer()};
         return false;
     }
     bool tooMany(std::size_t limit) {
-        return stop(ErrorCode::TooLarge, fmt::format("expected at most {} elements, found more", limit));
+        return stop(ErrorCode::TooLarge, Sentence("expected at most {0} elements, found more", limit));
     }
     bool refuse(const std::string& found) {
-        return stop(ErrorCode::OutOfRange, fmt::format("expected {}, found {}", expected(), found));
+        return stop(ErrorCode::OutOfRange, Sentence("expected {0}, found {1}", expected(), found));
     }
 
     Scene& scene_;
@@ -197,8 +197,8 @@ bool Reader::store(const ParamRow& row, const Value& value) {
 bool Reader::version(std::optional<std::int64_t> number, const std::string& text) {
     if (number && *number > sceneFormatVersion)
         return stop(ErrorCode::Unsupported,
-                    fmt::format("the file has version {}, but this Texplorer reads versions up to {}", text,
-                                sceneFormatVersion));
+                    Sentence("the file has version {0}, but this Texplorer reads versions up to {1}", text,
+                             sceneFormatVersion));
     return number && *number >= 1 ? true : refuse(text);
 }
 
@@ -208,7 +208,7 @@ bool Reader::number(float value, std::optional<std::int64_t> whole, const std::s
         const std::size_t limit = isKeyValue(frame.row) ? maxNumbersOfKey : numbersOf(frame.row->kind).max;
         if (frame.count == limit)
             return stop(ErrorCode::OutOfRange,
-                        fmt::format("expected {}, found more than {}", describeAccepted(*frame.row), limit));
+                        Sentence("expected {0}, found more than {1}", describeAccepted(*frame.row), limit));
         frame.numbers[frame.count++] = value;
         return true;
     }
@@ -289,11 +289,10 @@ bool Reader::key(std::string& key) {
         auto names = tableKeys(*frame.table);
         if (root)
             names.insert(names.begin(), versionKey);
-        return stop(ErrorCode::OutOfRange, fmt::format("unknown key; {}", suggestName(key, names)));
+        return stop(ErrorCode::OutOfRange, Sentence("unknown key; {0}", suggestName(key, names)));
     }
     if ((frame.seen >> bit & 1U) != 0)
-        return stop(ErrorCode::Malformed,
-                    fmt::format("expected each key once, found {} twice", inQuotes(key)));
+        return stop(ErrorCode::Malformed, Sentence("expected each key once, found {0} twice", inQuotes(key)));
     frame.seen |= std::uint64_t{1} << bit;
     return true;
 }
@@ -342,8 +341,8 @@ bool Reader::end_array() {
     case Frame::Kind::List:
         if (ended.child->minCount != ended.child->maxCount && ended.count < ended.child->minCount)
             return stop(ErrorCode::OutOfRange,
-                        fmt::format("expected {} to {} elements, found {}", ended.child->minCount,
-                                    ended.child->maxCount, ended.count));
+                        Sentence("expected {0} to {1} elements, found {2}", ended.child->minCount,
+                                 ended.child->maxCount, ended.count));
         break;
     case Frame::Kind::Elements:
         return store(*ended.row, listOf(ended.row->kind, ended.elements));
@@ -404,8 +403,8 @@ bool Reader::parse_error(std::size_t position, const std::string& token,
 
 Result<Scene> parseScene(std::string_view json) {
     if (json.size() > maxSceneBytes)
-        return fail(ErrorCode::TooLarge, fmt::format("expected a scene of at most {} bytes, found {}",
-                                                     maxSceneBytes, json.size()));
+        return fail(ErrorCode::TooLarge,
+                    Sentence("expected a scene of at most {0} bytes, found {1}", maxSceneBytes, json.size()));
     if (json.empty())
         return fail(ErrorCode::Malformed, "expected an object, found an empty file");
 

@@ -38,9 +38,9 @@ Result<std::size_t> putKey(Scene& scene, std::string_view path, float time, std:
     const std::optional<std::size_t> there = keyAt(timeline, path, time);
     if (!(time >= 0 && time <= maxKeyTime))
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a time from 0 to {} s, found {} s", maxKeyTime, time));
+                    Sentence("expected a time from 0 to {0} s, found {1} s", maxKeyTime, time));
     if (!there && timeline.keys.size() >= maxKeyFrames)
-        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} key frames", maxKeyFrames));
+        return fail(ErrorCode::TooLarge, Sentence("expected at most {0} key frames", maxKeyFrames));
     const Easing easing = there ? timeline.keys[*there].easing : easingAt(timeline, path, time);
     KeyFrame key{time, std::string(path), std::string(value), easing};
     if (const Result<void> fits = checkKey(scene, key); !fits)

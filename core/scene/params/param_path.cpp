@@ -107,7 +107,7 @@ private:
         const ChildRow* child = findChild(*place_.table, part.key);
         walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
         if (!row && !child)
-            return refuse(fmt::format("no such parameter; {}", suggested(part.key)));
+            return refuse(Sentence("no such parameter; {0}", suggested(part.key)));
         return row ? enter(*row, part) : enter(*child, part);
     }
 
@@ -151,35 +151,35 @@ private:
         const std::size_t count = vertexCountOf(model);
         place_.vertex = parseIndex(*part.index);
         if (!place_.vertex)
-            return refuse(fmt::format("expected the number of a vertex in the brackets, found {}",
-                                      inQuotes(*part.index)));
+            return refuse(Sentence("expected the number of a vertex in the brackets, found {0}",
+                                   inQuotes(*part.index)));
         if (*place_.vertex >= count)
             return refuse(count == 0 ? "the mesh has no vertices"
-                                     : fmt::format("the {} has {} vertices, expected 0 to {}",
-                                                   rowOf(model.shape).name, count, count - 1));
+                                     : Sentence("the {0} has {1} vertices, expected 0 to {2}",
+                                                rowOf(model.shape).name, count, count - 1));
         return {};
     }
 
     Result<void> enter(const ChildRow& child, const Part& part) {
         if (child.indexed != part.index.has_value())
             return refuse(child.indexed
-                              ? fmt::format("an index is needed, as in {}[0]; {}", child.key, has(child))
+                              ? Sentence("an index is needed, as in {0}[0]; {1}", child.key, has(child))
                               : "it is not a list: expected no index");
         std::size_t index = 0;
         if (part.index) {
             const auto parsed = parseIndex(*part.index);
             if (!parsed)
                 return refuse(
-                    fmt::format("expected a number in the brackets, found {}", inQuotes(*part.index)));
+                    Sentence("expected a number in the brackets, found {0}", inQuotes(*part.index)));
             if (*parsed >= child.size(place_.owner))
-                return refuse(fmt::format("expected an existing index, counted from 0; {}", has(child)));
+                return refuse(Sentence("expected an existing index, counted from 0; {0}", has(child)));
             index = *parsed;
         }
         place_.owner = child.at(place_.owner, index);
         place_.table = child.table;
         if (!dotted_)
             return refuse(
-                fmt::format("it has parameters of its own; {}", suggestName("", tableKeys(*child.table))));
+                Sentence("it has parameters of its own; {0}", suggestName("", tableKeys(*child.table))));
         return {};
     }
 
@@ -188,7 +188,7 @@ private:
         return fmt::format("the {} has {}", lowerFirst(place_.table->name), child.size(place_.owner));
     }
 
-    tl::unexpected<Error> refuse(std::string message) const {
+    tl::unexpected<Error> refuse(Sentence message) const {
         return fail(ErrorCode::OutOfRange, std::move(message), walked_);
     }
 

@@ -22,7 +22,7 @@ std::string withUnit(const Range& range) {
 }
 
 Result<void> refuse(const ParamRow& row, const std::string& found) {
-    return fail(ErrorCode::OutOfRange, fmt::format("expected {}, found {}", describeAccepted(row), found));
+    return fail(ErrorCode::OutOfRange, Sentence("expected {0}, found {1}", describeAccepted(row), found));
 }
 
 std::size_t alternativeOf(Kind kind) {
@@ -89,7 +89,7 @@ Result<void> checkLength(const ParamRow& row, std::size_t count) {
     if (count <= row.maxCount)
         return {};
     return fail(ErrorCode::TooLarge,
-                fmt::format("expected at most {} elements, found {}", row.maxCount, count));
+                Sentence("expected at most {0} elements, found {1}", row.maxCount, count));
 }
 
 Result<void> checkElements(const ParamRow& row, const std::vector<glm::vec4>& list) {
@@ -309,7 +309,7 @@ Result<glm::vec4> parseTexCoord(std::string_view text) {
     if (const auto coord = parseVector(text, texCoordNumbers.min, texCoordNumbers.max, texCoordNumbers.rest))
         return *coord;
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected 2 to 4 finite numbers separated by commas, found {}", inQuotes(text)));
+                Sentence("expected 2 to 4 finite numbers separated by commas, found {0}", inQuotes(text)));
 }
 
 std::string describeAccepted(const ParamRow& row) {

@@ -14,7 +14,7 @@ namespace texplorer {
 
 namespace {
 
-tl::unexpected<Error> refuseElement(std::size_t index, std::string sentence) {
+tl::unexpected<Error> refuseElement(std::size_t index, Sentence sentence) {
     return fail(ErrorCode::OutOfRange, std::move(sentence), fmt::format("/{}", index));
 }
 
@@ -54,24 +54,24 @@ Result<void> checkMeshList(const MeshData& mesh, const ParamRow& row) {
             return {};
         return refuseElement(
             static_cast<std::size_t>(beyond - mesh.indices.begin()),
-            fmt::format("expected the number of a position (the mesh has {}), found {}", vertices, *beyond));
+            Sentence("expected the number of a position (the mesh has {0}), found {1}", vertices, *beyond));
     }
     const std::size_t count = listSize(row.read(&mesh));
     if (count == 0 || count == vertices)
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected {}, one for each position, or none; found {}", vertices, count));
+                Sentence("expected {0}, one for each position, or none; found {1}", vertices, count));
 }
 
 Result<void> checkPassModels(const Scene& scene, const Pass& pass) {
     for (std::size_t i = 0; i < pass.models.size(); ++i) {
         const int model = pass.models[i];
         if (static_cast<std::size_t>(model) >= scene.models.size())
-            return refuseElement(i, fmt::format("there is no model {}, the scene has {}", model,
-                                                countOf(scene.models.size(), "model")));
+            return refuseElement(i, Sentence("there is no model {0}, the scene has {1}", model,
+                                             countOf(scene.models.size(), "model")));
         const auto end = pass.models.begin() + static_cast<std::ptrdiff_t>(i);
         if (std::find(pass.models.begin(), end, model) != end)
-            return refuseElement(i, fmt::format("expected each model once, found {} twice", model));
+            return refuseElement(i, Sentence("expected each model once, found {0} twice", model));
     }
     return {};
 }
@@ -81,8 +81,8 @@ Result<void> checkTexCoordCount(const Model& model, const TexCoords& list) {
     if (list.empty() || list.size() == count)
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("expected {} coordinates, one for each vertex of the {}, or none; found {}",
-                            count, rowOf(model.shape).name, list.size()));
+                Sentence("expected {0} coordinates, one for each vertex of the {1}, or none; found {2}",
+                         count, rowOf(model.shape).name, list.size()));
 }
 
 Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {
@@ -90,8 +90,8 @@ Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {
     if (!unit.enabled || static_cast<std::size_t>(unit.texture) < count)
         return {};
     return fail(ErrorCode::OutOfRange,
-                fmt::format("an enabled unit needs an existing texture: it uses number {}, the scene has {}",
-                            unit.texture, countOf(count, "texture")));
+                Sentence("an enabled unit needs an existing texture: it uses number {0}, the scene has {1}",
+                         unit.texture, countOf(count, "texture")));
 }
 
 Result<void> checkTogether(const Scene& scene) {

@@ -67,14 +67,14 @@ Result<NumberRange> parseRange(std::string_view text) {
     const auto last = wholeText<float>(trimmed(text.substr(sign + 2, slash - sign - 2)));
     if (!first || !last || !std::isfinite(*first) || !std::isfinite(*last))
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected two numbers, as in 0..4/5, found {}", inQuotes(text)));
+                    Sentence("expected two numbers, as in 0..4/5, found {0}", inQuotes(text)));
     if (slash == std::string_view::npos)
         return NumberRange{*first, *last, fewValues};
     const std::string_view counted = trimmed(text.substr(slash + 1));
     const auto count = wholeText<std::size_t>(counted);
     if (!count || *count < 2 || *count > maxAxisValues)
-        return fail(ErrorCode::OutOfRange, fmt::format("expected 2 to {} values after the slash, found {}",
-                                                       maxAxisValues, inQuotes(counted)));
+        return fail(ErrorCode::OutOfRange, Sentence("expected 2 to {0} values after the slash, found {1}",
+                                                    maxAxisValues, inQuotes(counted)));
     return NumberRange{*first, *last, *count};
 }
 
@@ -122,11 +122,11 @@ Result<std::vector<std::string>> checked(const ParamRow& row, const std::vector<
             values.push_back(std::move(written));
         else if (repeats == Repeats::Refused)
             return fail(ErrorCode::OutOfRange,
-                        fmt::format("expected each value once, found {} twice", inQuotes(written)));
+                        Sentence("expected each value once, found {0} twice", inQuotes(written)));
     }
     if (values.size() > maxAxisValues)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("expected at most {} values, found {}", maxAxisValues, values.size()));
+                    Sentence("expected at most {0} values, found {1}", maxAxisValues, values.size()));
     return values;
 }
 
@@ -216,8 +216,8 @@ Result<SweepAxis> parseSweepAxis(const Scene& scene, std::string_view text) {
     const std::size_t sign = text.find('=');
     if (sign == std::string_view::npos)
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected PATH=VALUES, as in textures[0].maxAnisotropy=1,2,4, found {}",
-                                inQuotes(text)));
+                    Sentence("expected PATH=VALUES, as in textures[0].maxAnisotropy=1,2,4, found {0}",
+                             inQuotes(text)));
     return axisOf(scene, trimmed(text.substr(0, sign)), text.substr(sign + 1), Repeats::Refused);
 }
 

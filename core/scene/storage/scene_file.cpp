@@ -38,7 +38,7 @@ Result<std::string> sceneTextIn(ByteView file) {
         return **std::move(text);
     return fail(
         ErrorCode::NotFound,
-        fmt::format("expected a scene, found a PNG without a scene: it has no text \"{}\"", sceneKeyword));
+        Sentence("expected a scene, found a PNG without a scene: it has no text \"{0}\"", sceneKeyword));
 }
 
 Result<std::string> readSceneText(const std::filesystem::path& file) {

@@ -86,7 +86,7 @@ Result<std::string> unpack(std::string_view packed) {
             return fail(damaged());
         if (room == maxSceneBytes)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("the scene of the link takes more than {} bytes", maxSceneBytes));
+                        Sentence("the scene of the link takes more than {0} bytes", maxSceneBytes));
     }
 }
 
@@ -108,28 +108,28 @@ Result<std::string> writeSceneLink(const Scene& scene) {
     std::string link = std::string(scheme).append(version).append(toBase64(packed));
     if (json.size() > maxSceneBytes || link.size() > maxLinkBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("the scene is too large for a link: it has {} letters, at most {} are "
-                                "allowed; save it as a file",
-                                link.size(), maxLinkBytes));
+                    Sentence("the scene is too large for a link: it has {0} letters, at most {1} are "
+                             "allowed; save it as a file",
+                             link.size(), maxLinkBytes));
     return link;
 }
 
 Result<Scene> parseSceneLink(std::string_view text) {
     if (text.size() > maxLinkBytes)
         return fail(ErrorCode::TooLarge,
-                    fmt::format("the link has {} letters, at most {} are read", text.size(), maxLinkBytes));
+                    Sentence("the link has {0} letters, at most {1} are read", text.size(), maxLinkBytes));
     std::string dense;
     std::ranges::copy_if(text, std::back_inserter(dense), [](char each) { return !isLinkSpace(each); });
     std::string_view rest = dense;
     if (!rest.starts_with(scheme))
         return fail(ErrorCode::Malformed,
-                    fmt::format("expected a link that begins with \"{}{}\"", scheme, version));
+                    Sentence("expected a link that begins with \"{0}{1}\"", scheme, version));
     rest.remove_prefix(scheme.size());
     if (!rest.starts_with(version))
         return fail(ErrorCode::Unsupported,
-                    fmt::format("expected a link that begins with \"{}{}\"; a later version of Texplorer may "
-                                "have made this one",
-                                scheme, version));
+                    Sentence("expected a link that begins with \"{0}{1}\"; a later version of Texplorer may "
+                             "have made this one",
+                             scheme, version));
     rest.remove_prefix(version.size());
     const std::optional<std::string> packed = fromBase64(rest);
     if (!packed)
@@ -139,7 +139,7 @@ Result<Scene> parseSceneLink(std::string_view text) {
         return fail(json.error());
     Result<Scene> scene = parseScene(*json);
     if (!scene)
-        return fail(scene.error().code, fmt::format("the link has no scene: {}", describe(scene.error())));
+        return fail(scene.error().code, Sentence("the link has no scene: {0}", describe(scene.error())));
     return scene;
 }
 

@@ -64,7 +64,7 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     const auto refuse = [&](int error) {
         const bool isTaken = error == EWOULDBLOCK || error == ENOENT;
         return fail(isTaken ? ErrorCode::NotFound : ErrorCode::Unwritable,
-                    fmt::format("can't be locked: {}", systemText(error)), path.string());
+                    Sentence("can't be locked: {0}", systemText(error)), path.string());
     };
     if (!file.valid())
         return refuse(errno);

@@ -61,7 +61,7 @@ Result<std::filesystem::path> takePath(std::string_view& text, const char* what)
     const std::optional<std::string_view> line = takeLine(text);
     const std::optional<std::string> path = line ? unescaped(*line) : std::nullopt;
     if (!path || (!path->empty() && !std::filesystem::path(*path).is_absolute()))
-        return fail(ErrorCode::Malformed, fmt::format("expected the absolute path of {}", what));
+        return fail(ErrorCode::Malformed, Sentence("expected the absolute path of {0}", what));
     return std::filesystem::path(*path);
 }
 
@@ -79,7 +79,7 @@ Result<UnsavedScene> parseUnsaved(std::string_view text) {
     const std::optional<std::string_view> first = takeLine(text);
     if (first != firstLine && first != firstLineWithoutHash)
         return fail(ErrorCode::Malformed,
-                    fmt::format("expected an unsaved scene, which begins with \"{}\"", firstLine));
+                    Sentence("expected an unsaved scene, which begins with \"{0}\"", firstLine));
     const Result<std::filesystem::path> file = takePath(text, "the scene file");
     if (!file)
         return fail(file.error());

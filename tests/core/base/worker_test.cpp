@@ -25,7 +25,9 @@ protected:
         return std::make_unique<Numbers>(
             WorkerSetup{when, order, {"no memory", "can't"}, [this] { ++wakes; }, caller.get_token()},
             [this](const Numbers::Task& task) { return work(task); },
-            [](int number, const Error& error) { return std::to_string(number) + ": " + error.message; });
+            [](int number, const Error& error) {
+                return std::to_string(number) + ": " + error.message.english();
+            });
     }
     static std::optional<std::string> timesTen(const Numbers::Task& task) {
         return std::to_string(10 * task.job());

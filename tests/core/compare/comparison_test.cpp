@@ -253,7 +253,7 @@ TEST(Comparison, RefusesWhatCanNotBeCompared) {
     const Image a = even(4, 3, grey);
     const auto errorOf = [&](const Criterion& criterion, const Image* mask) {
         const Result<Comparison> found = comparePictures(a, a, criterion, mask);
-        return found ? std::string("none") : describe(found.error());
+        return found ? std::string("none") : describe(found.error()).english();
     };
     const Image small = even(4, 2, white);
     EXPECT_EQ(errorOf({}, &small),

@@ -25,7 +25,7 @@ Result<std::vector<Line>> programOf(const Scene& scene, Flavour flavour = Flavou
 
 std::string textOf(const Scene& scene, Flavour flavour = Flavour::Fixed) {
     const auto lines = programOf(scene, flavour);
-    return lines ? emit::textOf(*lines, false) : describe(lines.error());
+    return lines ? emit::textOf(*lines, false) : describe(lines.error()).english();
 }
 
 /// Without what they are indented by.

@@ -45,7 +45,7 @@ struct Golden : testing::Test {
     /// The sentence of a check that must not be possible.
     [[nodiscard]] std::string complaint(const Image& image) const {
         const Result<GoldenCheck> check = checkGolden(image, golden(), options);
-        return check ? "it was possible: " + check->message : describe(check.error());
+        return check ? "it was possible: " + check->message : describe(check.error()).english();
     }
 };
 
@@ -170,7 +170,7 @@ TEST_F(Golden, RefusesWhatIsNoFramebuffer) {
     const auto raw = [this](int width, int height, std::size_t bytes) {
         const Result<GoldenCheck> check =
             checkGolden(width, height, std::vector<std::byte>(bytes), golden(), options);
-        return check ? check->message : describe(check.error());
+        return check ? check->message : describe(check.error()).english();
     };
     EXPECT_EQ(raw(2, 2, 15), "expected a framebuffer of 2 × 2 pixels with 4 bytes each, found 15 bytes");
     EXPECT_EQ(raw(0, 2, 0), "expected a framebuffer of 0 × 2 pixels with 4 bytes each, found 0 bytes");

@@ -64,9 +64,9 @@ void expectOneLine(const Result<T>& result, std::string_view text) {
     if (result)
         return;
     EXPECT_FALSE(result.error().message.empty()) << text;
-    EXPECT_EQ(describe(result.error()).find_first_of("\n\r\x1B"), std::string::npos)
+    EXPECT_EQ(describe(result.error()).english().find_first_of("\n\r\x1B"), std::string::npos)
         << describe(result.error());
-    EXPECT_LT(describe(result.error()).size(), 2000U) << text.substr(0, 200);
+    EXPECT_LT(describe(result.error()).english().size(), 2000U) << text.substr(0, 200);
 }
 
 void readSuiteText(const std::string& text) {

@@ -11,7 +11,7 @@ namespace {
 std::string filled(std::string_view text, const std::map<std::string, std::string>& values) {
     const Result<NamePattern> pattern = NamePattern::parse(text);
     return pattern ? pattern->fill([&](const std::string& place) { return values.at(place); })
-                   : pattern.error().message;
+                   : pattern.error().message.english();
 }
 
 TEST(NamePattern, FillsEachPlace) {

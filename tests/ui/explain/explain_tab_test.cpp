@@ -103,23 +103,29 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     EXPECT_TRUE(has("explained pixel"));
 }
 
-TEST_F(ExplainTab, TheExplainedPixelShowsTheSameInALargerView) {
+TEST_F(ExplainTab, TheExplainedPixelShowsTheSameInViewsOfOtherShapes) {
     explainTheCube();
-    const reference::PixelPlace before = *explaining().pixel;
-    const lesson::PictureSize small{layout.picture.width, layout.picture.height};
-    session->settings.workspace.maximised = Maximised::View;
     frames(2);
-    const lesson::PictureSize large{layout.picture.width, layout.picture.height};
-    ASSERT_GT(large.height, small.height);
-    const auto share = [](int at, int from, lesson::PictureSize size) {
-        return (at + 0.5 - from / 2.0) / size.height;
+    const auto coords = [this] {
+        const reference::UnitExplanation* unit = probedUnit(*session);
+        return unit ? glm::vec2(unit->coords) : glm::vec2(-1); // none
     };
-    EXPECT_NEAR(share(explaining().pixel->x, large.width, large), share(before.x, small.width, small), 0.004);
-    EXPECT_NEAR(share(explaining().pixel->y, large.height, large), share(before.y, small.height, small),
-                0.004);
+    const reference::PixelPlace before = *explaining().pixel;
+    const glm::vec2 found = coords();
+    const float distance = scene().view.distance;
+    const auto expectSame = [&] {
+        frames(3);
+        EXPECT_NE(scene().view.distance, distance) << "the camera follows the shape";
+        EXPECT_NEAR(coords().x, found.x, 0.02F);
+        EXPECT_NEAR(coords().y, found.y, 0.02F);
+    };
+    session->settings.workspace.maximised = Maximised::View;
+    expectSame();
     session->settings.workspace.maximised = Maximised::None;
-    frames(2);
+    frames(3);
     EXPECT_EQ(explaining().pixel, before);
+    resize(900, 800);
+    expectSame();
 }
 
 TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {

@@ -129,7 +129,7 @@ TEST_F(LessonFolderInTheWindow, SaysInEveryLanguageWhatIsBroken) {
         gaps.clear();
         for (const std::string& text : broken) {
             writeRaw(folder / "lesson.json", text);
-            session->look.notice.text.clear();
+            session->look.notice.text = {};
             tell("lesson.json");
             EXPECT_THAT(session->look.notice.text, HasSubstr("can't be read")) << text;
         }

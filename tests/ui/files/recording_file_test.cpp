@@ -92,7 +92,7 @@ protected:
 
     [[nodiscard]] std::string problem() const {
         const Result<Recording> recording = recordingOf(session);
-        return recording ? std::string() : describe(recording.error());
+        return recording ? Sentence() : describe(recording.error());
     }
 
     ServicesAtOnce services;

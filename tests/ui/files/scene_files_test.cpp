@@ -104,7 +104,7 @@ TEST_F(SceneFiles, WhatIsNeitherSceneNorImageIsRefusedInOneSentenceAndChangesNot
             report(session, opening(session, path));
             receiveFiles(session);
             EXPECT_FALSE(session.look.notice.text.empty());
-            EXPECT_EQ(session.look.notice.text.find('\n'), std::string::npos);
+            EXPECT_EQ(session.look.notice.text.english().find('\n'), std::string::npos);
         }
         EXPECT_EQ(session.document.scene, before);
         EXPECT_FALSE(session.document.history.canUndo());

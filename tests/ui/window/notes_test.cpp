@@ -45,6 +45,15 @@ TEST_F(Notes, AreRemovedWithTheDocument) {
     EXPECT_FALSE(has("note:0"));
 }
 
+TEST_F(Notes, DeleteRemovesTheOneUnderThePointer) {
+    write(at(0.2F, 0.2F), "first");
+    write(at(0.7F, 0.2F), "second");
+    moveTo(place("note:0"));
+    key(ui::key::del);
+    ASSERT_EQ(notes().list.size(), 1U);
+    EXPECT_EQ(notes().list[0].text, "second");
+}
+
 TEST_F(Notes, OneWithoutWordsIsNone) {
     moveTo(at(0.3F, 0.3F));
     key('N');

@@ -38,7 +38,7 @@ TEST(PutKey, RefusesWhatCantBeAndChangesNothing) {
     Scene scene = defaultScene();
     const auto refused = [&](std::string_view path, float time, std::string_view value) {
         const Result<std::size_t> put = putKey(scene, path, time, value);
-        return put ? std::string("nothing") : put.error().message;
+        return put ? std::string("nothing") : put.error().message.english();
     };
     EXPECT_THAT(refused("view.azimut", 0, "1"), HasSubstr("view"));
     EXPECT_THAT(refused("view.azimuth", 0, "north"), HasSubstr("north"));

@@ -258,7 +258,7 @@ TEST(Timeline, SaysWhatIsWrongWithAKey) {
         ASSERT_FALSE(scene) << keys;
         EXPECT_EQ(scene.error().where, where) << scene.error().message;
         EXPECT_THAT(scene.error().message, testing::StartsWith(message));
-        EXPECT_LT(scene.error().message.size(), 400U);
+        EXPECT_LT(scene.error().message.english().size(), 400U);
     }
 }
 

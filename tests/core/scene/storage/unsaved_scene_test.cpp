@@ -66,7 +66,7 @@ TEST_P(BadUnsaved, IsRefusedInOneSentence) {
     const Result<UnsavedScene> read = parseUnsaved(GetParam().text);
     ASSERT_FALSE(read);
     EXPECT_THAT(describe(read.error()), HasSubstr(GetParam().words));
-    EXPECT_EQ(describe(read.error()).find('\n'), std::string::npos);
+    EXPECT_EQ(describe(read.error()).english().find('\n'), std::string::npos);
 }
 
 const std::string first = "Texplorer, unsaved scene, version 1\n";
