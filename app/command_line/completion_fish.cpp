@@ -1,4 +1,5 @@
 #include "app/command_line/completion_rows.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

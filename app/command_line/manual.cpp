@@ -246,7 +246,8 @@ Result<std::string> manualPage(const CommandLine& line, const std::string& page)
             shown = command.get();
     if (shown == nullptr)
         return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one of {0}, found \"{1}\"", fmt::join(manualPages(line), ", "), page),
+                    Sentence("expected one of {0}, found \"{1}\"",
+                             fmt::format("{}", fmt::join(manualPages(line), ", ")), page),
                     "--manual");
     const bool isProgram = shown == &line;
     const std::string called = isProgram ? line.name() : line.name() + " " + shown->name();

@@ -14,7 +14,8 @@ Result<std::string> completionFor(const CommandLine& line, const std::string& na
     const auto* const row = std::ranges::find(shellRows, name, &ShellRow::name);
     if (row == shellRows.end())
         return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one of {0}, found \"{1}\"", fmt::join(namesIn(shellRows), ", "), name),
+                    Sentence("expected one of {0}, found \"{1}\"",
+                             fmt::format("{}", fmt::join(namesIn(shellRows), ", ")), name),
                     completionOption);
     return completionScript(line, row->shell);
 }
@@ -24,7 +25,7 @@ Result<std::string> completionFor(const CommandLine& line, const std::string& na
 void CommandLine::addWords() {
     option(completionOption, completion_,
            fmt::format("Print a completion script for a shell, one of {}, and end.",
-                       fmt::join(namesIn(shellRows), ", ")),
+                       fmt::format("{}", fmt::join(namesIn(shellRows), ", "))),
            {.value = "SHELL", .offers = {.words = [] { return namesIn(shellRows); }}});
     option(manualOption, manual_,
            fmt::format("Print a manual page for \"man -l\", and end: {}; \"{}\" prints the names.",

@@ -12,6 +12,7 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 #include "app/ui/services/unsaved_work.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,7 @@
 #include "app/offscreen/context.h"
 #include "app/offscreen/egl_display.h"
 #include "app/offscreen/gl_lookup.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <GL/gl.h>
 #include <fmt/core.h>

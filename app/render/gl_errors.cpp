@@ -1,5 +1,6 @@
 #include "app/render/gl_errors.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/gl/error.h"
 
 #include <GL/glew.h>

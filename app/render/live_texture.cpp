@@ -1,5 +1,6 @@
 #include "app/render/live_texture.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/image/power_of_two.h"
 
 #include <fmt/core.h>

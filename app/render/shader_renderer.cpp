@@ -4,6 +4,7 @@
 #include "app/render/pipeline.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_program.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/model_mesh.h"

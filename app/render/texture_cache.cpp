@@ -1,5 +1,6 @@
 #include "app/render/texture_cache.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/reference/sampling/lod.h"
 #include "texplorer/scene/params/param_text.h"

@@ -10,6 +10,7 @@
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/workers/work_loop.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/base/thrown.h"
 #include "texplorer/texture/image_budget.h"
 

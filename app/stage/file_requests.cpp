@@ -8,6 +8,7 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 #include "texplorer/base/parallel.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
 

@@ -10,6 +10,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/layout.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 #include <imgui.h>

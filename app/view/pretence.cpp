@@ -1,5 +1,6 @@
 #include "app/view/pretence.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/scene.h"
 #include "texplorer/text/nearest_name.h"
@@ -125,7 +126,8 @@ Result<void> Pretence::add(std::string_view word) {
     }
     if (nearestName(name, names).empty())
         return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one of {0}, found {1}", fmt::join(names, ", "), inQuotes(word)),
+                    Sentence("expected one of {0}, found {1}", fmt::format("{}", fmt::join(names, ", ")),
+                             inQuotes(word)),
                     option);
     return fail(ErrorCode::OutOfRange,
                 Sentence("{0} cannot be taken away; {1}", inQuotes(word), suggestName(name, names)), option);

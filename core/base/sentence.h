@@ -2,17 +2,18 @@
 
 // Texts for people that can be translated.
 
-#include <fmt/core.h>
-
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace texplorer {
@@ -26,14 +27,14 @@ struct ProperName {
 /// made. `Sentence("expected {0} bytes, found {1}", 54, 3)`. Equal sentences have the same English text.
 class Sentence {
 public:
-    /// The key, checked when it is compiled: placeholders are numbered and may have a format, "{0:.2f}".
+    /// The key, checked when it is compiled: each placeholder has the number of an argument, and, if that is
+    /// a number, maybe a format of the fmt library, "{0:.2f}".
     template<class... Arguments>
     struct Key {
         template<std::convertible_to<std::string_view> Text>
-        consteval Key(const Text& key) // implicit, as fmt::format_string is
+        consteval Key(const Text& key) // implicit, so that a literal can be passed
             : text(key) {
-            static_cast<void>(fmt::format_string<Arguments...>(key));
-            checkNumbers(text);
+            check(text, std::array{kindOf<Arguments>()...});
         }
         std::string_view text;
     };
@@ -49,15 +50,13 @@ public:
     Sentence(ProperName name)
         : english_(name.text)
         , isName_(true) {}
+    /// Arguments are numbers, texts, names and sentences.
     template<class First, class... Rest>
     Sentence(Key<std::type_identity_t<First>, std::type_identity_t<Rest>...> key, const First& first,
              const Rest&... rest)
         : key_(key.text)
         , arguments_(1 + sizeof...(rest)) {
-        write(fmt::make_format_args(first, rest...));
-        auto formatted = arguments_.begin();
-        setArgument(*formatted++, first);
-        (setArgument(*formatted++, rest), ...);
+        write(std::array{valueOf(first), valueOf(rest)...});
     }
 
     [[nodiscard]] const std::string& english() const { return english_; }
@@ -77,31 +76,62 @@ public:
     friend std::ostream& operator<<(std::ostream& out, const Sentence& sentence);
 
 private:
-    void write(fmt::format_args arguments);
+    enum class Kind { Text, Whole, Real };
+    using Value = std::variant<std::string_view, ProperName, const Sentence*, bool, char, std::int64_t,
+                               std::uint64_t, float, double>;
 
-    /// Not constant, so that a wrong key doesn't compile.
-    static void placeholderWithoutNumber() {}
-    static constexpr void checkNumbers(std::string_view key) {
-        for (std::size_t i = 0; i + 1 < key.size(); ++i) {
-            if (key[i] != '{')
-                continue;
-            if (key[i + 1] == '{')
-                ++i;
-            else if (key[i + 1] < '0' || key[i + 1] > '9')
-                placeholderWithoutNumber();
-        }
+    template<class Argument>
+    static consteval Kind kindOf() {
+        return std::floating_point<Argument> ? Kind::Real
+               : std::integral<Argument>     ? Kind::Whole
+                                             : Kind::Text;
     }
 
     template<class Argument>
-    void setArgument(Sentence& formatted, const Argument& argument) {
+    static Value valueOf(const Argument& argument) {
         if constexpr (std::same_as<Argument, Sentence>)
-            formatted = argument;
-        else if constexpr (std::integral<Argument> && !std::same_as<Argument, bool> &&
-                           !std::same_as<Argument, char>)
-            formatted.number_ = static_cast<std::uint64_t>(argument);
+            return &argument;
+        else if constexpr (std::same_as<Argument, bool> || std::same_as<Argument, char> ||
+                           std::same_as<Argument, ProperName> || std::floating_point<Argument>)
+            return argument;
+        else if constexpr (std::signed_integral<Argument>)
+            return std::int64_t{argument};
+        else if constexpr (std::unsigned_integral<Argument>)
+            return std::uint64_t{argument};
         else
-            formatted.isName_ = std::same_as<Argument, ProperName> || std::floating_point<Argument>;
+            return std::string_view(argument);
     }
+
+    /// Not constant, so that a key for which it is called doesn't compile.
+    static void keyIsWrong(const char* /*reason*/) {}
+
+    template<std::size_t count>
+    static constexpr void check(std::string_view key, const std::array<Kind, count>& kinds) {
+        for (std::size_t i = 0; i < key.size(); ++i) {
+            if (key[i] != '{' && key[i] != '}')
+                continue;
+            if (i + 1 < key.size() && key[i + 1] == key[i]) {
+                ++i;
+                continue;
+            }
+            const std::size_t end = key.find('}', i);
+            const auto number = i + 1 < key.size() ? static_cast<std::size_t>(key[i + 1] - '0') : count;
+            if (key[i] == '}' || end == std::string_view::npos || number >= count)
+                return keyIsWrong("expected the number of an argument in braces");
+            if (end > i + 2)
+                checkFormat(key.substr(i + 2, end - i - 2), kinds[number]);
+            i = end;
+        }
+    }
+
+    static constexpr void checkFormat(std::string_view format, Kind kind) {
+        const std::string_view types = kind == Kind::Real ? "0123456789aefg" : "0123456789bdoxX";
+        if (format.front() != ':' || kind == Kind::Text || format.size() < 2 ||
+            types.find(format.back()) == std::string_view::npos)
+            keyIsWrong("expected no format, or one of a number");
+    }
+
+    void write(std::span<const Value> values);
 
     std::string english_;
     std::string_view key_; ///< a literal
@@ -111,19 +141,3 @@ private:
 };
 
 } // namespace texplorer
-
-template<>
-struct fmt::formatter<texplorer::Sentence> {
-    static constexpr auto parse(format_parse_context& context) { return context.begin(); }
-    static auto format(const texplorer::Sentence& sentence, format_context& context) {
-        return format_to(context.out(), "{}", sentence.english());
-    }
-};
-
-template<>
-struct fmt::formatter<texplorer::ProperName> {
-    static constexpr auto parse(format_parse_context& context) { return context.begin(); }
-    static auto format(const texplorer::ProperName& name, format_context& context) {
-        return format_to(context.out(), "{}", name.text);
-    }
-};

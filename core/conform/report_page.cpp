@@ -1,4 +1,5 @@
 #include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/compare/heat_map.h"
 #include "texplorer/conform/made_files.h"

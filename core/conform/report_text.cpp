@@ -1,4 +1,5 @@
 #include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/conform/report.h"
 #include "texplorer/conform/report_words.h"
 

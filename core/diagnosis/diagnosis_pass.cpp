@@ -1,5 +1,6 @@
 // Passes and models.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/diagnosis_rules.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"

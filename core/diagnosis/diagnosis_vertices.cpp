@@ -1,5 +1,6 @@
 // Vertices whose normals or coordinates OpenGL leaves undefined, or that drivers lack the bits for.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/diagnosis_rules.h"
 #include "texplorer/reference/shading/coordinate_reach.h"
 #include "texplorer/reference/shading/coordinates.h"

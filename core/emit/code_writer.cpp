@@ -1,5 +1,6 @@
 #include "texplorer/emit/code_writer.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"

@@ -1,3 +1,4 @@
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/emission.h"
 #include "texplorer/emit/glsl_emission.h"
 #include "texplorer/gl/argument_names.h"

@@ -1,5 +1,6 @@
 // The texels of a texture object: what glTexImage is given.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/emit/emission.h"
 #include "texplorer/gl/argument_names.h"

@@ -1,6 +1,7 @@
 // Key frames: tables of keys, and a function that finds out what they say. Numbers come out as
 // core/scene/params/value_mix.cpp has them, to the last bit.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/emission.h"
 #include "texplorer/emit/piece_files.h"
 #include "texplorer/gl/argument_names.h"

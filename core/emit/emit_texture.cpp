@@ -1,3 +1,4 @@
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/emit/emission.h"
 #include "texplorer/emit/webgl.h"

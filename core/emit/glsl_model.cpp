@@ -1,5 +1,6 @@
 // Models in vertex buffers: OpenGL 3.3, core profile.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/glsl_emission.h"
 #include "texplorer/emit/webgl.h"
 #include "texplorer/gl/argument_names.h"

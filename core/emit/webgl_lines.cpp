@@ -1,5 +1,6 @@
 // From C and GLSL 3.30 to JavaScript and GLSL ES 3.00.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/webgl.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"

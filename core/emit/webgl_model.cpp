@@ -1,5 +1,6 @@
 // Models in vertex buffers, in JavaScript.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/webgl.h"
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/drawn_models.h"

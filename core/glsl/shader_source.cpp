@@ -1,5 +1,6 @@
 #include "texplorer/glsl/shader_source.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/gl/combine_arguments.h"
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/drawn_models.h"

@@ -1,6 +1,7 @@
 #include "texplorer/golden/golden.h"
 
 #include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/texture_file.h"
 #include "texplorer/compare/comparison.h"
 #include "texplorer/s3tc/surface_pixels.h"

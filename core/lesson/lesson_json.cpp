@@ -1,3 +1,4 @@
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/lesson/lesson.h"
 #include "texplorer/lesson/strict_json.h"
 #include "texplorer/scene/params/param_text.h"

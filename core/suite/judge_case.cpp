@@ -1,6 +1,7 @@
 #include "texplorer/suite/judge_case.h"
 
 #include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/compare/comparison.h"
 #include "texplorer/compare/heat_map.h"
 #include "texplorer/compare/picture_pair.h"

@@ -1,5 +1,6 @@
 #include "texplorer/suite/junit.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/text/html.h"
 #include "texplorer/text/utf8.h"
 

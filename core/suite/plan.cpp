@@ -1,5 +1,6 @@
 #include "texplorer/suite/plan.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/lesson/lesson_scene.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/suite/case_name.h"

@@ -1,6 +1,7 @@
 #include "texplorer/suite/record.h"
 
 #include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"
 

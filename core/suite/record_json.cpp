@@ -1,5 +1,6 @@
 #include "texplorer/suite/record_json.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/report/report_files.h"
 #include "texplorer/suite/json_reader.h"
 #include "texplorer/text/printable.h"

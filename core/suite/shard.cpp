@@ -1,5 +1,6 @@
 #include "texplorer/suite/shard.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/suite/json_reader.h"
 

@@ -1,3 +1,4 @@
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/lesson/example.h"
 #include "texplorer/scene/params/json.h"

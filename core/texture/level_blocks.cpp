@@ -1,5 +1,6 @@
 // Levels in blocks: which are kept as the file has them, and which are compressed.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/image/depth_pixels.h"
 #include "texplorer/image/power_of_two.h"
 #include "texplorer/s3tc/decode.h"

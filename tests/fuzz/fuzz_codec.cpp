@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!recognised && image)
         fuzz::broken("a file that no row recognises was decoded");
     if (!image && !test::isOneLine(image.error().message))
-        fuzz::broken("the error isn't one line: " + image.error().message);
+        fuzz::broken("the error isn't one line: " + image.error().message.english());
     if (dissect(file).format != (recognised ? recognised->name : std::string_view()))
         fuzz::broken("another row dissects the file than recognises it");
     return 0;

@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool lossless = (!flip.vertical || flipsWithoutLoss(image.height)) &&
                           (!flip.horizontal || flipsWithoutLoss(image.width));
     if (done.has_value() != lossless)
-        fuzz::broken(done ? "a flip that can't be lossless was made" : done.error().message);
+        fuzz::broken(done ? "a flip that can't be lossless was made" : done.error().message.english());
     if (!done) {
         if (done.error().message.empty() || image != original)
             fuzz::broken("a refused flip says nothing or changes the blocks");

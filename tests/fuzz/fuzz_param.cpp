@@ -13,17 +13,17 @@ void set(Scene& scene, std::string_view path, std::string_view text) {
     const Result<void> done = setParam(scene, path, text);
     const Result<std::string> value = getParam(scene, path);
     if (!done) {
-        if (done.error().message.empty() || describe(done.error()).find('\n') != std::string::npos)
-            fuzz::broken("the error isn't one line: " + describe(done.error()));
+        if (done.error().message.empty() || describe(done.error()).english().find('\n') != std::string::npos)
+            fuzz::broken("the error isn't one line: " + describe(done.error()).english());
         if (scene != before)
-            fuzz::broken("a refused value changed the scene: " + describe(done.error()));
+            fuzz::broken("a refused value changed the scene: " + describe(done.error()).english());
         return;
     }
     if (!value)
-        fuzz::broken("what was set can't be read: " + describe(value.error()));
+        fuzz::broken("what was set can't be read: " + describe(value.error()).english());
     Scene repeated = scene;
     if (const Result<void> again = setParam(repeated, path, *value); !again)
-        fuzz::broken("what was read can't be set: " + describe(again.error()));
+        fuzz::broken("what was read can't be set: " + describe(again.error()).english());
     if (repeated != scene)
         fuzz::broken("setting what was read changes the scene: " + *value);
 }

@@ -12,9 +12,9 @@ namespace {
 
 template<class T>
 void expectOneLine(const Result<T>& result) {
-    if (!result &&
-        (result.error().message.empty() || describe(result.error()).find('\n') != std::string::npos))
-        fuzz::broken("the error isn't one line: " + describe(result.error()));
+    if (!result && (result.error().message.empty() ||
+                    describe(result.error()).english().find('\n') != std::string::npos))
+        fuzz::broken("the error isn't one line: " + describe(result.error()).english());
 }
 
 } // namespace
@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const Result<suite::RunRecord> again = suite::parseRun(suite::asJson(*run));
     if (!again)
-        fuzz::broken("what was written can't be read: " + describe(again.error()));
+        fuzz::broken("what was written can't be read: " + describe(again.error()).english());
     if (*again != *run)
         fuzz::broken("writing and reading again gives another run");
     return 0;

@@ -20,7 +20,7 @@ using namespace texplorer;
 bool write(const std::filesystem::path& folder, const std::string& name, ByteView bytes) {
     const Result<void> done = writeFileAtomically(folder / name, bytes);
     if (!done)
-        std::fprintf(stderr, "make_corpus: %s\n", describe(done.error()).c_str());
+        std::fprintf(stderr, "make_corpus: %s\n", describe(done.error()).english().c_str());
     return done.has_value();
 }
 

@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/axes_argument.h"
 
 #include "app/screenshot/arguments/scene_argument.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/scene/initial_like.h"
 #include "texplorer/scene/params/params.h"

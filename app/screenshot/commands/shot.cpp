@@ -10,6 +10,7 @@
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
 #include "app/ui/state/min_window_size.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/reference/false_colors.h"
 
 #include <fmt/core.h>

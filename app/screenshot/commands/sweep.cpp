@@ -11,6 +11,7 @@
 #include "app/screenshot/shots/shot_list.h"
 #include "app/screenshot/shots/shot_run.h"
 #include "app/view/picture_texts.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/sheet/axis_labels.h"
 #include "texplorer/sheet/layout.h"
 #include "texplorer/text/printable.h"

@@ -3,6 +3,7 @@
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/registry.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/suite/plan.h"

@@ -2,6 +2,7 @@
 
 #include "app/screenshot/output/answer.h"
 #include "app/screenshot/workers/signal_text.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

@@ -4,6 +4,7 @@
 #include "app/screenshot/reports/lesson_step.h"
 #include "app/ui/language/lesson_catalogue.h"
 #include "texplorer/base/parallel.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/base/tried.h"
 #include "texplorer/files/file_io.h"
 

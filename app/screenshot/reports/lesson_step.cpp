@@ -2,6 +2,7 @@
 
 #include "app/screenshot/reports/step_programs.h"
 #include "app/ui/state/figures.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/image/convert.h"
 #include "texplorer/lesson/match.h"

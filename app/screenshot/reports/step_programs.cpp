@@ -1,6 +1,7 @@
 #include "app/screenshot/reports/step_programs.h"
 
 #include "app/screenshot/reports/program_text.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/excerpt.h"
 #include "texplorer/emit/flavour.h"
 #include "texplorer/files/file_io.h"

@@ -9,6 +9,7 @@
 #include "app/screenshot/shots/shot_drawer.h"
 #include "texplorer/base/count.h"
 #include "texplorer/base/parallel.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/image/convert.h"
 
 #include <fmt/core.h>

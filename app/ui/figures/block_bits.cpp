@@ -4,6 +4,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

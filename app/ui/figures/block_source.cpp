@@ -8,6 +8,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/segments.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/image/convert.h"
 #include "texplorer/s3tc/encode.h"
 

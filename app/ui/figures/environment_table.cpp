@@ -12,6 +12,7 @@
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/reference/shading/equation_text.h"
 #include "texplorer/scene/params/keys.h"
 

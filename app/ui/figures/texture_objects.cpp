@@ -11,6 +11,7 @@
 #include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

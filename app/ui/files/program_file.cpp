@@ -1,5 +1,6 @@
 #include "app/ui/files/program_file.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/program.h"
 #include "texplorer/files/file_io.h"
 

@@ -1,6 +1,7 @@
 #include "app/ui/services/captures.h"
 
 #include "app/ui/services/free_name.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/files/user_folder.h"

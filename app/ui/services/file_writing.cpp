@@ -3,6 +3,7 @@
 #include "app/ui/services/free_name.h"
 #include "texplorer/base/background_thread.h"
 #include "texplorer/base/parallel.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/text/printable.h"
 
 #include <fmt/core.h>

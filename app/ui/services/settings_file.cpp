@@ -1,6 +1,7 @@
 #include "app/ui/services/settings_file.h"
 
 #include "app/ui/services/settings_json.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/files/folder_lock.h"
 #include "texplorer/files/user_folder.h"

@@ -8,6 +8,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/projections.h"
 
 #include <fmt/core.h>

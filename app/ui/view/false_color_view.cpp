@@ -4,6 +4,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/picking.h"
 #include "texplorer/scene/tex_coords.h"
 

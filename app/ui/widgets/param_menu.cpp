@@ -5,6 +5,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/param_parts.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/key_edits.h"
 
 #include <fmt/core.h>

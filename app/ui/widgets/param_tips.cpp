@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/tip.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/text/printable.h"
 
 #include <fmt/core.h>

@@ -9,6 +9,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/text_field.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/param_text.h"
 

@@ -5,6 +5,7 @@
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/widgets/wrapped_text.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/text/printable.h"
 
 #include <fmt/core.h>

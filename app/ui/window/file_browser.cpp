@@ -8,6 +8,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/window/dialog_parts.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/text/printable.h"
 

@@ -152,7 +152,7 @@ void drawProblems(std::span<const std::string> problems) {
     fittedText(problems.size() > 1 ? Sentence("1 of {0}: {1}", problems.size(), first) : Sentence(first),
                color::problem);
     noteItem("problem");
-    helpTip(Sentence("{0}", fmt::join(problems, "\n")));
+    helpTip(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
 /// The most important message: problems go before the result of a probed pixel.

@@ -1,5 +1,6 @@
 #include "texplorer/codec/jpeg/jpeg.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/jpeg/jpeg_markers.h"
 #include "texplorer/codec/jpeg/jpeg_reader.h"
 

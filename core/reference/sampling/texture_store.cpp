@@ -1,5 +1,6 @@
 #include "texplorer/reference/sampling/texture_store.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/reference/sampling/completeness.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,6 @@
 #include "texplorer/scene/params/json_problem.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"

@@ -1,5 +1,6 @@
 #include "texplorer/scene/params/timeline_check.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/scene_check.h"

@@ -1,4 +1,5 @@
 #include "texplorer/base/sentence.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <gmock/gmock.h>
 

@@ -23,7 +23,7 @@ using namespace texplorer;
 template<class T>
 T orEnd(Result<T> result) {
     if (!result) {
-        std::fprintf(stderr, "consumer: %s\n", describe(result.error()).c_str());
+        std::fprintf(stderr, "consumer: %s\n", describe(result.error()).english().c_str());
         std::exit(1);
     }
     if constexpr (!std::is_void_v<T>)

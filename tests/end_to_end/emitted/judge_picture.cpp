@@ -10,6 +10,7 @@
 // driver's arithmetic (lambda_range.h): from one derivative for 2 x 2 pixels, of log2(rho) at most 0.0215 too
 // little, which was measured at 81 places from 0 to 5.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/codec/registry.h"
 #include "texplorer/conform/judge.h"

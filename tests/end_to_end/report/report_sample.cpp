@@ -1,6 +1,7 @@
 // report_sample DIR [COUNT [WIDTH [HEIGHT]]]: writes the page of an invented run, with a case of every state
 // and hostile names. For the tests that open it in a browser, and for developers of the page.
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/image/image.h"
