@@ -102,8 +102,9 @@ private:
             return std::string_view(argument);
     }
 
-    /// Not constant, so that a key for which it is called doesn't compile.
-    static void keyIsWrong(const char* /*reason*/) {}
+    // Not constant, so that a key for which one of them is called doesn't compile.
+    static void placeholderHasNoArgument() {}
+    static void formatIsNotOfANumber() {}
 
     template<std::size_t count>
     static constexpr void check(std::string_view key, const std::array<Kind, count>& kinds) {
@@ -117,7 +118,7 @@ private:
             const std::size_t end = key.find('}', i);
             const auto number = i + 1 < key.size() ? static_cast<std::size_t>(key[i + 1] - '0') : count;
             if (key[i] == '}' || end == std::string_view::npos || number >= count)
-                return keyIsWrong("expected the number of an argument in braces");
+                return placeholderHasNoArgument();
             if (end > i + 2)
                 checkFormat(key.substr(i + 2, end - i - 2), kinds[number]);
             i = end;
@@ -128,7 +129,7 @@ private:
         const std::string_view types = kind == Kind::Real ? "0123456789aefg" : "0123456789bdoxX";
         if (format.front() != ':' || kind == Kind::Text || format.size() < 2 ||
             types.find(format.back()) == std::string_view::npos)
-            keyIsWrong("expected no format, or one of a number");
+            formatIsNotOfANumber();
     }
 
     void write(std::span<const Value> values);
