@@ -34,7 +34,7 @@ double distanceOf(const Session& session, const View& view) {
     const reference::Explanation* explanation = explanationOf(session);
     const reference::FragmentExplanation* seen = explanation ? explanation->seen() : nullptr;
     if (!seen || explanation->pixel != session.look.explaining.pixel)
-        return view.distance;
+        return double{view.distance};
     const auto [near, far] = clipPlanes(view);
     return near * far / (far - static_cast<double>(seen->depth) * (far - near));
 }
