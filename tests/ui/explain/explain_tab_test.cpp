@@ -112,6 +112,7 @@ TEST_F(ExplainTab, TheExplainedPixelShowsTheSameInViewsOfOtherShapes) {
     };
     const reference::PixelPlace before = *explaining().pixel;
     const glm::vec2 found = coords();
+    ASSERT_GE(found.x, 0);
     const float distance = scene().view.distance;
     const auto expectSame = [&] {
         frames(3);
