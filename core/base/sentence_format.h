@@ -7,8 +7,9 @@
 #include <fmt/core.h>
 
 template<>
-struct fmt::formatter<texplorer::Sentence> : fmt::formatter<fmt::string_view> {
-    auto format(const texplorer::Sentence& sentence, format_context& context) const {
-        return formatter<fmt::string_view>::format(sentence.english(), context);
+struct fmt::formatter<texplorer::Sentence> {
+    static constexpr auto parse(format_parse_context& context) { return context.begin(); }
+    static auto format(const texplorer::Sentence& sentence, format_context& context) {
+        return fmt::format_to(context.out(), "{}", sentence.english()); // qualified: std has one, too
     }
 };
